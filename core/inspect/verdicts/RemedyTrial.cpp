@@ -1,12 +1,13 @@
 #include "core/inspect/verdicts/RemedyTrial.h"
 
-#include "core/base/Say.h"
 #include "core/measure/Metrics.h"
 #include "core/measure/compare/GhostEnergy.h"
+#include "core/settings/Parameters.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -57,12 +58,19 @@ double gradientSum(const Image& shown) {
   return sum;
 }
 
+double meanOfSquares(const Image& values) {
+  double sum = 0.0;
+  for (const float value : values.pixels) sum += double(value) * double(value);
+  return sum / static_cast<double>(values.pixels.size());
+}
+
 /// Sums up squares over frames.
 struct SquareSums {
-  double errors = 0.0, changes = 0.0, ghosts = 0.0;
+  double errors = 0.0, latest = 0.0, changes = 0.0, ghosts = 0.0;
   int errorCount = 0, changeCount = 0;
   void add(double error) {
     errors += error;
+    latest = error;
     ++errorCount;
   }
   void add(double change, double ghost) {
@@ -70,23 +78,48 @@ struct SquareSums {
     ghosts += ghost;
     ++changeCount;
   }
-  void addTo(RemedyMeasure& measure) const {
+  RemedyMeasure measure() const {
+    RemedyMeasure measure;
     if (errorCount > 0) measure.error = std::sqrt(errors / errorCount);
-    if (changeCount == 0) return;
+    measure.latest = std::sqrt(latest);
+    if (changeCount == 0) return measure;
     measure.flicker = std::sqrt(changes / changeCount);
     measure.ghost = std::sqrt(ghosts / changeCount);
+    return measure;
   }
 };
 
-double meanOfSquares(const Image& values) {
-  double sum = 0.0;
-  for (const float value : values.pixels) sum += double(value) * double(value);
-  return sum / static_cast<double>(values.pixels.size());
-}
+/// What a frame is held against, whatever the settings.
+struct Truth {
+  Image shown;             ///< the reference as a screen is sent it
+  Image historyPositionPx; ///< where each pixel's own motion vector points, far off where it has none
+};
 
-/// A frame that was measured, which the next one is held against.
-struct Measured {
-  Image shown, errors;
+/// Pictures of one lane, frame by frame.
+class PictureSums {
+ public:
+  void add(const Image& color, const Truth& should) {
+    Image shown = shownColors(color), errors = shownErrors(shown, should.shown);
+    sums_.add(meanOfSquares(errors));
+    if (shown_) {
+      const Image ghosts = ghostMap({shown, should.shown, *shown_, should.historyPositionPx});
+      sums_.add(meanOfSquares(shownErrors(errors, errors_)), meanOfSquares(ghosts));
+    }
+    shown_ = std::move(shown);
+    errors_ = std::move(errors);
+  }
+  /// `reference`: of the last frame, as shown.
+  RemedyMeasure measure(const Image& reference) const {
+    RemedyMeasure measure = sums_.measure();
+    const double gradients = gradientSum(reference);
+    if (gradients > 0.0) measure.sharpness = gradientSum(*shown_) / gradients;
+    return measure;
+  }
+
+ private:
+  SquareSums sums_;
+  std::optional<Image> shown_; // of the frame before
+  Image errors_;
 };
 
 } // namespace
@@ -106,14 +139,22 @@ HistoryHandle RemedyTrial::historyBefore() {
 
 void RemedyTrial::follow(const glm::ivec2& pixel) {
   moments_ = evidence_.moments(last_, pixel, std::min(kMeasuredFrames, last_ - first_ + 1));
-  std::map<int, glm::ivec2> wanted;
-  for (const SurfaceMoment& moment : moments_) wanted[moment.frame] = moment.pixel;
-  parts_ = std::make_unique<PartlyResolved>(evidence_.state(), first_, wanted, progress_);
+  for (const SurfaceMoment& moment : moments_) wanted_[moment.frame] = moment.pixel;
 }
 
-RemedyMeasure RemedyTrial::ofPixel(const Settings& settings) {
-  const std::map<int, glm::dvec3> colors =
-      parts_->colors(player_.maker().pass, historyBefore(), settings, progress_);
+PartlyResolved& RemedyTrial::partsFor(const Settings& settings) {
+  const bool isPresent = sameInputs(settings, evidence_.settings());
+  std::unique_ptr<PartlyResolved>& parts = isPresent ? parts_ : others_;
+  if (parts && (isPresent || sameInputs(settings, settingsOfOthers_))) return *parts;
+  ShotState state = evidence_.state();
+  state.lanes = {settings};
+  parts = nullptr; // its textures first
+  parts = std::make_unique<PartlyResolved>(state, first_, wanted_, progress_);
+  if (!isPresent) settingsOfOthers_ = settings;
+  return *parts;
+}
+
+RemedyMeasure RemedyTrial::ofColors(const std::map<int, glm::dvec3>& colors) {
   SquareSums sums;
   std::optional<glm::dvec3> before;
   for (auto moment = moments_.rbegin(); moment != moments_.rend(); ++moment) {
@@ -123,56 +164,38 @@ RemedyMeasure RemedyTrial::ofPixel(const Settings& settings) {
     if (before) sums.add(meanOfSquares(error - *before), 0.0);
     before = error;
   }
-  RemedyMeasure measure;
-  sums.addTo(measure);
-  return measure;
+  return sums.measure();
 }
 
-HistoryHandle RemedyTrial::resolve(const ShotState& state, int frame, const HistoryHandle& previous) {
-  InputsHandle& inputs = inputs_[frame];
-  if (!inputs) inputs = std::make_shared<LazyInputs>();
-  FrameMaker& maker = player_.maker();
-  ShownFrame made = maker.take();
-  maker.make(state, {frame, {previous}, {true}, false, {inputs}}, made);
-  HistoryHandle left = made.lanes[0].current;
-  maker.recycle(std::move(made));
-  return left;
+RemedyMeasure RemedyTrial::ofPixel(const Settings& settings) {
+  assert(!wanted_.empty());
+  return ofColors(partsFor(settings).colors(player_.maker().pass, historyBefore(), settings, progress_));
 }
 
-const RemedyTrial::Truth& RemedyTrial::truth(int frame) {
-  const auto known = truths_.find(frame);
-  if (known != truths_.end()) return known->second;
-  Truth truth{shownColors(evidence_.wholeReference(frame)), historyPositions(inputs_.at(frame)->textures),
-              0.0};
-  truth.gradients = gradientSum(truth.shown);
-  return truths_[frame] = std::move(truth);
-}
-
-RemedyMeasure RemedyTrial::ofPicture(const Settings& settings) {
-  ShotState state = evidence_.state();
-  state.lanes = {settings};
-  RemedyMeasure measure;
-  SquareSums sums;
-  std::optional<Measured> before;
-  HistoryHandle history = historyBefore();
-  for (int frame = first_; frame <= last_; ++frame) {
-    report(progress_, say<"Measuring what remedies cost">(), frame - first_, last_ - first_ + 1);
-    history = resolve(state, frame, history);
-    if (frame <= last_ - kMeasuredFrames) continue;
-    const Truth& should = truth(frame);
-    Measured now{shownColors(history->color.download()), {}};
-    now.errors = shownErrors(now.shown, should.shown);
-    sums.add(meanOfSquares(now.errors));
-    if (before) {
-      const Image ghosts = ghostMap({now.shown, should.shown, before->shown, should.historyPositionPx});
-      sums.add(meanOfSquares(shownErrors(now.errors, before->errors)), meanOfSquares(ghosts));
+std::vector<WholeMeasure> RemedyTrial::ofWhole(const std::vector<Settings>& lanes,
+                                               std::vector<Checkpoints>& kept) {
+  assert(!wanted_.empty() && lanes.front() == evidence_.settings());
+  kept.resize(lanes.size());
+  kept.front().keepAll(player_.checkpoints().at(static_cast<std::size_t>(evidence_.lane())));
+  std::vector<PictureSums> pictures(lanes.size());
+  std::vector<std::map<int, glm::dvec3>> colors(lanes.size());
+  Truth should;
+  for (int frame = std::max(first_, last_ - kMeasuredFrames + 1); frame <= last_; ++frame) {
+    ShownFrame made = player_.makeInBackground(frame, lanes, kept, progress_);
+    const FrameInputs& inputs = player_.maker().inputs(evidence_.state(), made, 0);
+    should = {shownColors(evidence_.wholeReference(frame)), historyPositions(inputs)};
+    for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
+      const Image color = made.lanes[lane].current->color.download();
+      pictures[lane].add(color, should);
+      if (const auto at = wanted_.find(frame); at != wanted_.end())
+        colors[lane][frame] = pixelColorAt(color, at->second);
     }
-    if (frame == last_ && should.gradients > 0.0)
-      measure.sharpness = gradientSum(now.shown) / should.gradients;
-    before = std::move(now);
+    player_.maker().recycle(std::move(made));
   }
-  sums.addTo(measure);
-  return measure;
+  std::vector<WholeMeasure> measures;
+  for (std::size_t lane = 0; lane < lanes.size(); ++lane)
+    measures.push_back({ofColors(colors[lane]), pictures[lane].measure(should.shown)});
+  return measures;
 }
 
 } // namespace taa

@@ -1,13 +1,15 @@
 // What other settings would have made of the last frames: a pixel's surface in them, and whole pictures.
 #pragma once
 
-#include "core/base/Image.h"
 #include "core/base/Progress.h"
 #include "core/inspect/verdicts/EvidenceFrames.h"
 #include "core/inspect/verdicts/PartlyResolved.h"
+#include "core/replay/Checkpoints.h"
+#include "core/replay/ShotPlayer.h"
 #include "core/verdict/pixel/Remedies.h"
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include <map>
 #include <memory>
@@ -18,42 +20,43 @@ namespace taa {
 /// Frames that are measured, the last of those that are tried.
 inline constexpr int kMeasuredFrames = 4;
 
-/// Frames `first` to `last`, on the history that the present settings left before them. All of it throws
-/// Error, Cancelled.
+/// What settings make of a shot's frames from where history starts.
+struct WholeMeasure {
+  RemedyMeasure pixel, picture;
+};
+
+/// Frames up to `last`. All of it throws Error, Cancelled.
 class RemedyTrial {
  public:
   /// `evidence`, `progress`: stay as long as it does.
   RemedyTrial(ShotPlayer& player, EvidenceFrames& evidence, int last, int first, const Progress& progress);
 
-  /// Looks at the surface that a pixel of the last frame shows.
+  /// Looks at the surface that a pixel of the last frame shows: the other members expect it.
   void follow(const glm::ivec2& pixel);
-  /// Of that surface; expects follow(). Resolves no more than it takes.
+  /// Of that surface, from frame `first` on, on the history that the present settings left before it.
+  /// Resolves no more than it takes.
   RemedyMeasure ofPixel(const Settings& settings);
-  RemedyMeasure ofPicture(const Settings& settings);
+  /// Of that surface and of whole pictures, each resolved from where its history starts: what the program
+  /// shows with these settings. `lanes`: the present settings first. `kept`: what is known of them, and of
+  /// how far they were resolved when it is Cancelled.
+  std::vector<WholeMeasure> ofWhole(const std::vector<Settings>& lanes, std::vector<Checkpoints>& kept);
 
  private:
-  /// What a frame is held against, whatever the settings.
-  struct Truth {
-    Image shown;             ///< the reference as a screen is sent it
-    Image historyPositionPx; ///< where each pixel's own motion vector points, far off where it has none
-    double gradients = 0.0;  ///< gradientSum() of the reference
-  };
-
   HistoryHandle historyBefore();
-  /// What the frame leaves, by the settings of `state`.
-  HistoryHandle resolve(const ShotState& state, int frame, const HistoryHandle& previous);
-  /// Of a frame that was resolved.
-  const Truth& truth(int frame);
+  /// The frames with the inputs that `settings` draw.
+  PartlyResolved& partsFor(const Settings& settings);
+  RemedyMeasure ofColors(const std::map<int, glm::dvec3>& colors);
 
   ShotPlayer& player_;
   EvidenceFrames& evidence_;
   int last_, first_;
   const Progress& progress_;
   HistoryHandle before_;
-  std::vector<SurfaceMoment> moments_;    // latest first
-  std::unique_ptr<PartlyResolved> parts_; // of the moments
-  std::map<int, InputsHandle> inputs_;    // of whole pictures, drawn once for all
-  std::map<int, Truth> truths_;
+  std::vector<SurfaceMoment> moments_;     // latest first
+  std::map<int, glm::ivec2> wanted_;       // pixels of the moments by frame
+  std::unique_ptr<PartlyResolved> parts_;  // of the moments, with the present inputs
+  std::unique_ptr<PartlyResolved> others_; // with those that were drawn otherwise last
+  Settings settingsOfOthers_;
 };
 
 } // namespace taa

@@ -20,6 +20,8 @@ namespace taa {
 
 namespace {
 
+constexpr std::size_t kToldRemedies = 3;
+
 /// The frame in which most of today's ghost came in, by what of it points the error's way.
 const ErrorOfFrame* mostOfGhost(const PixelError& error) {
   const ErrorOfFrame* most = nullptr;
@@ -52,6 +54,14 @@ std::string nameOf(const Scene& scene, int object) {
 Progress withoutSteps(const Progress& progress) {
   if (!progress) return {};
   return [&progress](std::string_view what, int, int) { return progress(what, 0, 0); };
+}
+
+/// Tells of whatever is done as measuring.
+Progress measuring(const Progress& progress) {
+  if (!progress) return {};
+  return [&progress](std::string_view, int done, int total) {
+    return progress(say<"Measuring what remedies cost">(), done, total);
+  };
 }
 
 /// Where the trouble began, but frames enough for it to settle, and few enough to try many.
@@ -115,40 +125,43 @@ RemedyAnswer VerdictOfShot::triedRemedies(const VerdictQuestion& question, const
   EvidenceFrames frames(player_, references_, question.lane, question.samples, goesOn);
   RemedyAnswer answer;
   answer.first = firstTried(frames.state(), question.frame, verdict);
-  const std::vector<Remedy> remedies = remediesFor(verdict, frames.settings());
-  const auto tell = [&] {
-    report(progress, say<"Trying remedies">(), static_cast<int>(search.tried.size()),
-           static_cast<int>(remedies.size()));
-  };
-  tell();
   RemedyTrial trial(player_, frames, question.frame, answer.first, goesOn);
   trial.follow(question.pixel);
   if (!search.before) search.before = trial.ofPixel(frames.settings());
-  for (std::size_t next = search.tried.size(); next < remedies.size(); ++next) {
-    tell();
-    search.tried.push_back({remedies[next], trial.ofPixel(remedies[next].settings)});
+  const RemedyCase of{verdict.kind, frames.settings(), frames.state().frames->capture() == nullptr,
+                      *search.before};
+  while (!search.waiting.empty() || search.rounds < kRemedyRounds) {
+    if (search.waiting.empty()) search.waiting = remedyRound(search.rounds++, of, search.tried);
+    for (; !search.waiting.empty(); search.waiting.erase(search.waiting.begin())) {
+      const auto tried = static_cast<int>(search.tried.size());
+      report(progress, say<"Trying remedies">(), tried, tried + static_cast<int>(search.waiting.size()));
+      const Remedy& next = search.waiting.front();
+      search.tried.push_back({next, trial.ofPixel(next.settings)});
+    }
   }
   answer.pixel = *search.before;
   answer.tried = static_cast<int>(search.tried.size());
-  answer.best = bestRemedies(search.tried, answer.pixel, 3);
+  answer.best = bestRemedies(search.tried, answer.pixel, kToldRemedies);
   return answer;
 }
 
 void VerdictOfShot::measurePictures(const VerdictQuestion& question, RemedyAnswer& answer,
                                     RemedySearch& search, const Progress& progress) {
-  const Progress goesOn = withoutSteps(progress);
-  EvidenceFrames frames(player_, references_, question.lane, question.samples, goesOn);
-  RemedyTrial trial(player_, frames, question.frame, answer.first, goesOn);
-  std::vector<Settings> all{frames.settings()};
-  for (const TriedRemedy& tried : answer.best) all.push_back(tried.remedy.settings);
-  for (std::size_t next = search.pictures.size(); next < all.size(); ++next) {
-    report(progress, say<"Measuring what remedies cost">(), static_cast<int>(next),
-           static_cast<int>(all.size()));
-    search.pictures.push_back(trial.ofPicture(all[next]));
+  const Progress tells = measuring(progress);
+  EvidenceFrames frames(player_, references_, question.lane, question.samples, tells);
+  RemedyTrial trial(player_, frames, question.frame, answer.first, tells);
+  trial.follow(question.pixel);
+  std::vector<Settings> lanes{frames.settings()};
+  for (const TriedRemedy& tried : answer.best) lanes.push_back(tried.remedy.settings);
+  const std::vector<WholeMeasure> measures = trial.ofWhole(lanes, search.histories);
+  search.histories.clear();
+  answer.pixel = measures.front().pixel;
+  answer.picture = measures.front().picture;
+  for (std::size_t best = 0; best < answer.best.size(); ++best) {
+    answer.best[best].pixel = measures[best + 1].pixel;
+    answer.best[best].picture = measures[best + 1].picture;
   }
-  answer.picture = search.pictures.front();
-  for (std::size_t best = 0; best < answer.best.size(); ++best)
-    answer.best[best].picture = search.pictures[best + 1];
+  answer.best = bestRemedies(answer.best, answer.pixel, kToldRemedies);
 }
 
 } // namespace taa

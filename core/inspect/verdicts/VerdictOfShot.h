@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Progress.h"
+#include "core/replay/Checkpoints.h"
 #include "core/verdict/pixel/PixelVerdict.h"
 #include "core/verdict/pixel/Remedies.h"
 
@@ -46,11 +47,13 @@ struct RemedyAnswer {
   int first = 0; ///< frame that they were tried from
 };
 
-/// What was measured of them so far, for who may be cancelled.
+/// How far a search for them got, for who may be cancelled.
 struct RemedySearch {
-  std::optional<RemedyMeasure> before;   ///< the settings as they are
-  std::vector<TriedRemedy> tried;        ///< without their pictures
-  std::vector<RemedyMeasure> pictures{}; ///< as it is, then with the best ones
+  std::optional<RemedyMeasure> before;  ///< the settings as they are
+  std::vector<TriedRemedy> tried;       ///< without their pictures
+  std::vector<Remedy> waiting{};        ///< those of the present round
+  int rounds = 0;                       ///< that were begun
+  std::vector<Checkpoints> histories{}; ///< of the present settings and of the best ones
 };
 
 class VerdictOfShot {
@@ -61,16 +64,17 @@ class VerdictOfShot {
   /// Of a pixel of any frame, exactly; what is on show stays. Throws Error where there is no such pixel or
   /// frame, or where a capture has no reference; Cancelled.
   VerdictAnswer of(const VerdictQuestion& question, const Progress& progress = {});
-  /// Tries what may mend it, and measures what the best ones cost the picture. As of().
+  /// Tries what may mend it, and measures the best ones as the program would show them. As of().
   RemedyAnswer remedies(const VerdictQuestion& question, const PixelVerdict& verdict,
                         const Progress& progress = {});
-  /// Of these first what they do for the pixel: each remedy's frames are resolved from where the trouble
-  /// began, a few frames before, on the history there was, around the pixel only. Goes on from what `search`
-  /// holds of this question; Cancelled: it holds what was measured.
+  /// Of these first what they do for the pixel, about: each remedy's frames are resolved from where the
+  /// trouble began, a few frames before, on the history there was, around the pixel only. Goes on from what
+  /// `search` holds of this question; Cancelled: it holds what was measured.
   RemedyAnswer triedRemedies(const VerdictQuestion& question, const PixelVerdict& verdict,
                              RemedySearch& search, const Progress& progress);
-  /// And then, of whole pictures, how it is and what they make of it: fills in the pictures of `answer`.
-  /// Likewise.
+  /// And then, of whole pictures that are resolved from where history starts, how it is and what the best
+  /// ones make of it: fills in the pictures of `answer`, and the pixel exactly. What does not mend it after
+  /// all is left out. Likewise.
   void measurePictures(const VerdictQuestion& question, RemedyAnswer& answer, RemedySearch& search,
                        const Progress& progress);
 

@@ -1,85 +1,16 @@
 #include "core/verdict/pixel/Remedies.h"
 
 #include "core/settings/Parameters.h"
+#include "core/verdict/pixel/Cures.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <initializer_list>
+#include <iterator>
 #include <utility>
 
 namespace taa {
 
 namespace {
-
-/// A change that is known to help against some kinds.
-struct Cure {
-  std::initializer_list<VerdictKind> against;
-  void (*apply)(Settings&);
-};
-
-using Wrong = VerdictKind;
-
-// Likely ones first (manual, techniques; the cures of the sources that each kind is described in).
-const std::array<Cure, 29>& cures() {
-  static const std::array<Cure, 29> kCures{{
-      {{Wrong::Ghost}, [](Settings& s) { s.reproject.method = ReprojectMethod::Motion; }},
-      {{Wrong::Ghost, Wrong::Lag}, [](Settings& s) { s.rectify.method = RectifyMethod::ClipToFiltered; }},
-      {{Wrong::Ghost}, [](Settings& s) { s.validate.depth = Switch::On; }},
-      {{Wrong::Ghost}, [](Settings& s) { s.validate.object = Switch::On; }},
-      {{Wrong::Ghost, Wrong::Lag}, [](Settings& s) { s.neighborhood.box = BoxKind::Intersection; }},
-      {{Wrong::Ghost}, [](Settings& s) { s.validate.offScreen = OffScreen::Reject; }},
-      {{Wrong::Ghost}, [](Settings& s) { s.validate.action = RejectAction::Restart; }},
-      {{Wrong::Ghost}, [](Settings& s) { s.dilate.method = DilateMethod::Closest3x3; }},
-      {{Wrong::Ghost, Wrong::Lag, Wrong::MaskSmear},
-       [](Settings& s) {
-         s.rectify.method = RectifyMethod::ClipToFiltered;
-         s.neighborhood.box = BoxKind::Variance;
-         s.neighborhood.gamma = 1.0f;
-       }},
-      {{Wrong::MaskSmear}, [](Settings& s) { s.weight.mask = MaskAlpha::Responsive; }},
-      {{Wrong::MaskSmear}, [](Settings& s) { s.weight.mask = MaskAlpha::Reactive; }},
-      {{Wrong::HighlightFlicker}, [](Settings& s) { s.blend.tone = ToneWeight::Luma; }},
-      {{Wrong::HighlightFlicker}, [](Settings& s) { s.space.tone = ToneSpace::ReinhardLuma; }},
-      {{Wrong::HighlightFlicker}, [](Settings& s) { s.current.lumaWeighted = Switch::On; }},
-      {{Wrong::Flicker, Wrong::HighlightFlicker, Wrong::Aliasing},
-       [](Settings& s) { s.weight.source = AlphaSource::HistoryLength; }},
-      {{Wrong::Flicker, Wrong::HighlightFlicker, Wrong::Aliasing, Wrong::DisocclusionRestart},
-       [](Settings& s) { s.current.filter = CurrentFilter::Gaussian; }},
-      {{Wrong::DisocclusionRestart}, [](Settings& s) { s.blend.restart = Restart::Blurred; }},
-      {{Wrong::DisocclusionRestart}, [](Settings& s) { s.current.filter = CurrentFilter::Tent; }},
-      {{Wrong::Flicker, Wrong::HighlightFlicker}, [](Settings& s) { s.rectify.instability = Switch::On; }},
-      {{Wrong::Flicker, Wrong::Blur}, [](Settings& s) { s.rectify.locks = Switch::On; }},
-      {{Wrong::Flicker, Wrong::HighlightFlicker}, [](Settings& s) { s.weight.lumaFlicker = Switch::On; }},
-      {{Wrong::Flicker, Wrong::HighlightFlicker}, [](Settings& s) { s.weight.nearClamp = Switch::On; }},
-      {{Wrong::Flicker, Wrong::HighlightFlicker, Wrong::Aliasing},
-       [](Settings& s) {
-         s.weight.minimum *= 0.5f;
-         s.weight.alpha *= 0.5f;
-       }},
-      {{Wrong::Flicker, Wrong::HighlightFlicker, Wrong::Aliasing, Wrong::Blur},
-       [](Settings& s) { s.neighborhood.gamma = std::min(2.0f * s.neighborhood.gamma, 4.0f); }},
-      {{Wrong::Aliasing, Wrong::Flicker}, [](Settings& s) { s.validate.depth = Switch::Off; }},
-      {{Wrong::Aliasing, Wrong::Flicker}, [](Settings& s) { s.validate.object = Switch::Off; }},
-      {{Wrong::Aliasing, Wrong::Flicker}, [](Settings& s) { s.validate.flicker = Switch::On; }},
-      {{Wrong::Blur}, [](Settings& s) { s.history.filter = HistoryFilter::CatmullRom9; }},
-      {{Wrong::Blur}, [](Settings& s) { s.current.filter = CurrentFilter::BlackmanHarris; }},
-  }};
-  return kCures;
-}
-
-void addRemedy(std::vector<Remedy>& remedies, const Settings& changed, const Settings& settings) {
-  constexpr std::size_t kMaxChanges = 3;
-  Remedy remedy{differences(changed, settings), changed};
-  const bool isOne = !remedy.changes.empty() && remedy.changes.size() <= kMaxChanges;
-  const bool isKnown =
-      std::ranges::any_of(remedies, [&](const Remedy& known) { return known.changes == remedy.changes; });
-  if (isOne && !isKnown && sameInputs(changed, settings)) remedies.push_back(std::move(remedy));
-}
-
-bool helpsAgainst(const Cure& cure, VerdictKind kind) {
-  return std::ranges::find(cure.against, kind) != cure.against.end();
-}
 
 /// Error and flicker as one number: what a viewer is off by, still or not.
 double harm(const RemedyMeasure& measure) {
@@ -92,39 +23,105 @@ bool isPartOf(const Remedy& part, const Remedy& whole) {
   });
 }
 
+/// `changed` without changes that have no effect.
+Settings effective(Settings changed, const Settings& settings) {
+  for (const Parameter& row : parameters())
+    if (row.get(changed) != row.get(settings) && !isRelevant(row, changed))
+      row.set(changed, row.get(settings));
+  return changed;
+}
+
+/// What a round tries.
+class RemedyList {
+ public:
+  RemedyList(const RemedyCase& of, const std::vector<TriedRemedy>& tried) : of_(of), tried_(tried) {}
+
+  bool add(const Settings& wanted) {
+    constexpr std::size_t kMaxChanges = 3;
+    const Settings changed = effective(wanted, of_.settings);
+    Remedy remedy{differences(changed, of_.settings), changed};
+    if (remedy.changes.empty() || remedy.changes.size() > kMaxChanges || isKnown(remedy)) return false;
+    if (!of_.drawsInputs && !sameInputs(changed, of_.settings)) return false;
+    remedies_.push_back(std::move(remedy));
+    return true;
+  }
+  void add(const std::vector<Settings>& all) {
+    for (const Settings& one : all) add(one);
+  }
+  std::vector<Remedy> take() { return std::move(remedies_); }
+
+ private:
+  bool isKnown(const Remedy& remedy) const {
+    const auto isSame = [&](const Remedy& known) { return known.changes == remedy.changes; };
+    return std::ranges::any_of(remedies_, isSame) ||
+           std::ranges::any_of(tried_, isSame, &TriedRemedy::remedy);
+  }
+
+  const RemedyCase& of_;
+  const std::vector<TriedRemedy>& tried_;
+  std::vector<Remedy> remedies_;
+};
+
+bool isNearer(const TriedRemedy& a, const TriedRemedy& b) {
+  return harm(a.pixel) < harm(b.pixel);
+}
+
+/// The best one together with each of some that help by themselves.
+void addTogether(RemedyList& list, const RemedyCase& of, const std::vector<TriedRemedy>& tried) {
+  constexpr int kPartners = 5;
+  constexpr double kUnseen = 2.0 / 255.0; // nothing is left to mend
+  std::vector<TriedRemedy> helpful;
+  std::ranges::copy_if(tried, std::back_inserter(helpful),
+                       [&](const TriedRemedy& one) { return harm(one.pixel) < harm(of.before); });
+  std::ranges::stable_sort(helpful, isNearer);
+  if (helpful.empty() || harm(helpful.front().pixel) <= kUnseen) return;
+  int partners = 0;
+  for (const TriedRemedy& partner : helpful) {
+    if (partners == kPartners) break;
+    Settings both = helpful.front().remedy.settings;
+    for (const std::string& change : partner.remedy.changes) applyAssignment(both, change);
+    if (list.add(both)) ++partners;
+  }
+}
+
+/// The simplest of those that lie next to the nearest one: by less than a step of 255, or than a tenth of the
+/// harm there was. `better`: nearest first.
+std::vector<TriedRemedy>::const_iterator simplestOfBest(const std::vector<TriedRemedy>& better,
+                                                        const RemedyMeasure& before) {
+  const double limit = harm(better.front().pixel) + std::min(1.0 / 255.0, 0.1 * harm(before));
+  const auto end = std::find_if(better.begin() + 1, better.end(),
+                                [&](const TriedRemedy& one) { return harm(one.pixel) >= limit; });
+  return std::min_element(better.begin(), end, [](const TriedRemedy& a, const TriedRemedy& b) {
+    return a.remedy.changes.size() < b.remedy.changes.size();
+  });
+}
+
 } // namespace
 
-std::vector<Remedy> remediesFor(const PixelVerdict& verdict, const Settings& settings) {
-  std::vector<Remedy> remedies;
-  if (verdict.kind == VerdictKind::None || !isTaaOn(settings)) return remedies;
-  for (const Cure& cure : cures()) {
-    if (!helpsAgainst(cure, verdict.kind)) continue;
-    Settings changed = settings;
-    cure.apply(changed);
-    addRemedy(remedies, changed, settings);
-  }
-  // The first two together: what neither does alone.
-  if (remedies.size() >= 2) {
-    Settings both = remedies[0].settings;
-    for (const std::string& change : remedies[1].changes) applyAssignment(both, change);
-    addRemedy(remedies, both, settings);
-  }
-  return remedies;
+std::vector<Remedy> remedyRound(int round, const RemedyCase& of, const std::vector<TriedRemedy>& tried) {
+  RemedyList list(of, tried);
+  if (of.kind == VerdictKind::None || !isTaaOn(of.settings)) return {};
+  if (round == 0)
+    list.add(likelyCures(of.kind, of.settings));
+  else if (round > 1)
+    addTogether(list, of, tried);
+  else if (bestRemedies(tried, of.before, 1).empty())
+    list.add(otherCures(of.kind, of.settings));
+  return list.take();
 }
 
 std::vector<TriedRemedy> bestRemedies(const std::vector<TriedRemedy>& tried, const RemedyMeasure& before,
                                       std::size_t count) {
   constexpr double kClearly = 0.9; // of what was there before
   std::vector<TriedRemedy> better;
-  for (const TriedRemedy& one : tried)
-    if (harm(one.pixel) < kClearly * harm(before)) better.push_back(one);
-  std::ranges::stable_sort(better, {}, [](const TriedRemedy& one) { return harm(one.pixel); });
+  std::ranges::copy_if(tried, std::back_inserter(better), [&](const TriedRemedy& one) {
+    return harm(one.pixel) < kClearly * harm(before) && one.pixel.latest < before.latest;
+  });
+  std::ranges::stable_sort(better, isNearer);
   std::vector<TriedRemedy> best;
-  for (const TriedRemedy& one : better) {
-    if (best.size() == count) break;
-    const bool isTold =
-        std::ranges::any_of(best, [&](const TriedRemedy& told) { return isPartOf(told.remedy, one.remedy); });
-    if (!isTold) best.push_back(one);
+  while (best.size() < count && !better.empty()) {
+    best.push_back(*simplestOfBest(better, before));
+    std::erase_if(better, [&](const TriedRemedy& one) { return isPartOf(best.back().remedy, one.remedy); });
   }
   return best;
 }

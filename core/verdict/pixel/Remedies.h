@@ -20,6 +20,7 @@ struct Remedy {
 /// Of a pixel over its last moments, or of the whole picture, against the reference, as shown (0 to 1).
 struct RemedyMeasure {
   double error = 0.0;   ///< root of the mean squared error
+  double latest = 0.0;  ///< the same of the last frame alone
   double flicker = 0.0; ///< root of the mean squared change of the error from frame to frame
   /// Root of the mean squared ghost (core/measure/compare/GhostEnergy.h), looked for where the motion vectors
   /// point, the same for all settings; of a picture only.
@@ -33,11 +34,24 @@ struct TriedRemedy {
   std::optional<RemedyMeasure> picture{}; ///< nothing: it was not measured
 };
 
-/// Those worth a try, likely ones first: none that changes nothing or draws other inputs.
-std::vector<Remedy> remediesFor(const PixelVerdict& verdict, const Settings& settings);
+/// What is to be mended.
+struct RemedyCase {
+  VerdictKind kind = VerdictKind::None;
+  Settings settings;         ///< that made the frames
+  bool drawsInputs = true;   ///< inputs may be drawn otherwise: they are not those of a capture
+  RemedyMeasure before = {}; ///< of the pixel, as it is
+};
+
+/// Rounds of a search: likely changes; where none of them helps clearly all others of one setting; the best
+/// with those that help besides; that once more.
+inline constexpr int kRemedyRounds = 4;
+/// What a round tries, knowing `tried` of all rounds before: nothing twice, nothing that changes nothing or
+/// more than three settings.
+std::vector<Remedy> remedyRound(int round, const RemedyCase& of, const std::vector<TriedRemedy>& tried);
 
 /// The best `count` of those that bring the pixel clearly nearer to the truth than `before`, by its error and
-/// flicker together. One that has all changes of a better or equal one, and more, is left out.
+/// flicker together, and nearer in the last frame. Of two that nobody could tell apart the simpler one comes
+/// first; one that has all changes of one that is told, and more, is left out.
 std::vector<TriedRemedy> bestRemedies(const std::vector<TriedRemedy>& tried, const RemedyMeasure& before,
                                       std::size_t count);
 

@@ -1,8 +1,13 @@
-// What remedies are held against: the figures of the present settings are those of the metrics.
+// What is said of remedies: the figures of the present settings are those of the metrics, and those of a
+// remedy what the program shows with it.
 #include "core/inspect/overtime/MetricCursor.h"
 #include "tests/support/SmallInspector.h"
 
+#include <glm/geometric.hpp>
+
 #include <cmath>
+#include <future>
+#include <string>
 
 using taa::Metric;
 using namespace taa::test::small;
@@ -24,6 +29,30 @@ class MeanSquare {
   double sum_ = 0.0;
   int count_ = 0;
 };
+
+/// Against the reference: the picture of the last four frames, and a pixel of the last one.
+struct Shown {
+  double picture = 0.0, pixel = 0.0;
+};
+
+Shown shownWith(const taa::Settings& settings, const taa::VerdictQuestion& question) {
+  const auto make = [&] {
+    taa::Inspector inspector;
+    inspector.shot().setSize(kWidth, kHeight);
+    inspector.shot().setSettings(settings);
+    inspector.shot().open("builtin:fan");
+    MeanSquare errors;
+    taa::MetricCursor cursor;
+    for (int frame = question.frame - 3; frame <= question.frame; ++frame)
+      errors.add(*inspector.metrics()
+                      .measureFrame(frame, {Metric::Rmse}, taa::kVerdictSamples, cursor)
+                      .at(Metric::Rmse));
+    const taa::PixelError error = inspector.verdicts().of(question).error;
+    const glm::dvec3 off = taa::shownValue(error.resolved) - taa::shownValue(error.reference);
+    return Shown{errors.root(), std::sqrt(glm::dot(off, off) / 3.0)};
+  };
+  return std::async(std::launch::async, make).get(); // a thread has one context
+}
 
 } // namespace
 
@@ -54,4 +83,23 @@ TEST_F(RemediesOnScenesTest, MeasureThePictureAsTheMetricsDo) {
   EXPECT_NEAR(answer.picture->error, errors.root(), 1e-6);
   EXPECT_NEAR(answer.picture->ghost, ghosts.root(), 1e-6);
   EXPECT_GT(answer.picture->ghost, 0.01) << "the blades leave trails";
+}
+
+// From frame 0 on in a program of its own, as `taa-batch metrics --set` measures it.
+TEST_F(RemediesOnScenesTest, SayWhatTheProgramShowsWithThem) {
+  taa::Settings settings; // a trail behind what moves
+  settings.rectify.method = taa::RectifyMethod::None;
+  settings.validate.depth = taa::Switch::Off;
+  const taa::VerdictQuestion question{.frame = 14, .pixel = {15, 6}};
+  const auto inspector = opened({settings});
+  const taa::PixelVerdict verdict = inspector->verdicts().of(question).verdict;
+  const taa::RemedyAnswer answer = inspector->verdicts().remedies(question, verdict);
+  ASSERT_FALSE(answer.best.empty());
+  const taa::TriedRemedy& first = answer.best.front();
+  EXPECT_LT(first.pixel.latest, answer.pixel.latest);
+  for (const std::string& change : first.remedy.changes) applyAssignment(settings, change);
+  const Shown shown = shownWith(settings, question);
+  ASSERT_TRUE(first.picture);
+  EXPECT_NEAR(first.picture->error, shown.picture, 1e-6);
+  EXPECT_NEAR(first.pixel.latest, shown.pixel, 1e-6);
 }

@@ -41,7 +41,8 @@ Verdict askedOf(const Status& status, const glm::ivec2& pixel) {
 }
 
 bool isSame(const RemedyMeasure& a, const RemedyMeasure& b) {
-  return a.error == b.error && a.flicker == b.flicker && a.ghost == b.ghost && a.sharpness == b.sharpness;
+  return a.error == b.error && a.latest == b.latest && a.flicker == b.flicker && a.ghost == b.ghost &&
+         a.sharpness == b.sharpness;
 }
 
 bool isSame(const std::optional<RemedyMeasure>& a, const std::optional<RemedyMeasure>& b) {
@@ -96,7 +97,7 @@ TEST_F(RenderVerdictTest, SaysWhatTheInspectorSaysAndThenWhatMendsIt) {
   ASSERT_TRUE(recorder.verdicts[2].remedies);
   const RemedyAnswer& remedies = *recorder.verdicts[2].remedies;
   EXPECT_FALSE(remedies.best.empty());
-  EXPECT_EQ(remedies.best.size(), recorder.verdicts[1].remedies->best.size());
+  EXPECT_LE(remedies.best.size(), recorder.verdicts[1].remedies->best.size()) << "what helps after all";
   EXPECT_GT(remedies.tried, 0);
   EXPECT_EQ(remedies.tried, there.remedies.tried);
   EXPECT_TRUE(isSame(remedies.pixel, there.remedies.pixel));

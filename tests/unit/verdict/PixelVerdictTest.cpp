@@ -1,16 +1,12 @@
 // What is concluded from evidence that is made by hand, each with what is true of it.
 #include "core/verdict/pixel/PixelVerdict.h"
-#include "core/settings/Parameters.h"
-#include "core/verdict/pixel/Remedies.h"
 #include "core/verdict/pixel/VerdictText.h"
 #include "tests/support/verdicts/JudgedPixel.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -289,45 +285,6 @@ TEST(PixelVerdict, HasASentenceWithoutPlacesLeftForEveryKindAndStage) {
       EXPECT_EQ(sentence.find(": ."), std::string::npos) << sentence;
       EXPECT_TRUE(sentence.ends_with('.')) << sentence;
     }
-}
-
-TEST(Remedies, ChangeOneToThreeSettingsAndNoInputs) {
-  Settings settings;
-  settings.rectify.method = taa::RectifyMethod::None;
-  settings.validate.depth = taa::Switch::Off;
-  for (const taa::VerdictKindInfo& info : taa::kVerdictKinds) {
-    taa::PixelVerdict verdict;
-    verdict.kind = info.kind;
-    const std::vector<taa::Remedy> remedies = remediesFor(verdict, settings);
-    EXPECT_EQ(remedies.empty(), info.kind == VerdictKind::None) << info.id;
-    for (const taa::Remedy& remedy : remedies) {
-      EXPECT_GE(remedy.changes.size(), 1u);
-      EXPECT_LE(remedy.changes.size(), 3u);
-      EXPECT_EQ(remedy.changes, differences(remedy.settings, settings));
-      EXPECT_TRUE(sameInputs(remedy.settings, settings));
-    }
-  }
-}
-
-taa::TriedRemedy triedRemedy(std::vector<std::string> changes, double error) {
-  taa::TriedRemedy tried;
-  tried.remedy.changes = std::move(changes);
-  tried.pixel.error = error;
-  return tried;
-}
-
-TEST(Remedies, ThatHelpAreToldBestFirstAndWithoutWhatAddsNothing) {
-  const std::vector<taa::TriedRemedy> tried{triedRemedy({"a"}, 0.19),      triedRemedy({"b"}, 0.05),
-                                            triedRemedy({"a", "b"}, 0.05), triedRemedy({"c"}, 0.1),
-                                            triedRemedy({"d"}, 0.12),      triedRemedy({"e"}, 0.01)};
-  taa::RemedyMeasure before;
-  before.error = 0.2;
-  const std::vector<taa::TriedRemedy> best = bestRemedies(tried, before, 3);
-  ASSERT_EQ(best.size(), 3u);
-  EXPECT_EQ(best[0].remedy.changes, std::vector<std::string>{"e"});
-  EXPECT_EQ(best[1].remedy.changes, std::vector<std::string>{"b"});
-  EXPECT_EQ(best[2].remedy.changes, std::vector<std::string>{"c"});
-  EXPECT_TRUE(bestRemedies({triedRemedy({"a"}, 0.19)}, before, 3).empty()); // nearer, but not clearly
 }
 
 } // namespace
