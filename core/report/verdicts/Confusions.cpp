@@ -91,6 +91,21 @@ void addMistakes(std::ostream& out, const std::vector<JudgedLabel>& judged) {
           << labelStagesText({entry.stage}) << " |\n";
 }
 
+void addMended(std::ostream& out, const std::vector<JudgedLabel>& judged) {
+  out << "| said | tried | the first lowers the error | it does not | nothing that was tried mends it "
+         "|\n|---|---|---|---|---|\n";
+  for (const VerdictKindInfo& said : kVerdictKinds) {
+    const std::vector<JudgedLabel> tried = labelsWhere(
+        judged, [&](const JudgedLabel& entry) { return isTried(entry) && entry.label.kind == said.kind; });
+    if (tried.empty()) continue;
+    const auto mended = std::ranges::count_if(tried, isMended);
+    const auto none =
+        std::ranges::count_if(tried, [](const JudgedLabel& entry) { return entry.remedy.changes.empty(); });
+    out << "| " << said.label << " | " << tried.size() << " | " << mended << " | "
+        << std::ssize(tried) - mended - none << " | " << none << " |\n";
+  }
+}
+
 void addUnmended(std::ostream& out, const std::vector<JudgedLabel>& judged) {
   out << "| scene | preset | frame | pixel | what is seen | first remedy |\n|---|---|---|---|---|---|\n";
   for (const JudgedLabel& entry : judged) {
@@ -137,6 +152,9 @@ std::string confusionsText(const std::vector<JudgedLabel>& judged) {
   out << "\n## Where the verdict is another\n\n";
   addMistakes(out, judged);
   if (shares.tried == 0) return out.str();
+  out << "\n## What the first remedy does\n\nThe error is that of the frame itself, with the shot resolved "
+         "from its start with the remedy.\n\n";
+  addMended(out, judged);
   out << "\n## Where the first remedy does not lower the error\n\n";
   addUnmended(out, judged);
   return out.str();

@@ -29,8 +29,8 @@ struct VerdictLabel {
 /// The first remedy that is told of a pixel, or none; all 0 where none was tried.
 struct LabelRemedy {
   std::string changes; ///< "rectify.method=clipToFiltered", with blanks between several; empty: none helps
-  double pixelBefore = 0.0, pixelAfter = 0.0;     ///< RemedyMeasure::error of the pixel, in steps of 255
-  double pictureBefore = 0.0, pictureAfter = 0.0; ///< of the whole picture
+  double pixelBefore = 0.0, pixelAfter = 0.0;     ///< RemedyMeasure::latest of the pixel, in steps of 255
+  double pictureBefore = 0.0, pictureAfter = 0.0; ///< RemedyMeasure::error of the whole picture
 };
 
 /// A label, and the verdict on its pixel.

@@ -73,13 +73,13 @@ taa::LabelRemedy firstRemedy(taa::Inspector& inspector, const taa::VerdictQuesti
                              const taa::PixelVerdict& verdict) {
   const taa::RemedyAnswer answer = inspector.verdicts().remedies(question, verdict);
   taa::LabelRemedy first;
-  first.pixelBefore = first.pixelAfter = 255.0 * answer.pixel.error;
+  first.pixelBefore = first.pixelAfter = 255.0 * answer.pixel.latest;
   if (answer.picture) first.pictureBefore = first.pictureAfter = 255.0 * answer.picture->error;
   if (answer.best.empty()) return first;
   const taa::TriedRemedy& best = answer.best.front();
   for (const std::string& change : best.remedy.changes)
     first.changes += (first.changes.empty() ? "" : " ") + change;
-  first.pixelAfter = 255.0 * best.pixel.error;
+  first.pixelAfter = 255.0 * best.pixel.latest;
   if (best.picture) first.pictureAfter = 255.0 * best.picture->error;
   return first;
 }

@@ -69,4 +69,8 @@ TEST(Confusions, AreATableWithEveryMistake) {
   EXPECT_EQ(text.find("none, `reference` |"), std::string::npos) << "what is right is no mistake";
   EXPECT_NE(text.find("| a trail | `rectify.method=clamp` |"), std::string::npos) << text;
   EXPECT_EQ(text.find("| a trail | `validate.depth=on` |"), std::string::npos) << "it mends";
+  EXPECT_NE(text.find("| Ghost | 2 | 1 | 1 | 0 |\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("| Blur | 0 |"), std::string::npos) << "nothing was tried on it";
+  judged[2].remedy = {"", 20.0, 20.0, 9.0, 9.0};
+  EXPECT_NE(taa::confusionsText(judged).find("| Ghost | 2 | 1 | 0 | 1 |\n"), std::string::npos);
 }
