@@ -12,9 +12,9 @@ namespace taa {
 
 namespace {
 
-/// Error and flicker as one number: what a viewer is off by, still or not.
+/// As one number what a viewer is off by, still or not: the frame itself counts as much as the last four.
 double harm(const RemedyMeasure& measure) {
-  return std::hypot(measure.error, measure.flicker);
+  return std::hypot(std::sqrt(0.5) * measure.error, std::sqrt(0.5) * measure.latest, measure.flicker);
 }
 
 bool isPartOf(const Remedy& part, const Remedy& whole) {

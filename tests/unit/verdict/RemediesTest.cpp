@@ -156,3 +156,13 @@ TEST(Remedies, AreNotToldWhereTheLastFrameIsWorseOff) {
   calmer.pixel.latest = 0.19;
   EXPECT_EQ(bestRemedies({calmer}, measured(0.2), 3).size(), 1u);
 }
+
+// Of a trail that has just left: what was off in one frame of four and is so no more, comes and goes, too.
+TEST(Remedies, AreHeldAgainstTheFrameItselfAsMuchAsAgainstThoseBefore) {
+  const RemedyMeasure before{.error = 0.183, .latest = 0.347, .flicker = 0.173};
+  TriedRemedy tried = triedRemedy({"a"}, 0.0);
+  tried.pixel = {.error = 0.161, .latest = 0.257, .flicker = 0.193};
+  EXPECT_EQ(bestRemedies({tried}, before, 3).size(), 1u);
+  tried.pixel.latest = 0.34;
+  EXPECT_TRUE(bestRemedies({tried}, before, 3).empty()) << "nearer, but not clearly";
+}
