@@ -12,6 +12,7 @@
 #include "core/scene/MotionMode.h"
 #include "core/scene/ObjectClass.h"
 #include "core/scene/SceneSource.h"
+#include "core/settings/Faults.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 #include "core/taa/rows/Intermediates.h"
@@ -110,6 +111,8 @@ QStringList tableTexts() {
   addConventions(texts);
   addRows(texts);
   addLists(texts);
+  for (const FaultInfo& fault : faultTable())
+    texts.add(fault.label, fault.symptom, faultPartLabel(fault.part));
   for (const PresetGroup& group : kPresetGroups) texts.add(group.label);
   for (const Preset& preset : builtinPresets()) texts.add(preset.label, preset.description);
   for (const BuiltinScene& scene : builtinScenes()) texts.add(scene.label, scene.description);

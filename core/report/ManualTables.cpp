@@ -6,11 +6,13 @@
 #include "core/report/verdicts/Confusions.h"
 #include "core/report/verdicts/VerdictLabels.h"
 #include "core/scene/SceneSource.h"
+#include "core/settings/Faults.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 #include "core/taa/rows/ChannelNames.h"
 #include "core/taa/rows/Intermediates.h"
 
+#include <array>
 #include <cstddef>
 #include <initializer_list>
 #include <string_view>
@@ -262,11 +264,43 @@ ManualPage confusionsPage() {
   return page;
 }
 
+std::string codes(std::string_view words) {
+  std::string text = "`";
+  for (const char letter : words) text += letter == ' ' ? std::string("` `") : std::string(1, letter);
+  return text + "`";
+}
+
+ManualPage faultsPage() {
+  ManualPage page{"faults.md", "Faults", ""};
+  page.text = pageHead(
+      page.title,
+      "Mistakes that integrations of TAA make, to be injected on purpose: into the frames of the built-in "
+      "renderer and into those of a capture on their way in, one or several, to learn what they look like. "
+      "Each is made by settings, as `--set` takes them; those of the group `fault` are "
+      "[in the list of all](settings.md#faults), with what else there is of each: strength, region, frames. "
+      "Input faults are applied between the source of frames and all that uses them, so that frame n stays a "
+      "function; the [reference](metrics.md) has none. Where it says so, a fault needs frames that are "
+      "drawn: "
+      "a capture's jitter, textures and transparent surfaces are in its pictures already.");
+  constexpr std::array kParts{FaultPart::Jitter, FaultPart::Motion, FaultPart::Depth, FaultPart::Color,
+                              FaultPart::Resolve};
+  for (const FaultPart part : kParts) {
+    page.text += "\n## " + markdownText(faultPartLabel(part)) + "\n\n" +
+                 head({"id", "fault", "what one sees", "injected by", "into"});
+    for (const FaultInfo& info : faultTable())
+      if (info.part == part)
+        page.text +=
+            cells({code(info.id), markdownText(info.label), markdownText(info.symptom),
+                   codes(info.assignments), info.reach == FaultReach::Any ? "any frames" : "drawn frames"});
+  }
+  return page;
+}
+
 } // namespace
 
 std::vector<ManualPage> manualTables() {
   return {coveragePage(), settingsPage(),    intermediatesPage(), presetsPage(),
-          scenesPage(),   captureKeysPage(), confusionsPage()};
+          scenesPage(),   captureKeysPage(), confusionsPage(),    faultsPage()};
 }
 
 } // namespace taa

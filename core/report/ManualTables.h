@@ -13,8 +13,8 @@ struct ManualPage {
   std::string text; ///< Markdown, English whatever the language of the program
 };
 
-/// coverage.md, settings.md, intermediates.md, presets.md, scenes.md, capturekeys.md and confusions.md, as
-/// they stand in the repository.
+/// coverage.md, settings.md, intermediates.md, presets.md, scenes.md, capturekeys.md, confusions.md and
+/// faults.md, as they stand in the repository.
 std::vector<ManualPage> manualTables();
 
 } // namespace taa

@@ -331,6 +331,71 @@ struct OutputSettings {
   Switch motionBlur = Switch::Off; ///< the current frame blurred along motion, where it is fast
 };
 
+/// What is wrong with the jitter that is reported, against the one that the picture is drawn with.
+enum class JitterFault : std::int32_t { None, NegatedX, NegatedY, Negated, Swapped, Unreported, Late, Early };
+enum class MotionFault : std::int32_t { None, Zero, CameraOnly };
+/// The camera that motion is made with in place of the previous one.
+enum class CameraFault : std::int32_t { None, OfNow, Turned, Mirrored, SecondView, Identity };
+/// How motion is written that is read as px.
+enum class MotionUnitFault : std::int32_t { None, Uv, Ndc, Biased, Root, Unwritten };
+enum class MotionJitterFault : std::int32_t { None, This, Last, Both };
+enum class DepthFault : std::int32_t { None, Reversed, Linear };
+enum class InterfaceFault : std::int32_t { None, Still, Jittered };
+enum class FaultRegion : std::int32_t {
+  Everywhere,
+  Sky,
+  Surfaces,
+  Still,
+  Moving,
+  Deforming,
+  Object,
+  Rectangle
+};
+/// Faults of an integration, injected between the source of frames and all that uses them. None by default.
+struct FaultSettings {
+  // Jitter: as it is reported, and as it is drawn
+  JitterFault jitter = JitterFault::None;
+  float jitterReported = 1.0f;   ///< factor on what is reported
+  float jitterApplied = 1.0f;    ///< factor on what is drawn
+  std::int32_t jitterPeriod = 0; ///< frames after which both repeat; 0: as the sequence does
+  float jitterMeanX = 0.0f;      ///< px, added to both, x right
+  float jitterMeanY = 0.0f;      ///< px, y down
+  float depthJitter = 1.0f;      ///< factor on what depth is drawn with, 0 to 1
+  float skyJitter = 1.0f;        ///< factor on what the sky is drawn with, 0 to 1
+  // Motion vectors
+  MotionFault motion = MotionFault::None;
+  CameraFault previousCamera = CameraFault::None;
+  float cameraTurn = 1.0f;      ///< degrees, of CameraFault::Turned
+  std::int32_t previousAge = 1; ///< frames from the previous transforms to these
+  std::int32_t motionLag = 0;   ///< frames that the plane is old
+  MotionJitterFault motionJitter = MotionJitterFault::None;
+  Switch motionSwapped = Switch::Off; ///< x and y
+  float motionX = 1.0f, motionY = 1.0f;
+  MotionUnitFault motionUnit = MotionUnitFault::None;
+  Switch zeroIsMissing = Switch::Off; ///< motion of 0 has no previous position
+  std::int32_t motionShift = 0;       ///< texels up and to the left that it is read at
+  std::int32_t motionCoarse = 1;      ///< texels that share one motion, a side
+  // Depth and color
+  DepthFault depth = DepthFault::None;
+  float nearPlane = 1.0f;       ///< factor on the stated one
+  std::int32_t depthCoarse = 1; ///< texels that share one depth, a side
+  float exposure = 0.0f;        ///< stops
+  InterfaceFault interface = InterfaceFault::None;
+  // The resolve
+  Switch keepsAtCuts = Switch::Off;   ///< history is not reset
+  Switch notSwapped = Switch::Off;    ///< the two textures of the history
+  Switch historyJitter = Switch::Off; ///< history is read with the last frame's jitter
+  Switch boxCorners = Switch::Off;    ///< two corners are converted instead of all samples
+  Switch nan = Switch::Off;           ///< a color that is no number, and that history keeps
+  // Where and when planes are faulty
+  FaultRegion region = FaultRegion::Everywhere;
+  std::int32_t object = 1; ///< number of the object, of FaultRegion::Object
+  float left = 0.25f, top = 0.25f, right = 0.75f, bottom = 0.75f; ///< shares of the picture
+  std::int32_t firstFrame = 0;
+  std::int32_t lastFrame = 1000000;
+  bool operator==(const FaultSettings&) const = default;
+};
+
 /// One lane's choices. Defaults are the preset "balanced".
 struct Settings {
   JitterSettings jitter;
@@ -346,6 +411,7 @@ struct Settings {
   WeightSettings weight;
   BlendSettings blend;
   OutputSettings output;
+  FaultSettings fault;
 };
 
 /// Whether anything is accumulated.

@@ -1,4 +1,4 @@
-// The stages in the order in which resolve.frag runs them, the output and the reference behind them: the one
+// The stages in the order in which resolve.frag runs them; output, reference and faults behind them: the one
 // list that tables, panels, files and the profiler take their order from.
 #pragma once
 
@@ -24,6 +24,7 @@ enum class Stage : std::uint8_t {
   Blend,
   Output,
   Reference, ///< what the resolve should have given; no part of it
+  Faults,    ///< mistakes of an integration, injected into inputs and resolve; no part of it either
 };
 
 struct StageInfo {
@@ -35,7 +36,7 @@ struct StageInfo {
       main; ///< the intermediate that says most about it (core/taa/rows/Intermediates.h); empty: none
 };
 
-inline constexpr std::array<StageInfo, 13> kStages{{
+inline constexpr std::array<StageInfo, 14> kStages{{
     {Stage::Jitter, "jitter", "Jitter", "Moves the picture by a part of a pixel, a different one each frame.",
      ""},
     {Stage::Inputs, "inputs", "Inputs",
@@ -67,6 +68,8 @@ inline constexpr std::array<StageInfo, 13> kStages{{
      "The same instant, supersampled: what the output should be, how far it is from it, and how much more "
      "it flickers. Drawn while somebody looks at it.",
      ""},
+    {Stage::Faults, "faults", "Faults",
+     "Mistakes of an integration, injected on purpose. All are off unless somebody sets them.", ""},
 }};
 
 /// Those of the resolve's own shader.

@@ -210,7 +210,7 @@ std::string settingsText(const Settings& settings, bool hasOutput) {
   std::string text =
       "//\n// SETTINGS (a line for each stage; those of jitter and inputs are the renderer's business)\n";
   for (const StageInfo& stage : kStages) {
-    if (stage.stage == Stage::Output && !hasOutput) continue;
+    if ((stage.stage == Stage::Output && !hasOutput) || stage.stage == Stage::Faults) continue;
     std::string line;
     for (const Parameter& row : parameters())
       if (row.stage == stage.stage && isRelevant(row, settings))

@@ -107,8 +107,8 @@ TEST(BatchManual, WritesThePagesThatTheTablesKnow) {
   const ProcessResult result = batch({"manual", folder.string()});
   EXPECT_EQ(result.exitCode, 0) << result.err;
   std::string files;
-  for (const char* page :
-       {"coverage", "settings", "intermediates", "presets", "scenes", "capturekeys", "confusions"}) {
+  for (const char* page : {"coverage", "settings", "intermediates", "presets", "scenes", "capturekeys",
+                           "confusions", "faults"}) {
     const fs::path file = folder / (std::string(page) + ".md");
     files += file.string() + "\n";
     ASSERT_TRUE(fs::exists(file)) << file;

@@ -38,7 +38,7 @@ TEST(MainRows, AreRowsOfTheirStages) {
     EXPECT_NE(taa::intermediate(*row).visual, taa::Visual::Position) << stage.main;
   }
   EXPECT_EQ(taa::mainRows().size(), stages);
-  EXPECT_EQ(stages, taa::kStages.size() - 2) << "the jitter has no picture, the reference not always";
+  EXPECT_EQ(stages, taa::kStages.size() - 3) << "jitter and faults have no picture, the reference not always";
 }
 
 TEST(ThumbnailSchedule, DrawsNothingThatNobodyWants) {

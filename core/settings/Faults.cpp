@@ -1,0 +1,278 @@
+#include "core/settings/Faults.h"
+
+#include "core/base/Error.h"
+#include "core/base/NearestNames.h"
+#include "core/base/Say.h"
+#include "core/settings/Parameters.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace taa {
+
+namespace {
+
+using FaultValues = std::map<const Parameter*, double>;
+
+// fault, id, label, part, reach, symptom, assignments
+constexpr FaultInfo kFaults[] = {
+    {Fault::JitterNegatedX, "jitterNegatedX", "Jitter's x negated", FaultPart::Jitter, FaultReach::Any,
+     "A still picture is aliased and shakes sideways.", "fault.jitter=negatedX"},
+    {Fault::JitterNegatedY, "jitterNegatedY", "Jitter's y negated", FaultPart::Jitter, FaultReach::Any,
+     "A still picture is aliased and shakes up and down.", "fault.jitter=negatedY"},
+    {Fault::JitterNegated, "jitterNegated", "Jitter negated", FaultPart::Jitter, FaultReach::Any,
+     "A still picture is aliased and shakes.", "fault.jitter=negated"},
+    {Fault::JitterSwapped, "jitterSwapped", "Jitter's axes swapped", FaultPart::Jitter, FaultReach::Any,
+     "A still picture is aliased and shakes along the diagonal.", "fault.jitter=swapped"},
+    {Fault::JitterDoubled, "jitterDoubled", "Jitter reported twice too large", FaultPart::Jitter,
+     FaultReach::Any, "A still picture shakes, softer than it could be.", "fault.jitterReported=2"},
+    {Fault::JitterHalved, "jitterHalved", "Jitter reported half too small", FaultPart::Jitter,
+     FaultReach::Any, "A still picture is less anti-aliased than it could be.", "fault.jitterReported=0.5"},
+    {Fault::JitterOutside, "jitterOutside", "Jitter beyond half a pixel", FaultPart::Jitter,
+     FaultReach::Drawn, "Everything is blurred, moving or not.",
+     "fault.jitterApplied=2 fault.jitterReported=2"},
+    {Fault::JitterNotApplied, "jitterNotApplied", "Jitter reported, not applied", FaultPart::Jitter,
+     FaultReach::Drawn, "TAA seems to work, and edges stay stairs.", "fault.jitterApplied=0"},
+    {Fault::JitterNotReported, "jitterNotReported", "Jitter applied, not reported", FaultPart::Jitter,
+     FaultReach::Any, "The picture is a little soft, because samples are taken for pixels' centers.",
+     "fault.jitter=unreported"},
+    {Fault::JitterFrozen, "jitterFrozen", "Jitter frozen", FaultPart::Jitter, FaultReach::Drawn,
+     "Nothing is anti-aliased, and all of the picture is shifted.", "fault.jitterPeriod=1"},
+    {Fault::JitterMean, "jitterMean", "Jitter's mean not 0", FaultPart::Jitter, FaultReach::Drawn,
+     "The whole picture is shifted by a constant part of a pixel.",
+     "fault.jitterMeanX=0.25 fault.jitterMeanY=0.125"},
+    {Fault::JitterShort, "jitterShort", "Jitter's sequence too short", FaultPart::Jitter, FaultReach::Drawn,
+     "Edges keep a rest of their stairs however long one waits.", "fault.jitterPeriod=2"},
+    {Fault::JitterLate, "jitterLate", "Jitter reported a frame late", FaultPart::Jitter, FaultReach::Any,
+     "A still picture shakes twice as much as without any correction.", "fault.jitter=late"},
+    {Fault::JitterEarly, "jitterEarly", "Jitter reported a frame early", FaultPart::Jitter, FaultReach::Any,
+     "A still picture shakes twice as much as without any correction.", "fault.jitter=early"},
+    {Fault::DepthNotJittered, "depthNotJittered", "Depth without jitter", FaultPart::Jitter,
+     FaultReach::Drawn, "Rims at every edge: depth and color do not lie on each other.",
+     "fault.depthJitter=0"},
+    {Fault::SkyNotJittered, "skyNotJittered", "Sky without jitter", FaultPart::Jitter, FaultReach::Drawn,
+     "The sky is not anti-aliased, and shifted against what stands before it.", "fault.skyJitter=0"},
+    {Fault::MotionJitterThis, "motionJitterThis", "This frame's jitter in motion", FaultPart::Motion,
+     FaultReach::Any, "The whole picture trembles, at rest too.", "fault.motionJitter=this"},
+    {Fault::MotionJitterLast, "motionJitterLast", "The last frame's jitter in motion", FaultPart::Motion,
+     FaultReach::Any, "The whole picture trembles, at rest too.", "fault.motionJitter=last"},
+    {Fault::MotionJitterBoth, "motionJitterBoth", "Both jitters in motion", FaultPart::Motion,
+     FaultReach::Any, "The whole picture trembles, and is softer.", "fault.motionJitter=both"},
+    {Fault::MotionNegatedX, "motionNegatedX", "Motion's x negated", FaultPart::Motion, FaultReach::Any,
+     "Ghosts grow with speed where things move sideways.", "fault.motionX=-1"},
+    {Fault::MotionNegatedY, "motionNegatedY", "Motion's y negated", FaultPart::Motion, FaultReach::Any,
+     "Ghosts grow with speed where things move up or down.", "fault.motionY=-1"},
+    {Fault::MotionNegated, "motionNegated", "Motion's direction reversed", FaultPart::Motion, FaultReach::Any,
+     "Ghosts grow with speed, before what moves.", "fault.motionX=-1 fault.motionY=-1"},
+    {Fault::MotionSwapped, "motionSwapped", "Motion's axes swapped", FaultPart::Motion, FaultReach::Any,
+     "Ghosts grow with speed, across what moves.", "fault.motionSwapped=on"},
+    {Fault::MotionDoubled, "motionDoubled", "Motion twice too large", FaultPart::Motion, FaultReach::Any,
+     "Ghosts grow with speed.", "fault.motionX=2 fault.motionY=2"},
+    {Fault::MotionHalved, "motionHalved", "Motion half too small", FaultPart::Motion, FaultReach::Any,
+     "Ghosts grow with speed.", "fault.motionX=0.5 fault.motionY=0.5"},
+    {Fault::MotionInUv, "motionInUv", "Motion in texture coordinates", FaultPart::Motion, FaultReach::Any,
+     "Everything that moves smears, as if there were no motion vectors.", "fault.motionUnit=uv"},
+    {Fault::MotionInNdc, "motionInNdc", "Motion in device coordinates", FaultPart::Motion, FaultReach::Any,
+     "Everything that moves smears, as if there were no motion vectors.", "fault.motionUnit=ndc"},
+    {Fault::MotionEncoded, "motionEncoded", "Encoded motion read as it is", FaultPart::Motion,
+     FaultReach::Any, "Constant motion everywhere: history comes from half a picture away.",
+     "fault.motionUnit=biased"},
+    {Fault::MotionRoot, "motionRoot", "Root of motion read as it is", FaultPart::Motion, FaultReach::Any,
+     "Slow things smear more than fast ones.", "fault.motionUnit=root"},
+    {Fault::MotionUnwritten, "motionUnwritten", "\"Not written\" read as motion", FaultPart::Motion,
+     FaultReach::Any, "Wild regions: history comes from outside of the picture.",
+     "fault.motionUnit=unwritten fault.region=sky"},
+    {Fault::MotionShifted, "motionShifted", "Motion read at the wrong texel", FaultPart::Motion,
+     FaultReach::Any, "Fringes at the edges of what moves.", "fault.motionShift=1"},
+    {Fault::MotionZero, "motionZero", "No motion at all", FaultPart::Motion, FaultReach::Any,
+     "Everything that moves smears.", "fault.motion=zero"},
+    {Fault::MotionCameraOnly, "motionCameraOnly", "Objects write no motion", FaultPart::Motion,
+     FaultReach::Any, "What moves by itself ghosts; what rests is right.", "fault.motion=cameraOnly"},
+    {Fault::MotionWithoutCamera, "motionWithoutCamera", "Motion without the camera's", FaultPart::Motion,
+     FaultReach::Any, "Everything smears while the camera moves.", "fault.previousCamera=ofNow"},
+    {Fault::ZeroTakenAsMissing, "zeroTakenAsMissing", "Zero motion taken for missing", FaultPart::Motion,
+     FaultReach::Any, "A still picture softens: its history is dropped.", "fault.zeroIsMissing=on"},
+    {Fault::PreviousTwoFramesOld, "previousTwoFramesOld", "Previous transforms two frames old",
+     FaultPart::Motion, FaultReach::Any, "Everything that moves ghosts: motion is twice as long.",
+     "fault.previousAge=2"},
+    {Fault::MotionLingers, "motionLingers", "Motion a frame late", FaultPart::Motion, FaultReach::Any,
+     "Edges break for a frame when something stops or starts.", "fault.motionLag=1"},
+    {Fault::SkinningOfNow, "skinningOfNow", "Skinning with the current pose for both", FaultPart::Motion,
+     FaultReach::Any, "Ghosts on limbs only.", "fault.motion=cameraOnly fault.region=deforming"},
+    {Fault::SkyWithoutMotion, "skyWithoutMotion", "Sky without motion", FaultPart::Motion, FaultReach::Any,
+     "The sky smears while the camera turns.", "fault.motion=zero fault.region=sky"},
+    {Fault::CameraTurned, "cameraTurned", "Previous matrix uniformly wrong", FaultPart::Motion,
+     FaultReach::Any, "A double image that sticks to the screen.", "fault.previousCamera=turned"},
+    {Fault::CameraOfMirror, "cameraOfMirror", "Previous camera of a mirror", FaultPart::Motion,
+     FaultReach::Any, "Everything smears by the same matrix.", "fault.previousCamera=mirrored"},
+    {Fault::CameraOfSecondView, "cameraOfSecondView", "Previous camera of a second view", FaultPart::Motion,
+     FaultReach::Any, "Everything smears, near things more than far ones.",
+     "fault.previousCamera=secondView"},
+    {Fault::PreviousIdentity, "previousIdentity", "Previous matrix never set", FaultPart::Motion,
+     FaultReach::Any, "One frame of long motion at first sight.",
+     "fault.previousCamera=identity fault.firstFrame=8 fault.lastFrame=8"},
+    {Fault::OldTransformOnReturn, "oldTransformOnReturn", "Object comes back with its old transform",
+     FaultPart::Motion, FaultReach::Any, "One frame of garbage where it appears.",
+     "fault.previousAge=8 fault.region=moving fault.firstFrame=12 fault.lastFrame=12"},
+    {Fault::MotionCoarse, "motionCoarse", "Motion of a lower resolution", FaultPart::Motion, FaultReach::Any,
+     "Wrong at edges, fine in the middle.", "fault.motionCoarse=2"},
+    {Fault::TransparentsWithoutMotion, "transparentsWithoutMotion", "Transparents write no motion",
+     FaultPart::Motion, FaultReach::Drawn, "Particles and glass ghost.", "inputs.blended=before"},
+    {Fault::TransparentsOverwriteMotion, "transparentsOverwriteMotion",
+     "Transparents overwrite the motion behind", FaultPart::Motion, FaultReach::Drawn,
+     "What is behind glass smears.", "inputs.blended=beforeWithMotion"},
+    {Fault::DepthReversed, "depthReversed", "Depth the other way around", FaultPart::Depth, FaultReach::Any,
+     "Dilation follows what is behind, and disocclusion is found everywhere or nowhere.",
+     "fault.depth=reversed"},
+    {Fault::DepthLinear, "depthLinear", "Linear depth taken for device depth", FaultPart::Depth,
+     FaultReach::Any, "Disocclusion is found everywhere or nowhere.", "fault.depth=linear"},
+    {Fault::NearPlaneWrong, "nearPlaneWrong", "Near plane wrong", FaultPart::Depth, FaultReach::Any,
+     "Every view depth is wrong by the same factor.", "fault.nearPlane=2"},
+    {Fault::DepthCoarse, "depthCoarse", "Depth of a lower resolution", FaultPart::Depth, FaultReach::Any,
+     "Wrong at edges, fine in the middle.", "fault.depthCoarse=2"},
+    {Fault::ExposureStep, "exposureStep", "Exposure changes between frames", FaultPart::Color,
+     FaultReach::Any, "A flash, then a slow fade.", "fault.exposure=1 fault.firstFrame=8"},
+    {Fault::InterfaceBefore, "interfaceBefore", "Interface in the picture", FaultPart::Color, FaultReach::Any,
+     "Text and bars smear while the camera moves.", "fault.interface=still"},
+    {Fault::InterfaceJittered, "interfaceJittered", "Interface drawn jittered", FaultPart::Color,
+     FaultReach::Any, "Text and bars shake.", "fault.interface=jittered"},
+    {Fault::MipBiasMissing, "mipBiasMissing", "Textures too soft", FaultPart::Color, FaultReach::Drawn,
+     "Blur that no sharpening takes away: the bias of the level of detail is missing or of the wrong sign.",
+     "inputs.mipBias=1"},
+    {Fault::MipBiasLeftOn, "mipBiasLeftOn", "Textures too sharp", FaultPart::Color, FaultReach::Drawn,
+     "Textures crawl: a negative bias stays where nothing accumulates it away.", "inputs.mipBias=-3"},
+    {Fault::DilatesFarthest, "dilatesFarthest", "Dilation picks the farthest", FaultPart::Resolve,
+     FaultReach::Any, "Halos at the edges of what moves.", "dilate.method=farthest3x3"},
+    {Fault::OffScreenClamped, "offScreenClamped", "Off-screen history clamped", FaultPart::Resolve,
+     FaultReach::Any, "Streaks at the border while the camera moves.",
+     "validate.offScreen=keep history.border=edge"},
+    {Fault::NoResetAtCut, "noResetAtCut", "No reset at a cut", FaultPart::Resolve, FaultReach::Any,
+     "The old image bleeds into the new one.", "fault.keepsAtCuts=on"},
+    {Fault::HistoryNotSwapped, "historyNotSwapped", "History not swapped", FaultPart::Resolve,
+     FaultReach::Any, "Two pictures take turns: each frame goes on from the one before the last.",
+     "fault.notSwapped=on"},
+    {Fault::HistoryReadJittered, "historyReadJittered", "History read with jitter", FaultPart::Resolve,
+     FaultReach::Any, "A still picture shakes, softer than without TAA.", "fault.historyJitter=on"},
+    {Fault::NanKept, "nanKept", "NaN in the history", FaultPart::Resolve, FaultReach::Any,
+     "A blob that grows from frame to frame.", "fault.nan=on"},
+    {Fault::AlphaOne, "alphaOne", "Nothing accumulates, and jitter is left on", FaultPart::Resolve,
+     FaultReach::Any, "TAA does nothing: the picture shakes with the jitter.",
+     "weight.source=constant weight.alpha=1 current.filter=center"},
+    {Fault::AlphaZero, "alphaZero", "Nothing new is taken", FaultPart::Resolve, FaultReach::Any,
+     "The picture freezes where nothing rejects it.", "weight.source=constant weight.alpha=0"},
+    {Fault::LowPrecision, "lowPrecision", "History of few bits", FaultPart::Resolve, FaultReach::Any,
+     "Drift and a tint in a long rest.", "history.precision=unorm8"},
+    {Fault::BoxOfCorners, "boxOfCorners", "Box converted by its corners", FaultPart::Resolve, FaultReach::Any,
+     "Wrong colors: the lower corner can be the higher.", "fault.boxCorners=on"},
+};
+
+constexpr std::string_view kFaultGroup = "fault.";
+
+/// Of the group: rows that say where, when and how much, and are no fault by themselves.
+constexpr std::array<std::string_view, 9> kFaultDetails{
+    "fault.cameraTurn", "fault.region", "fault.object",     "fault.left",     "fault.top",
+    "fault.right",      "fault.bottom", "fault.firstFrame", "fault.lastFrame"};
+
+bool isFaultDetail(const Parameter& row) {
+  return std::ranges::find(kFaultDetails, row.path) != kFaultDetails.end();
+}
+
+/// Calls `tell` with each assignment of the row.
+template <typename Tell>
+void forEachAssignment(const FaultInfo& info, Tell tell) {
+  std::string_view rest = info.assignments;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(' '), rest.size());
+    tell(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+}
+
+FaultValues valuesOf(Fault fault) {
+  FaultValues values;
+  forEachAssignment(faultInfo(fault), [&](std::string_view assignment) {
+    const std::size_t equals = assignment.find('=');
+    const Parameter& row = parameter(assignment.substr(0, equals));
+    values.emplace(&row, parseValue(row, assignment.substr(equals + 1)));
+  });
+  return values;
+}
+
+bool isOfPlanes(const FaultInfo& info) {
+  return info.assignments.starts_with(kFaultGroup) &&
+         (info.part == FaultPart::Motion || info.part == FaultPart::Depth || info.part == FaultPart::Color);
+}
+
+} // namespace
+
+std::span<const FaultInfo> faultTable() {
+  return kFaults;
+}
+
+const FaultInfo& faultInfo(Fault fault) {
+  return kFaults[static_cast<std::size_t>(fault)];
+}
+
+const FaultInfo& faultInfo(std::string_view id) {
+  const auto found = std::ranges::find(kFaults, id, &FaultInfo::id);
+  if (found != std::end(kFaults)) return *found;
+  std::vector<std::string_view> ids;
+  for (const FaultInfo& info : kFaults) ids.push_back(info.id);
+  const std::vector<std::string_view> near = nearestNames(id, ids, 3);
+  throw Error(say<"there is no fault \"%1\"; near it are %2, %3 or %4">(id, near[0], near[1], near[2]));
+}
+
+std::string_view faultPartLabel(FaultPart part) {
+  constexpr std::array<std::string_view, 5> kLabels{"Jitter", "Motion vectors", "Depth", "Color", "Resolve"};
+  return kLabels[static_cast<std::size_t>(part)];
+}
+
+void inject(Fault fault, Settings& settings) {
+  for (const auto& [row, value] : valuesOf(fault)) row->set(settings, value);
+}
+
+bool isInjected(Fault fault, const Settings& settings) {
+  return std::ranges::all_of(valuesOf(fault),
+                             [&](const auto& entry) { return entry.first->get(settings) == entry.second; });
+}
+
+void withdraw(Fault fault, const Settings& healthy, Settings& settings) {
+  for (const auto& [row, value] : valuesOf(fault)) row->set(settings, row->get(healthy));
+}
+
+bool excludeEachOther(Fault a, Fault b) {
+  const FaultValues ofA = valuesOf(a), ofB = valuesOf(b);
+  const auto differs = [](const FaultValues& values, const Parameter& row, double value) {
+    const auto found = values.find(&row);
+    return found != values.end() && found->second != value;
+  };
+  // Of faulty planes all are so in the same region and frames.
+  const bool shareAPlace = isOfPlanes(faultInfo(a)) && isOfPlanes(faultInfo(b));
+  return std::ranges::any_of(parameters(), [&](const Parameter& row) {
+    const auto wantsOther = [&](const FaultValues& one, const FaultValues& other) {
+      if (const auto found = one.find(&row); found != one.end()) return differs(other, row, found->second);
+      return shareAPlace && isFaultDetail(row) && differs(other, row, row.defaultValue());
+    };
+    return wantsOther(ofA, ofB) || wantsOther(ofB, ofA);
+  });
+}
+
+bool isFaulty(const Settings& settings) {
+  return std::ranges::any_of(parameters(), [&](const Parameter& row) {
+    return row.stage == Stage::Faults && !isFaultDetail(row) && row.get(settings) != row.defaultValue();
+  });
+}
+
+std::vector<std::string> injectedFaults(const Settings& settings) {
+  if (!isFaulty(settings)) return {};
+  std::vector<std::string> all = differences(settings, Settings{});
+  std::erase_if(all, [](const std::string& assignment) { return !assignment.starts_with(kFaultGroup); });
+  return all;
+}
+
+void clearFaults(Settings& settings) {
+  settings.fault = FaultSettings{};
+}
+
+} // namespace taa
