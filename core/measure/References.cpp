@@ -50,6 +50,7 @@ FrameRequest referenceRequest(const FrameRequest& request) {
   reference.motionModes.clear();
   reference.objectClasses.clear();
   reference.restarts.clear();
+  reference.faults = {};
   return reference;
 }
 

@@ -28,7 +28,8 @@ struct ReferenceKey {
 
 /// What is drawn for the reference of what `request` draws: at full size, in 32-bit floats, without jitter of
 /// its own, mip bias, noise and masks. Transparent materials are blended before the resolve, unless they are
-/// masked. Whatever only changes motion is left out, so that one reference does for all of it.
+/// masked. Whatever only changes motion is left out, so that one reference does for all of it, and there are
+/// no faults.
 FrameRequest referenceRequest(const FrameRequest& request);
 
 /// Samples so far. The sum is in 64-bit floats and in the order of the samples: the same bits however many

@@ -5,9 +5,24 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <string_view>
 
 namespace taa {
+
+namespace {
+
+/// Faults of what pictures are drawn with; those of a capture are drawn already.
+constexpr std::array<std::string_view, 6> kDrawnFaults{"fault.jitterApplied", "fault.jitterPeriod",
+                                                       "fault.jitterMeanX",   "fault.jitterMeanY",
+                                                       "fault.depthJitter",   "fault.skyJitter"};
+
+bool wantsCameras(const Parameter& row) {
+  return row.path == "inputs.motion" || row.path == "fault.previousCamera" || row.path == "fault.cameraTurn";
+}
+
+} // namespace
 
 int periodOf(const std::vector<glm::vec2>& jitterPx) {
   constexpr float kSame = 1e-3f;               // px; engines print few digits
@@ -34,6 +49,9 @@ Settings settingsOn(const CaptureFacts& capture, const Settings& settings) {
   if (capture.hasCameraMotion) own.inputs.motion = settings.inputs.motion;
   if (capture.hasMask) own.inputs.mask = MaskSource::Material;
   if (capture.hasOverlay) own.inputs.blended = BlendedAs::After;
+  const Settings healthy;
+  for (const Parameter& row : parameters())
+    if (row.stage == Stage::Faults && isFixedBy(capture, row)) row.set(own, row.get(healthy));
   const glm::vec2 ratio = glm::vec2(capture.renderPx) / glm::vec2(capture.outputPx);
   own.inputs.renderScale = std::min(ratio.x, ratio.y);
   return own;
@@ -41,12 +59,13 @@ Settings settingsOn(const CaptureFacts& capture, const Settings& settings) {
 
 bool isFixedBy(const CaptureFacts& capture, const Parameter& row) {
   if (row.path == "inputs.precision") return false;
-  if (row.path == "inputs.motion") return !capture.hasCameraMotion;
+  if (wantsCameras(row)) return !capture.hasCameraMotion;
+  if (std::ranges::find(kDrawnFaults, row.path) != kDrawnFaults.end()) return true;
   return row.path.starts_with("jitter.") || row.path.starts_with("inputs.");
 }
 
 std::string whyFixed(const Parameter& row) {
-  if (row.path == "inputs.motion")
+  if (wantsCameras(row))
     return say<"this capture lacks depth or matrices, so that there is no other motion than its own">();
   return say<"%1 is the capture's own: its frames are as they were taken">(sayLabel(row.label));
 }

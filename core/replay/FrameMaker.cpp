@@ -58,9 +58,12 @@ int firstToResolve(const ShotState& state, const Checkpoints& checkpoints, int f
   return frame;
 }
 
-// Gives a lane what was kept of the frame.
-void restore(const ShotState& state, const Checkpoints& checkpoints, int frame, ShownLane& lane) {
-  lane.previous = startsHistory(state, frame) ? nullptr : checkpoints.at(frame - 1);
+// Gives a lane what was kept of the frame. Beside one that goes on through a cut its history may start.
+void restore(const ShotState& state, const Checkpoints& checkpoints, int frame, const Settings& settings,
+             ShownLane& lane) {
+  const bool starts = startsHistory(state, frame) || (!isOn(settings.fault.keepsAtCuts) &&
+                                                      startsHistory(*state.scene, state.restarts, frame));
+  lane.previous = starts ? nullptr : checkpoints.at(frame - 1);
   lane.current = checkpoints.at(frame);
   lane.exact = true;
   lane.isExposed = false;
@@ -95,7 +98,8 @@ FrameRequest ShotState::request(std::size_t lane) const {
           .filter = filter,
           .track = track(),
           .objectClasses = objectClasses,
-          .restarts = restarts};
+          .restarts = restarts,
+          .faults = lanes[lane].fault};
 }
 
 FrameCameraPair ShotState::cameras(std::size_t lane, int frame) const {
@@ -108,6 +112,9 @@ FrameCameraPair ShotState::cameras(std::size_t lane, int frame) const {
 }
 
 bool startsHistory(const ShotState& state, int frame) {
+  const bool goesOn = std::ranges::any_of(
+      state.lanes, [](const Settings& settings) { return isOn(settings.fault.keepsAtCuts); });
+  if (goesOn && frame > 0) return std::ranges::find(state.restarts, frame) != state.restarts.end();
   return taa::startsHistory(*state.scene, state.restarts, frame);
 }
 
@@ -234,7 +241,7 @@ ShownFrame FrameMaker::replay(const ShotState& state, std::vector<Checkpoints>& 
     }
   }
   for (std::size_t lane = 0; lane < lanes; ++lane)
-    if (first[lane] > frame) restore(state, checkpoints[lane], frame, next.lanes[lane]);
+    if (first[lane] > frame) restore(state, checkpoints[lane], frame, state.lanes[lane], next.lanes[lane]);
   return next;
 }
 

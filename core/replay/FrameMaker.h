@@ -123,7 +123,8 @@ class FrameMaker {
   std::optional<ShownFrame> spare_;
 };
 
-/// Whether frame `frame` may use no history: the first, after cuts and at restarts.
+/// Whether frame `frame` may use no history in any lane: the first, at restarts, and after cuts unless a lane
+/// has fault.keepsAtCuts.
 bool startsHistory(const ShotState& state, int frame);
 
 /// Whether all that the resolve of `frame` was given and left is kept: it need not be made again.

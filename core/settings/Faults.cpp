@@ -189,7 +189,7 @@ void forEachAssignment(const FaultInfo& info, Tell tell) {
   }
 }
 
-FaultValues valuesOf(Fault fault) {
+FaultValues injectedValues(Fault fault) {
   FaultValues values;
   forEachAssignment(faultInfo(fault), [&](std::string_view assignment) {
     const std::size_t equals = assignment.find('=');
@@ -229,20 +229,20 @@ std::string_view faultPartLabel(FaultPart part) {
 }
 
 void inject(Fault fault, Settings& settings) {
-  for (const auto& [row, value] : valuesOf(fault)) row->set(settings, value);
+  for (const auto& [row, value] : injectedValues(fault)) row->set(settings, value);
 }
 
 bool isInjected(Fault fault, const Settings& settings) {
-  return std::ranges::all_of(valuesOf(fault),
+  return std::ranges::all_of(injectedValues(fault),
                              [&](const auto& entry) { return entry.first->get(settings) == entry.second; });
 }
 
 void withdraw(Fault fault, const Settings& healthy, Settings& settings) {
-  for (const auto& [row, value] : valuesOf(fault)) row->set(settings, row->get(healthy));
+  for (const auto& [row, value] : injectedValues(fault)) row->set(settings, row->get(healthy));
 }
 
 bool excludeEachOther(Fault a, Fault b) {
-  const FaultValues ofA = valuesOf(a), ofB = valuesOf(b);
+  const FaultValues ofA = injectedValues(a), ofB = injectedValues(b);
   const auto differs = [](const FaultValues& values, const Parameter& row, double value) {
     const auto found = values.find(&row);
     return found != values.end() && found->second != value;

@@ -1,6 +1,7 @@
 // Blocks of the resolve that C++ writes and GLSL reads: the same members at the same offsets on either side.
 #include "core/gl/Program.h"
 #include "core/settings/Parameters.h"
+#include "shaders/shared/FaultBlock.h"
 #include "shaders/shared/ResolveBlock.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/ShaderFolder.h"
@@ -45,6 +46,21 @@ TEST_F(SharedBlocksTest, ResolveBlockIsTheSameOnEitherSide) {
       MEMBER(ResolveBlock, renderRatio),
   };
   EXPECT_EQ(offsetsInGlsl("shared/ResolveBlock.h", "ResolveBlock", "resolveBlock.depthTerms"), expected);
+}
+
+TEST_F(SharedBlocksTest, FaultBlockIsTheSameOnEitherSide) {
+  using taa::shared::FaultBlock;
+  const Offsets expected{
+      MEMBER(FaultBlock, wrongPreviousClipFromWorld),
+      MEMBER(FaultBlock, jitter),
+      MEMBER(FaultBlock, motionTerms),
+      MEMBER(FaultBlock, motionForm),
+      MEMBER(FaultBlock, texels),
+      MEMBER(FaultBlock, place),
+      MEMBER(FaultBlock, rectangle),
+      MEMBER(FaultBlock, colorTerms),
+  };
+  EXPECT_EQ(offsetsInGlsl("shared/FaultBlock.h", "FaultBlock", "fault.jitter"), expected);
 }
 
 TEST_F(SharedBlocksTest, SettingsBlockHoldsEachNumberWhereGlslReadsIt) {

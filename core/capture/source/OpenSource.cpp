@@ -5,9 +5,11 @@
 #include "core/capture/source/CaptureScene.h"
 #include "core/capture/source/CaptureSource.h"
 #include "core/render/SceneRenderer.h"
+#include "core/render/faults/FaultySource.h"
 #include "core/scene/SceneSource.h"
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -23,7 +25,8 @@ OpenedSource openCaptured(const std::string& source, const Progress& progress) {
   // Sizes of pictures are known when they are read; those of raw planes the manifest has stated already.
   for (const std::string& note : opened->frame(0)->notes)
     if (std::ranges::find(scene.warnings, note) == scene.warnings.end()) scene.warnings.push_back(note);
-  return {std::make_shared<const Scene>(std::move(scene)), std::make_shared<capture::CaptureSource>(opened)};
+  return {std::make_shared<const Scene>(std::move(scene)),
+          std::make_shared<FaultySource>(std::make_unique<capture::CaptureSource>(opened))};
 }
 
 } // namespace
@@ -31,7 +34,7 @@ OpenedSource openCaptured(const std::string& source, const Progress& progress) {
 OpenedSource openSource(const std::string& source, const Progress& progress) {
   if (!isBuiltinScene(source) && capture::isCapture(source)) return openCaptured(source, progress);
   const auto scene = std::make_shared<const Scene>(openScene(source, progress));
-  return {scene, std::make_shared<SceneRenderer>(scene, progress)};
+  return {scene, std::make_shared<FaultySource>(std::make_unique<SceneRenderer>(scene, progress))};
 }
 
 } // namespace taa

@@ -60,6 +60,24 @@ TEST(CaptureFacts, MotionIsAskedForWhereItCanBeMade) {
   EXPECT_EQ(settingsOn(facts, settings).inputs.motion, MotionSource::CameraFromDepth);
 }
 
+TEST(CaptureFacts, FaultsOfWhatIsDrawnAreFixed) {
+  CaptureFacts facts;
+  facts.renderPx = facts.outputPx = {8, 8};
+  Settings settings;
+  settings.fault.jitterApplied = 0.0f;
+  settings.fault.jitter = JitterFault::Negated;
+  settings.fault.previousCamera = CameraFault::OfNow;
+  Settings own = settingsOn(facts, settings);
+  EXPECT_EQ(own.fault.jitterApplied, 1.0f) << "the pictures are there";
+  EXPECT_EQ(own.fault.jitter, JitterFault::Negated) << "what is reported can be wrong";
+  EXPECT_EQ(own.fault.previousCamera, CameraFault::None) << "nothing says where the camera was";
+  facts.hasCameraMotion = true;
+  own = settingsOn(facts, settings);
+  EXPECT_EQ(own.fault.previousCamera, CameraFault::OfNow);
+  EXPECT_TRUE(isFixedBy(facts, parameter("fault.skyJitter")));
+  EXPECT_FALSE(isFixedBy(facts, parameter("fault.motionY")));
+}
+
 TEST(CaptureFacts, OnlyPrecisionIsNeverTheCaptures) {
   CaptureFacts facts;
   facts.renderPx = {8, 6};
