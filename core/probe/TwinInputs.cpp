@@ -20,7 +20,7 @@ twin::Texels texelsInParts(const gl::Texture& texture, const Require& require) {
 
 void readHistory(const History& previous, TwinReading reading, twin::Inputs& twin) {
   const auto read = [reading](const gl::Texture& texture) { return twinTexels(texture, reading); };
-  twin.historyColor = read(previous.color);
+  twin.historyColor = read(previous.readColor());
   twin.historySurface = read(previous.surface);
   twin.historyObject = read(previous.object);
   twin.historyNormal = read(previous.normal);
@@ -46,6 +46,7 @@ twin::Inputs drawnInputs(const FrameInputs& inputs, const Read& read) {
   twin.frame = inputs.info.frame;
   twin.stepSeconds = inputs.info.stepSeconds;
   twin.jitterPx = inputs.block.jitterPx;
+  twin.lastJitterPx = glm::vec2(inputs.block.previousJitter);
   twin.depthTerms = inputs.block.depthTerms;
   return twin;
 }

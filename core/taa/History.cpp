@@ -44,7 +44,7 @@ bool fits(const gl::Texture& texture, const gl::TextureSize& size, gl::Format fo
 } // namespace
 
 std::size_t History::bytes() const {
-  std::size_t sum = color.bytes() + surface.bytes();
+  std::size_t sum = color.bytes() + surface.bytes() + (stale ? stale.bytes() : 0);
   for (const HistoryLayer& layer : kLayers)
     if (const gl::Texture& texture = this->*layer.texture) sum += texture.bytes();
   return sum;
@@ -57,6 +57,7 @@ std::span<const HistoryLayer> historyLayers() {
 std::size_t historyBytes(int width, int height, const Settings& settings) {
   const gl::TextureSize size{width, height};
   std::size_t sum = gl::textureBytes(size, colorFormat(settings)) + gl::textureBytes(size, kSurfaceFormat);
+  if (isOn(settings.fault.notSwapped)) sum += gl::textureBytes(size, colorFormat(settings));
   for (const HistoryLayer& layer : kLayers)
     if (layer.isNeeded(settings)) sum += gl::textureBytes(size, layer.format);
   return sum;
@@ -94,6 +95,10 @@ void fitHistory(History& history, int width, int height, const Settings& setting
     history.surface = cleared(size, kSurfaceFormat, "history surface");
     history.color = std::move(color);
   }
+  if (!isOn(settings.fault.notSwapped))
+    history.stale = gl::Texture();
+  else if (!fits(history.stale, size, format))
+    history.stale = cleared(size, format, "stale history color");
   for (const HistoryLayer& layer : kLayers) {
     gl::Texture& texture = history.*layer.texture;
     if (!layer.isNeeded(settings))

@@ -20,6 +20,9 @@ struct History {
   gl::Texture motion;  ///< RG32F, of the dilated sample, px
   gl::Texture lock;    ///< RG32F: life of the pixel's lock, 0 to 2; luma it was locked at
   gl::Texture lumas;   ///< RGBA8: luma of this frame and the three before, as L/(1 + L) in 255 steps
+  gl::Texture stale;   ///< as color, of the frame before: with fault.notSwapped, what is read in its place
+  /// What the next frame reads as color.
+  const gl::Texture& readColor() const { return stale ? stale : color; }
   std::size_t bytes() const;
 };
 

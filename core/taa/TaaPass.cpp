@@ -100,6 +100,15 @@ std::vector<gl::Attachment> attachments(const Run& run, const History* out, cons
   return targets;
 }
 
+// With textures that are not swapped the next frame goes on from the color before this one's.
+void keepStale(const FrameInputs& inputs, const History* previous, History& out) {
+  if (!out.stale) return;
+  // None, or of other settings: there is nothing to go on from.
+  const bool isFirst = !previous || inputs.info.startsHistory || previous->color.size() != out.stale.size() ||
+                       previous->color.format() != out.stale.format();
+  out.stale.copyFrom(isFirst ? out.color : previous->color);
+}
+
 } // namespace
 
 struct TaaPass::Impl {
@@ -118,7 +127,7 @@ void TaaPass::Impl::bindHistory(gl::RenderPass& pass, const FrameInputs& inputs,
                                 const Settings& settings) const {
   // Without history the shader uses nothing of what it reads there, but the reads want a texture of this
   // size.
-  pass.texture(6, previous ? previous->color : inputs.color, passInputs.nearest());
+  pass.texture(6, previous ? previous->readColor() : inputs.color, passInputs.nearest());
   pass.texture(7, previous ? previous->surface : inputs.motion, passInputs.nearest());
   unsigned unit = kFirstLayerUnit;
   for (const HistoryLayer& layer : historyLayers()) {
@@ -166,6 +175,7 @@ void TaaPass::resolve(const FrameInputs& inputs, const History* previous, const 
     const gl::Framebuffer target(attachments(run, &out, exposedRows, settings), nullptr, "resolved");
     impl_->draw(run, target, inputs, previous, settings, exposedRows);
   }
+  keepStale(inputs, previous, out);
   if (!exposedRows) return;
   impl_->output.fill(inputs, out.color, settings, *exposedRows);
   exposedRows->readFrom(&inputs, out);
@@ -178,6 +188,7 @@ void TaaPass::resolvePart(const FrameInputs& inputs, const History* previous, co
   const Run run{.keepsHistory = true, .slots = {}, .last = {}, .part = part};
   const gl::Framebuffer target(attachments(run, &out, nullptr, settings), nullptr, "resolved part");
   impl_->draw(run, target, inputs, previous, settings, nullptr);
+  keepStale(inputs, previous, out);
 }
 
 void TaaPass::expose(const FrameInputs& inputs, const History* previous, const History& resolved,

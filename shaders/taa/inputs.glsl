@@ -47,6 +47,7 @@ ivec2 regionSize() { return resolveBlock.spread.xy; }  // pixels that are drawn
 ivec2 targetSize() { return resolveBlock.spread.zw; }  // texels that stand for them
 float distanceFactor() { return resolveBlock.weightTerms.x; }    // on α, by the sample's distance from the center
 int eighthsOfFrame() { return int(resolveBlock.weightTerms.y); } // of the reference frame that this one took
+vec2 lastJitter() { return resolveBlock.weightTerms.zw; }          // of the frame before, render px
 
 /// The pixel that this fragment stands for. A target with fewer texels than its region has pixels holds for each texel
 /// exactly what the pixel in its middle is.

@@ -270,6 +270,17 @@ Box boundByMoments(Moments moments, float gamma) {
   return box;
 }
 
+/// The fault of a box that is measured in RGB: its two corners in box space, where the lower can be the higher.
+Box boxOfCorners(Samples samples) {
+  vec3 lowest = samples.color[0];
+  vec3 highest = samples.color[0];
+  for (int k = 1; k < 9; ++k) {
+    lowest = minimum(lowest, samples.color[k]);
+    highest = maximum(highest, samples.color[k]);
+  }
+  return Box(toBox(lowest), toBox(highest));
+}
+
 Neighborhood measureNeighborhood(Samples samples, ivec2 texel, vec3 currentFiltered, NeighborhoodInputs given) {
   vec3 boxed[9] = allToBox(samples);
   Moments moments;
@@ -287,6 +298,7 @@ Neighborhood measureNeighborhood(Samples samples, ivec2 texel, vec3 currentFilte
     precise vec2 high = boxed[4].yz + extent;
     box = Box(vec3(box.lo.x, low), vec3(box.hi.x, high));
   }
+  if (kFaultBoxCorners) box = boxOfCorners(samples);
   if (kNeighborhoodIncludeFiltered) {
     precise vec3 filteredColor = toBox(currentFiltered);
     box = Box(minimum(box.lo, filteredColor), maximum(box.hi, filteredColor));

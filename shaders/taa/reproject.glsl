@@ -44,6 +44,7 @@ Reprojection reproject(ivec2 pixel, vec2 motion) {
   const bool kIsInPlace = kReprojectMethod == kReprojectMethod_inPlace;
   precise vec2 center = vec2(pixel) + 0.5;
   precise vec2 position = center - motion;
+  if (kFaultHistoryJitter) position = position + lastJitter() / resolveBlock.renderRatio; // as if it were jittered
   if (kIsInPlace) position = center;
   Reprojection result;
   result.position = position;

@@ -58,6 +58,10 @@ void main() {
   Weights weight = blendWeight(weighed, samples, validity.invalid);
   stage_ends(kStage_blend_weight, vec4(weight.channels, weight.alpha));
   Blended blended = blend(pixel, samples, weighed, weight, validity.invalid);
+  if (kFaultNan && holdsNan(place.texel, reprojection)) {
+    blended.color = vec3(uintBitsToFloat(kNanBits));
+    expose_resolved(blended.color);
+  }
   o_color = vec4(blended.color, 1.0);                                // History::color
   o_surface = vec2(blended.historyLength, viewDepth(dilated.depth)); // History::surface: N, view depth
   store_exposed();

@@ -294,3 +294,18 @@ HistorySample sampleHistory(ivec2 pixel, ivec2 texel, vec2 historyPosition) {
   expose_historyRawLength(result.historyLength);
   return result;
 }
+
+const uint kNanBits = 0x7FC00000u;
+
+bool isNanColor(vec3 color) { return any(greaterThan(floatBitsToUint(color) & 0x7FFFFFFFu, uvec3(0x7F800000u))); }
+
+/// The fault that a color that is no number is kept: whether the sample is none, or one of nine texels of the history
+/// around its position.
+bool holdsNan(ivec2 texel, Reprojection reprojection) {
+  bool isFound = isNanColor(texelAt(u_color, texel).rgb);
+  if (!hasHistory() || reprojection.onScreen == 0.0) return isFound;
+  ivec2 from = ivec2(floor(reprojection.position));
+  for (int k = 0; k < 9; ++k)
+    isFound = isFound || isNanColor(historyAt(u_historyColor, from + ivec2(k % 3 - 1, k / 3 - 1)).rgb);
+  return isFound;
+}

@@ -220,7 +220,9 @@ PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::
   set(record, IntermediateId::dilatedDepth, dilated.depth);
   set(record, IntermediateId::dilatedMotion, dilated.motion);
 
-  const Reprojection reprojected = reproject(inputs, settings.reproject, dilated.motion, p);
+  const Reprojection reprojected = reproject(
+      inputs, settings.reproject, dilated.motion, p,
+      isOn(settings.fault.historyJitter) ? inputs.lastJitterPx / renderRatio(inputs) : glm::vec2(0.0f));
   set(record, IntermediateId::historyPosition, reprojected.position);
   set(record, IntermediateId::speed, reprojected.speed);
   set(record, IntermediateId::onScreen, reprojected.onScreen ? 1.0f : 0.0f);
@@ -283,7 +285,8 @@ PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::
   const glm::vec3 shown = isBlurred ? blurredRestart(inputs, texel) : current;
   recordBlend(record,
               blend(settings, {shown, rectified.value, weights.alpha, weights.channels, length, confidence,
-                               dilated.motion, p, inputs.frame, inputs.historyColor.empty()}));
+                               dilated.motion, p, inputs.frame, inputs.historyColor.empty(),
+                               isOn(settings.fault.nan) && holdsNan(inputs, texel, reprojected)}));
   Shown output;
   if (!inputs.resolved.empty()) recordOutput(record, output = showOutput(inputs, settings, p));
   if (kept) *kept = keptOf(geometry, lockState);

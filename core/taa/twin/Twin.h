@@ -37,8 +37,9 @@ struct Inputs {
   int frame = 0;                   ///< its number
   double stepSeconds = 1.0 / 60.0; ///< from frame to frame
   glm::vec2 jitterPx{0.0f};
-  glm::vec4 depthTerms{0.0f}; ///< (P33, P32, P23, P22)
-  glm::ivec2 outputPx{0};     ///< size of the picture; 0: that of the inputs
+  glm::vec2 lastJitterPx{0.0f}; ///< of the frame before
+  glm::vec4 depthTerms{0.0f};   ///< (P33, P32, P23, P22)
+  glm::ivec2 outputPx{0};       ///< size of the picture; 0: that of the inputs
   int width() const { return color.width; }
   int height() const { return color.height; }
   int outputWidth() const { return outputPx.x > 0 ? outputPx.x : width(); }

@@ -210,6 +210,7 @@ twin::Inputs randomFrame(const FrameShape& shape, std::uint32_t seed, bool wild)
   quantize(made.motion, motionFormat(shape.inputs));
   made.frame = static_cast<int>(seed % 7);
   made.jitterPx = glm::vec2(maker.uniform(-0.5f, 0.5f), maker.uniform(-0.5f, 0.5f));
+  made.lastJitterPx = glm::vec2(-made.jitterPx.y, 0.5f * made.jitterPx.x);
   return made;
 }
 
@@ -226,6 +227,7 @@ FrameInputs upload(const twin::Inputs& images, const FrameShape& shape) {
   made.info.stepSeconds = images.stepSeconds;
   made.info.jitterPx = images.jitterPx;
   made.block.depthTerms = images.depthTerms;
+  made.block.previousJitter = glm::vec4(images.lastJitterPx, 0.0f, 0.0f);
   made.color = texture(images.color, colorFormat(shape.inputs));
   made.depth = texture(images.depth, gl::Format::Depth32F);
   made.motion = texture(images.motion, motionFormat(shape.inputs));

@@ -23,9 +23,10 @@ const Names kScene{"brdf.glsl", "fog_cone.glsl", "motion.glsl", "noise.glsl", "s
 const std::map<std::string, Names>& withoutCounterpart() {
   static const std::map<std::string, Names> kNames{
       {"The twin gets pictures and frames as values, without textures and packed blocks.",
-       {"texelAt", "historyAt", "historyFlags", "frameNumber", "firstPixel", "regionSize", "targetSize",
-        "distanceFactor", "eighthsOfFrame", "pixelHere", "hasHistory", "keeps", "Samples", "readInputs",
-        "readResolved", "readHistory", "viewDepthAt", "currentWeight", "nearestHalf"}},
+       {"texelAt",     "historyAt",      "historyFlags",   "frameNumber", "firstPixel",  "regionSize",
+        "targetSize",  "distanceFactor", "eighthsOfFrame", "pixelHere",   "hasHistory",  "keeps",
+        "Samples",     "readInputs",     "readResolved",   "readHistory", "viewDepthAt", "currentWeight",
+        "nearestHalf", "lastJitter",     "isNanColor"}},
       {"GLSL has a function for each curve, where the twin's compress() has a switch.",
        {"reinhardChannel", "inverseReinhardChannel", "inverseCompressMax", "pqChannel", "inversePqChannel",
         "logarithmChannel", "inverseLogarithmChannel", "overLuma"}},

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace taa::twin {
 namespace {
@@ -141,6 +142,7 @@ Blended blend(const Settings& settings, const BlendInputs& mix) {
   for (int i = 0; i < 3; ++i) {
     result.resolved[i] = asStored(settings.history, sane[i], mix, static_cast<std::uint32_t>(i));
   }
+  if (mix.isNan) result.resolved = glm::vec3(std::numeric_limits<float>::quiet_NaN());
   result.historyLength = lengthAfter(settings, mix);
   return result;
 }

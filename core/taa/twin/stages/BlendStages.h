@@ -77,6 +77,7 @@ struct BlendInputs {
   glm::ivec2 pixel{0};     ///< it and the frame's number choose the dither
   int frame = 0;
   bool isFirst = false; ///< there is no history
+  bool isNan = false;   ///< a color that is no number is kept
 };
 Blended blend(const Settings& settings, const BlendInputs& mix);
 

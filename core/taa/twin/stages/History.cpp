@@ -3,6 +3,8 @@
 #include "core/taa/twin/stages/HistoryTaps.h"
 #include "core/taa/twin/stages/Stages.h"
 
+#include <glm/common.hpp>
+
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -173,6 +175,18 @@ HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& setting
                              ? bilinearLength(inputs, q)
                              : inputs.historySurface.texel(nearest.x, nearest.y).x;
   return result;
+}
+
+bool holdsNan(const Inputs& inputs, const glm::ivec2& drawn, const Reprojection& reprojection) {
+  const auto isNan = [](const glm::vec4& c) { return std::isnan(c.x) || std::isnan(c.y) || std::isnan(c.z); };
+  if (isNan(inputs.color.texel(drawn.x, drawn.y))) return true;
+  if (inputs.historyColor.empty() || !reprojection.onScreen) return false;
+  const glm::ivec2 from(glm::floor(reprojection.position));
+  for (int k = 0; k < 9; ++k) {
+    const glm::ivec2 at = clampedToPicture(from + glm::ivec2(k % 3 - 1, k / 3 - 1), inputs);
+    if (isNan(inputs.historyColor.texel(at.x, at.y))) return true;
+  }
+  return false;
 }
 
 } // namespace taa::twin

@@ -200,6 +200,17 @@ void boundByMoments(BoxKind kind, Neighborhood& n) {
   }
 }
 
+/// Lowest and highest RGB of nine as they are in box space (fault.boxCorners).
+void boxOfCorners(const Settings& settings, Neighborhood& n) {
+  glm::vec3 lowest = n.colors[0], highest = n.colors[0];
+  for (const glm::vec3& color : n.colors) {
+    lowest = minimum(lowest, color);
+    highest = maximum(highest, color);
+  }
+  n.boxMin = toBox(lowest, settings.space);
+  n.boxMax = toBox(highest, settings.space);
+}
+
 } // namespace
 
 float momentWeight(const Settings& settings, const NeighborhoodSample& member) {
@@ -237,6 +248,7 @@ Neighborhood measureNeighborhood(const Inputs& inputs, const Settings& settings,
       result.boxMax[i] = center[i] + half;
     }
   }
+  if (isOn(settings.fault.boxCorners)) boxOfCorners(settings, result);
   if (settings.neighborhood.includeFiltered == Switch::On) {
     const glm::vec3 filtered = toBox(currentFiltered, settings.space);
     result.boxMin = minimum(result.boxMin, filtered);

@@ -33,12 +33,12 @@ float speedIn(SpeedUnit unit, float speed, const glm::vec2& motionPx, const glm:
 }
 
 Reprojection reproject(const Inputs& inputs, const ReprojectSettings& settings, const glm::vec2& motionPx,
-                       const glm::ivec2& pixel) {
+                       const glm::ivec2& pixel, const glm::vec2& readOff) {
   const bool isInPlace = settings.method == ReprojectMethod::InPlace;
   Reprojection result;
   result.noPrevious = !isInPlace && motionPx.x == kNoPreviousPosition;
   const glm::vec2 center = glm::vec2(pixel) + 0.5f;
-  const glm::vec2 q = isInPlace ? center : center - motionPx;
+  const glm::vec2 q = isInPlace ? center : (center - motionPx) + readOff;
   result.position = q;
   result.onScreen = q.x >= 0.0f && q.x <= static_cast<float>(inputs.outputWidth()) && q.y >= 0.0f &&
                     q.y <= static_cast<float>(inputs.outputHeight()); // NaN is off the screen

@@ -37,8 +37,9 @@ struct Reprojection {
   bool noPrevious = false; ///< it was behind the previous camera
   float speed = 0.0f;      ///< px a frame
 };
+/// `readOff`: px that history is read off its place (fault.historyJitter).
 Reprojection reproject(const Inputs& inputs, const ReprojectSettings& settings, const glm::vec2& motionPx,
-                       const glm::ivec2& pixel);
+                       const glm::ivec2& pixel, const glm::vec2& readOff = glm::vec2(0.0f));
 
 /// A speed in another unit than px, of its motion, px, and the picture's size.
 float speedIn(SpeedUnit unit, float speed, const glm::vec2& motionPx, const glm::ivec2& picturePx);
@@ -82,6 +83,10 @@ inline HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& 
                                    const glm::vec2& positionPx, const glm::ivec2& pixel) {
   return sampleHistory(inputs, settings, positionPx, pixel, pixel);
 }
+
+/// The fault that a color that is no number is kept (fault.nan): whether the sample of the render texel is
+/// none, or one of nine texels of the history around its position.
+bool holdsNan(const Inputs& inputs, const glm::ivec2& drawn, const Reprojection& reprojection);
 
 /// Weights of the Gaussian around the displaced sample, row-major over 3×3, not normalized (manual 7.4).
 std::array<float, 9> gaussianWeights(float variance, const glm::vec2& jitterPx);
