@@ -2,6 +2,8 @@
 #include "core/taa/glsl/GlslHead.h"
 
 #include "core/base/EmbeddedFiles.h"
+#include "core/base/Text.h"
+#include "core/settings/Faults.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/History.h"
 #include "core/taa/glsl/GlslExport.h"
@@ -217,6 +219,8 @@ std::string settingsText(const Settings& settings, bool hasOutput) {
         line += " " + std::string(row.path) + "=" + valueText(row, row.get(settings));
     if (!line.empty()) text += item(line.substr(1));
   }
+  if (const auto faults = injectedFaults(settings); !faults.empty())
+    text += item("faults on purpose, as far as the resolve makes them: " + joined(faults));
   return text;
 }
 
