@@ -12,6 +12,7 @@
 #include "app/widgets/parameters/ParameterRow.h"
 
 #include "core/render/CaptureFacts.h"
+#include "core/settings/Faults.h"
 #include "core/settings/Presets.h"
 
 #include <QFileInfo>
@@ -39,6 +40,8 @@ bool startsExpanded(Stage stage) {
 /// What the settings of a stage come to, for its folded heading: its first relevant choice.
 QString summary(Stage stage, const Settings& settings) {
   if (stage == Stage::Jitter && !isTaaOn(settings)) return PipelinePanel::tr("TAA off");
+  if (stage == Stage::Faults)
+    return isFaulty(settings) ? PipelinePanel::tr("injected") : PipelinePanel::tr("none");
   for (const Parameter& row : parameters())
     if (row.stage == stage && row.kind == ParameterKind::Choice && isRelevant(row, settings)) {
       const auto index = static_cast<std::size_t>(row.get(settings));

@@ -1,14 +1,20 @@
 #include "app/panels/StatusLine.h"
 
 #include "app/style/Icons.h"
+#include "app/style/Text.h"
 #include "app/style/Theme.h"
 
 #include "core/render/CaptureFacts.h"
 #include "core/render/SceneRenderer.h"
 #include "core/requests/RequestKinds.h"
+#include "core/settings/Faults.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QStringList>
+
+#include <string>
+#include <vector>
 
 namespace taa::app {
 
@@ -48,11 +54,25 @@ QString historyText(const Status& status) {
   }
 }
 
+/// What is wrong on purpose; empty: nothing.
+QString faultsText(const Status& status) {
+  const std::vector<std::string> faults = injectedFaults(status.settings);
+  if (faults.empty()) return {};
+  const QString first = qtext(faults.front());
+  const int more = static_cast<int>(faults.size()) - 1;
+  return more == 0 ? StatusLine::tr("fault injected: %1").arg(first)
+                   : StatusLine::tr("faults injected: %1 and %2 more").arg(first).arg(more);
+}
+
 /// Why the picture is not what is wished for; empty when it is.
 QString cautionText(const Status& status) {
+  QStringList texts;
   if (status.goal)
-    return StatusLine::tr("frame %1 until %2 is there").arg(status.info.frame).arg(*status.goal);
-  return status.exact ? QString() : historyText(status);
+    texts << StatusLine::tr("frame %1 until %2 is there").arg(status.info.frame).arg(*status.goal);
+  else if (!status.exact)
+    texts << historyText(status);
+  if (const QString faults = faultsText(status); !faults.isEmpty()) texts << faults;
+  return texts.join(QStringLiteral(" · "));
 }
 
 } // namespace

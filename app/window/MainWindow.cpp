@@ -19,6 +19,7 @@
 #include "app/menus/ProbeMenu.h"
 #include "app/menus/SceneMenu.h"
 #include "app/menus/ViewMenu.h"
+#include "app/menus/faults/FaultsMenu.h"
 #include "app/panels/JitterPanel.h"
 #include "app/panels/LeftArea.h"
 #include "app/panels/LineagePanel.h"
@@ -216,6 +217,7 @@ void MainWindow::makeMenus() {
   bar->addMenu(new FrameMenu(all, session_, *timeline_, *prompts_, bar));
   bar->addMenu(new SceneMenu(all, {session_.scene(), *flight_, *cameras_, *left_, *scene_}, bar));
   bar->addMenu(new PipelineMenu(all, {session_, *pipeline_, *presets_, *views_, *lower_, *exports_}, bar));
+  bar->addMenu(new FaultsMenu(all, session_, bar));
   bar->addMenu(new ProbeMenu(all,
                              {session_.probes(), session_.verdicts(), *views_, *probe_, *probeCommands_,
                               *prompts_, session_.scene()},

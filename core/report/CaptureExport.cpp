@@ -3,6 +3,7 @@
 #include "core/base/Error.h"
 #include "core/base/Files.h"
 #include "core/base/Say.h"
+#include "core/base/Text.h"
 #include "core/capture/decode/Cameras.h"
 #include "core/capture/decode/DecodedFrame.h"
 #include "core/capture/decode/Depth.h"
@@ -14,6 +15,7 @@
 #include "core/replay/FrameMaker.h"
 #include "core/report/CaptureFormats.h"
 #include "core/scene/SceneOutline.h"
+#include "core/settings/Faults.h"
 
 #include <algorithm>
 #include <cassert>
@@ -129,6 +131,8 @@ CaptureExport::Impl::Impl(Inspector& looked, CaptureChoice chosen, int firstFram
   manifest.framesPerSecond = shot.scene().shot.framesPerSecond;
   manifest.objects = namesOfIds(shot);
   if (source) manifest.notes = source->manifest().notes;
+  if (const auto faults = injectedFaults(shot.usedSettings(choice.lane)); !faults.empty())
+    manifest.notes.push_back(say<"faults are injected: %1">(joined(faults)));
   if (manifest.conventions.jitter.delay != 0)
     manifest.notes.push_back(
         say<"jitter is stated with another frame than its own: that of frame %1 is not part of the capture">(

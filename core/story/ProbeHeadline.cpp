@@ -1,6 +1,8 @@
 #include "core/story/ProbeHeadline.h"
 
 #include "core/base/Say.h"
+#include "core/base/Text.h"
+#include "core/settings/Faults.h"
 #include "core/story/ProbeValues.h"
 #include "core/taa/twin/Color.h"
 #include "core/taa/twin/Known.h"
@@ -271,6 +273,8 @@ std::vector<std::string> probeHeadline(const twin::PixelRecord& record, const Se
   std::vector<std::string> lines{capitalized(say<"%1, %2">(motionLine(v), historyLine(v))),
                                  alphaLine(v, info), lengthLine(v)};
   if (std::string shown = outputLine(v); !shown.empty()) lines.push_back(std::move(shown));
+  if (const auto faults = injectedFaults(settings); !faults.empty())
+    lines.push_back(say<"Faults are injected: %1">(joined(faults)));
   return lines;
 }
 

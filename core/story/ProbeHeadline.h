@@ -23,7 +23,7 @@ enum class HistoryDoubt : std::uint8_t {
 HistoryDoubt historyDoubt(const twin::PixelRecord& record, const Settings& settings);
 
 /// Whose motion and what became of history; how α came about; how many samples that holds; what is shown
-/// instead of the resolved color, where something is.
+/// instead of the resolved color, where something is; which faults are injected, where some are.
 std::vector<std::string> probeHeadline(const twin::PixelRecord& record, const Settings& settings,
                                        const FrameInfo& info);
 

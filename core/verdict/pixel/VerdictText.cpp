@@ -1,6 +1,7 @@
 #include "core/verdict/pixel/VerdictText.h"
 
 #include "core/base/Say.h"
+#include "core/settings/Faults.h"
 #include "core/story/StoryText.h"
 
 #include <cmath>
@@ -136,8 +137,11 @@ std::string faultText(const PixelVerdict& verdict, int frame, const std::string&
 
 std::string verdictSentence(const PixelVerdict& verdict, int frame, const std::string& object,
                             const Settings& settings) {
-  if (verdict.kind == VerdictKind::None) return say<"Nothing is wrong: %1">(verdictMeasures(verdict));
-  return say<"%1: %2.">(faultText(verdict, frame, object), reasonOf(verdict, settings));
+  const std::string sentence =
+      verdict.kind == VerdictKind::None
+          ? say<"Nothing is wrong: %1">(verdictMeasures(verdict))
+          : say<"%1: %2.">(faultText(verdict, frame, object), reasonOf(verdict, settings));
+  return isFaulty(settings) ? say<"%1 Faults are injected.">(sentence) : sentence;
 }
 
 std::string verdictMeasures(const PixelVerdict& verdict) {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -256,4 +257,12 @@ TEST(ProbeHeadline, SaysWhatIsShownInsteadOfTheResolvedColor) {
   pixel.settings.output = {};
   pixel.set(Id::overlayAlpha, 0.5f);
   EXPECT_EQ(pixel.lines().back(), "Shown 50 % hidden by the overlay");
+}
+
+TEST(ProbeHeadline, SaysThatFaultsAreInjected) {
+  Pixel pixel;
+  const std::size_t healthy = pixel.lines().size();
+  pixel.settings.fault.motionY = -1.0f;
+  ASSERT_EQ(pixel.lines().size(), healthy + 1);
+  EXPECT_EQ(pixel.lines().back(), "Faults are injected: fault.motionY=-1");
 }

@@ -104,6 +104,7 @@ const std::vector<std::vector<std::string>>& floors() {
       {"app/panels", "app/dialogs", "app/importing"},
       {"app/commands"},
       {"app/menus"},
+      {"app/menus/faults"},
       {"app/window/verdict"},
       {"app/window"},
       {"app"},

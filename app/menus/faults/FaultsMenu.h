@@ -1,0 +1,22 @@
+// Mistakes of an integration, injected on purpose: an entry for each of the core's table.
+#pragma once
+
+#include "app/menus/Commands.h"
+#include "core/settings/Faults.h"
+
+namespace taa::app {
+
+class Session;
+
+class FaultsMenu : public CommandMenu {
+  Q_OBJECT
+ public:
+  FaultsMenu(Commands& commands, Session& session, QWidget* parent);
+
+ private:
+  void addNone(Session& session);
+  void addPart(Session& session, FaultPart part);
+  void addFault(Session& session, QMenu* menu, const FaultInfo& info);
+};
+
+} // namespace taa::app
