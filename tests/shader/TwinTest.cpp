@@ -1,5 +1,6 @@
 // The resolve in GLSL against its CPU twin: every intermediate of whole frames, bit for bit on llvmpipe.
 #include "core/settings/Parameters.h"
+#include "core/settings/Presets.h"
 #include "tests/support/CompareImages.h"
 #include "tests/support/frames/ResolveTest.h"
 #include "tests/support/frames/Variants.h"
@@ -107,6 +108,17 @@ TEST_F(TwinTest, AgreesWhereShapesAndMethodsMeetOthers) {
     Variant variant;
     for (const char* assignment : assignments) taa::applyAssignment(variant.settings, assignment);
     variant.name = taa::test::flags(variant.settings);
+    expectTwin(variant, ++seed);
+  }
+}
+
+// Boxes that are upside down, and history that is read off its place, with each way to go on from there.
+TEST_F(TwinTest, AgreesWithFaultsInEachPreset) {
+  std::uint32_t seed = 900;
+  for (const taa::Preset& preset : taa::wholePresets()) {
+    Variant variant{preset.id + " with faults", preset.settings};
+    for (const char* assignment : {"fault.boxCorners=on", "fault.historyJitter=on"})
+      taa::applyAssignment(variant.settings, assignment);
     expectTwin(variant, ++seed);
   }
 }

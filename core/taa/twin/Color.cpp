@@ -239,7 +239,8 @@ glm::vec3 maximum(const glm::vec3& a, const glm::vec3& b) {
 glm::vec3 clamped(const glm::vec3& value, const glm::vec3& low, const glm::vec3& high) {
   glm::vec3 result;
   for (int i = 0; i < 3; ++i) {
-    result[i] = value[i] < low[i] ? low[i] : value[i] > high[i] ? high[i] : value[i];
+    const float atLeast = value[i] < low[i] ? low[i] : value[i]; // the upper wall has the last word
+    result[i] = atLeast > high[i] ? high[i] : atLeast;
   }
   return result;
 }

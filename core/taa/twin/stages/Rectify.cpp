@@ -217,6 +217,13 @@ Rectified selected(const glm::vec3& historyRaw, const glm::vec3& h, const Neighb
   return {color, 1.0f, 1.0f, true};
 }
 
+/// Whether history outside the box counts as moved where the method leaves it: a box that is upside down has
+/// nothing inside.
+bool keepsOnlyInside(RectifyMethod method) {
+  return method == RectifyMethod::Clamp || method == RectifyMethod::ClampForget ||
+         method == RectifyMethod::ClipToFiltered || method == RectifyMethod::ShrinkAxes;
+}
+
 /// Where history is moved, scene-linear, and how far on its way.
 Rectified rectifiedFully(const Settings& settings, const glm::vec3& historyRaw,
                          const glm::vec3& currentFiltered, const Neighborhood& n) {
@@ -225,7 +232,8 @@ Rectified rectifiedFully(const Settings& settings, const glm::vec3& historyRaw,
   const Rectified clipped =
       rectifiedByMethod(settings.rectify, settings.space.color, h, toBox(currentFiltered, settings.space), n);
   // Kept history is kept exactly: no way there and back through the box's space.
-  if (clipped.value == h && clipped.amount == 0.0f) return {historyRaw, 0.0f};
+  const bool isOutside = keepsOnlyInside(settings.rectify.method) && !isInside(h, n.boxMin, n.boxMax);
+  if (clipped.value == h && clipped.amount == 0.0f && !isOutside) return {historyRaw, 0.0f};
   return {storable(fromBox(clipped.value, settings.space)), clipped.amount, 1.0f, true};
 }
 
