@@ -2,6 +2,7 @@
 // of a capture's.
 #include "core/render/faults/FaultySource.h"
 
+#include "core/measure/References.h"
 #include "core/settings/Faults.h"
 #include "core/settings/Parameters.h"
 #include "tests/gl/faults/HandMadeSource.h"
@@ -178,31 +179,62 @@ TEST_F(FaultySourceTest, KeepsToItsFrames) {
         frame);
 }
 
+const glm::ivec2 kSurfaceTexel(5, 40);
+
+glm::dmat4 projectionOf(int frame) {
+  return glm::dmat4(HandMadeSource::cameraOf(frame).clipFromView);
+}
+
+glm::dmat4 viewOf(int frame) {
+  return glm::dmat4(HandMadeSource::cameraOf(frame).viewFromWorld);
+}
+
+/// Where a camera sees what is at kSurfaceTexel in kFrame, px from the picture's middle.
+glm::dvec2 placeIn(const glm::dmat4& clipFromWorld) {
+  const glm::dvec2 at = (glm::dvec2(kSurfaceTexel) + 0.5 - glm::dvec2(jitterOf(kFrame))) / glm::dvec2(kSize);
+  const glm::dvec4 ndc(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y, HandMadeSource::kDepth, 1.0);
+  const glm::dvec4 seen = clipFromWorld * glm::inverse(projectionOf(kFrame) * viewOf(kFrame)) * ndc;
+  return glm::dvec2(0.5, -0.5) * (glm::dvec2(seen) / seen.w) * glm::dvec2(kSize);
+}
+
 // The camera's part is taken out of what is given, and that of another camera put in.
 TEST_F(FaultySourceTest, MakesMotionWithAnotherCamera) {
-  const CameraState now = HandMadeSource::cameraOf(kFrame), before = HandMadeSource::cameraOf(kFrame - 1);
-  const glm::dmat4 clip = glm::dmat4(now.clipFromView) * glm::dmat4(now.viewFromWorld);
-  const glm::dmat4 projection(now.clipFromView), view(before.viewFromWorld), one(1.0);
+  const glm::dmat4 projection = projectionOf(kFrame), view = viewOf(kFrame - 1), one(1.0);
   const std::vector<std::pair<const char*, glm::dmat4>> cameras{
-      {"fault.previousCamera=ofNow", clip},
+      {"fault.previousCamera=ofNow", projection * viewOf(kFrame)},
       {"fault.previousCamera=turned",
        projection * glm::rotate(one, glm::radians(1.0), glm::dvec3(0, 1, 0)) * view},
       {"fault.previousCamera=mirrored", projection * view * glm::scale(one, glm::dvec3(1, -1, 1))},
-      {"fault.previousCamera=secondView", projection * glm::translate(one, glm::dvec3(-0.5, 0, 0)) * view}};
+      {"fault.previousCamera=secondView", projection * glm::translate(one, glm::dvec3(-0.5, 0, 0)) * view},
+      {"fault.previousCamera=identity", one}};
   for (const auto& [assignment, wrong] : cameras) {
-    const FrameInputs out = drawn(requestOf({assignment}));
-    const Image motion = out.motion.download();
-    const glm::ivec2 texel(5, 40); // a surface
-    const glm::dvec2 at = (glm::dvec2(texel) + 0.5 - glm::dvec2(jitterOf(kFrame))) / glm::dvec2(kSize);
-    const glm::dvec4 ndc(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y, HandMadeSource::kDepth, 1.0);
-    const glm::dvec4 world = glm::inverse(clip) * ndc;
-    const auto place = [&](const glm::dmat4& camera) {
-      const glm::dvec4 seen = camera * world;
-      return glm::dvec2(0.5, -0.5) * (glm::dvec2(seen) / seen.w) * glm::dvec2(kSize);
-    };
-    const glm::dvec2 should = glm::dvec2(given(texel.x, texel.y)) + place(projection * view) - place(wrong);
-    EXPECT_NEAR(motion.at(texel.x, texel.y)[0], should.x, 1e-3) << assignment << ": matrices are floats";
-    EXPECT_NEAR(motion.at(texel.x, texel.y)[1], should.y, 1e-3) << assignment;
+    const Image motion = drawn(requestOf({assignment})).motion.download();
+    const float* is = motion.at(kSurfaceTexel.x, kSurfaceTexel.y);
+    const glm::dvec2 should =
+        glm::dvec2(given(kSurfaceTexel.x, kSurfaceTexel.y)) + placeIn(projection * view) - placeIn(wrong);
+    EXPECT_NEAR(is[0], should.x, 1e-3) << assignment << ": matrices are floats";
+    EXPECT_NEAR(is[1], should.y, 1e-3) << assignment;
+  }
+}
+
+TEST_F(FaultySourceTest, MakesMotionOfTheCameraAlone) {
+  const Image motion = drawn(requestOf({"fault.motion=cameraOnly"})).motion.download();
+  const float* is = motion.at(kSurfaceTexel.x, kSurfaceTexel.y);
+  const glm::dmat4 projection = projectionOf(kFrame);
+  const glm::dvec2 should = placeIn(projection * viewOf(kFrame)) - placeIn(projection * viewOf(kFrame - 1));
+  EXPECT_GT(glm::length(should - glm::dvec2(given(kSurfaceTexel.x, kSurfaceTexel.y))), 0.1);
+  EXPECT_NEAR(is[0], should.x, 1e-3) << "matrices are floats";
+  EXPECT_NEAR(is[1], should.y, 1e-3);
+}
+
+TEST_F(FaultySourceTest, ReferencesHaveNone) {
+  const FrameRequest healthy = requestOf({});
+  for (const FaultInfo& info : faultTable()) {
+    Settings settings;
+    inject(info.fault, settings);
+    FrameRequest request = healthy;
+    request.faults = settings.fault;
+    EXPECT_EQ(referenceRequest(request), referenceRequest(healthy)) << info.id;
   }
 }
 
