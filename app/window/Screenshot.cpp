@@ -22,6 +22,7 @@ namespace {
 constexpr int kPoll = 20;        ///< ms
 constexpr int kQuiet = 10;       ///< polls
 constexpr int kDialogQuiet = 40; ///< more of them: some read files
+constexpr int kIdle = 500;       ///< polls: 10 s
 constexpr int kTracedFrames = 48;
 constexpr int kLimit = 5 * 60 * 1000; ///< ms; a software renderer on a busy machine is slow, not stuck
 } // namespace
@@ -30,9 +31,14 @@ Screenshot::Screenshot(ScreenshotPanels of, const QString& file, int frame, Done
     : QObject(&of.window), of_(std::move(of)), file_(file), frame_(frame), done_(std::move(done)) {
   connect(&of_.session, &Session::errorOccurred, this, [this](const QString& sentence) {
     lastError_ = sentence;
+    idle_ = 0;
     // Nothing will come when nothing could be opened.
     if (!of_.session.isOpen()) finish(1, sentence);
   });
+  const auto resume = [this] { idle_ = 0; };
+  connect(&of_.session, &Session::statusChanged, this, resume);
+  connect(&of_.session, &Session::pictureArrived, this, resume);
+  connect(&of_.session, &Session::workChanged, this, resume);
   connect(&poll_, &QTimer::timeout, this, &Screenshot::look);
   connect(&limit_, &QTimer::timeout, this, [this] {
     finish(1, tr("The picture did not get ready within %1 s. %2").arg(kLimit / 1000).arg(lastError_));
@@ -106,6 +112,7 @@ void Screenshot::look() {
   if (!areTracesComplete() || !isLineageComplete() || !isComplete() || !areProfilesComplete() ||
       !areDialogsComplete()) {
     quiet_ = 0;
+    if (isGivenUp()) finish(1, lastError_);
     return;
   }
   // Layouts settle and late results arrive before the picture is taken.
@@ -113,6 +120,11 @@ void Screenshot::look() {
   if (!of_.openDialog) return take();
   std::exchange(of_.openDialog, nullptr)();
   quiet_ = -kDialogQuiet;
+}
+
+bool Screenshot::isGivenUp() {
+  if (lastError_.isEmpty() || !of_.session.work().what.empty()) idle_ = 0;
+  return ++idle_ > kIdle;
 }
 
 void Screenshot::take() {

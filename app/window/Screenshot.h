@@ -32,7 +32,8 @@ struct ScreenshotPanels {
   std::function<void()> openDialog; ///< before the picture; null: none
 };
 
-/// Waits for frame, views and probe, writes the picture, and calls `done` with an exit code and what to say.
+/// Waits for frame, views and probe, writes the picture, and calls `done` with an exit code and what to say:
+/// after an error that nothing follows on, as where a shader does not compile, that error.
 class Screenshot : public QObject {
   Q_OBJECT
  public:
@@ -47,6 +48,7 @@ class Screenshot : public QObject {
   bool areProfilesComplete();
   bool areTracesComplete();
   bool isLineageComplete() const;
+  bool isGivenUp();
   void take();
   void finish(int code, const QString& text);
 
@@ -57,6 +59,7 @@ class Screenshot : public QObject {
   bool asked_ = false, measures_ = false;
   bool asksForTraces_ = false, sawTracing_ = false;
   int quiet_ = 0; ///< polls since all was there
+  int idle_ = 0;  ///< polls since something came or was done, after an error
   QTimer poll_, limit_;
   QString lastError_;
 };

@@ -12,10 +12,13 @@
 #include <QProcess>
 
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <set>
 
 using namespace taa;
 using namespace taa::app;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -86,6 +89,32 @@ TEST(Screenshot, AFileThatCannotBeOpenedIsNamed) {
   const Outcome outcome = run({"--screenshot", fileName("none.png"), "/nowhere/none.glb"});
   EXPECT_EQ(outcome.code, 1);
   EXPECT_TRUE(outcome.err.contains("/nowhere/none.glb")) << outcome.err.toStdString();
+}
+
+// Of shaders that draw what is looked at, and of those that make the frame.
+TEST(Screenshot, AShaderThatDoesNotCompileIsNamedAndNotWaitedFor) {
+  const fs::path shaders = taa::test::temporaryFolder() / "shaders";
+  for (const char* file : {"inspect/visualize.frag", "taa/resolve.frag"}) {
+    fs::remove_all(shaders);
+    fs::copy(fs::path(TAA_SOURCE_DIR) / "shaders", shaders, fs::copy_options::recursive);
+    std::ofstream(shaders / file, std::ios::app) << "this does not compile\n";
+    const Outcome outcome = run({"--screenshot", fileName("none.png"), "--shaders",
+                                 QString::fromStdString(shaders.string()), "--size", "64x36"});
+    EXPECT_EQ(outcome.code, 1) << file;
+    EXPECT_TRUE(outcome.err.contains(file)) << outcome.err.toStdString();
+    EXPECT_FALSE(outcome.err.contains("did not get ready")) << outcome.err.toStdString();
+  }
+}
+
+TEST(Screenshot, AShaderThatIncludesItselfIsReadOnce) {
+  const fs::path shaders = taa::test::temporaryFolder() / "circle";
+  fs::copy(fs::path(TAA_SOURCE_DIR) / "shaders", shaders, fs::copy_options::recursive);
+  std::ofstream(shaders / "taa/inputs.glsl", std::ios::app) << "#include \"taa/inputs.glsl\"\n";
+  const QString file = fileName("circle.png");
+  const Outcome outcome =
+      run({"--screenshot", file, "--shaders", QString::fromStdString(shaders.string()), "--size", "64x36"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err.toStdString();
+  EXPECT_FALSE(QImage(file).isNull());
 }
 
 TEST(Screenshot, WrongUsageEndsWithTwo) {
