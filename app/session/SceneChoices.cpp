@@ -241,7 +241,7 @@ void SceneChoices::setState(const QJsonObject& state) {
   outbox_.guarded([&] {
     for (const QJsonValue& track : state[QStringLiteral("tracks")].toArray()) {
       const QByteArray text = QJsonDocument(track.toObject()).toJson();
-      addCameraTrack(cameraTrackFrom(nlohmann::ordered_json::parse(text.toStdString())));
+      addCameraTrack(cameraTrackFrom(nlohmann::json::parse(text.toStdString())));
     }
   });
   const QString camera = state[QStringLiteral("camera")].toString();

@@ -2,6 +2,7 @@
 
 #include "core/base/Files.h"
 #include "core/base/Say.h"
+#include "core/base/json/LimitedJson.h"
 #include "core/io/FrameJson.h"
 
 #include <array>
@@ -72,12 +73,12 @@ ordered_json cameraTrackJson(const CameraTrack& track) {
   return {{"name", track.name}, {"firstFrame", track.firstFrame}, {"poses", std::move(poses)}};
 }
 
-CameraTrack cameraTrackFrom(const ordered_json& json) {
+CameraTrack cameraTrackFrom(const nlohmann::json& json) {
   try {
     CameraTrack track;
     track.name = json.at("name").get<std::string>();
     track.firstFrame = json.at("firstFrame").get<int>();
-    for (const ordered_json& row : json.at("poses")) {
+    for (const nlohmann::json& row : json.at("poses")) {
       const auto numbers = row.get<std::vector<float>>();
       if (numbers.size() < kMinNumbers || numbers.size() > kMaxNumbers)
         throw Error(say<"a pose is [x, y, z, yaw, pitch, fov]">());
@@ -92,10 +93,8 @@ CameraTrack cameraTrackFrom(const ordered_json& json) {
 }
 
 CameraTrack readCameraTrack(const std::filesystem::path& path) {
-  const std::string text = readFile(path, kMaxTrackBytes);
-  const ordered_json json = ordered_json::parse(text, nullptr, false);
   try {
-    return cameraTrackFrom(json);
+    return cameraTrackFrom(parseLimited(readFile(path, kMaxTrackBytes)));
   } catch (const Error& error) {
     throw Error(say<"cannot read the camera path %1: %2">(path.string(), error.what()));
   }

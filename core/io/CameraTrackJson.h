@@ -18,7 +18,7 @@ CameraPose parseCameraPose(const std::string& text);
 /// {"name": …, "firstFrame": …, "poses": [[x, y, z, yaw, pitch, fov], …]}
 nlohmann::ordered_json cameraTrackJson(const CameraTrack& track);
 /// Throws Error that says what is wrong with it.
-CameraTrack cameraTrackFrom(const nlohmann::ordered_json& json);
+CameraTrack cameraTrackFrom(const nlohmann::json& json);
 CameraTrack readCameraTrack(const std::filesystem::path& path);
 
 } // namespace taa

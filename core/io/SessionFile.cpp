@@ -3,9 +3,11 @@
 
 #include "core/base/Error.h"
 #include "core/base/Files.h"
-#include "core/base/Json.h"
 #include "core/base/OldNames.h"
 #include "core/base/Say.h"
+#include "core/base/json/Json.h"
+#include "core/base/json/JsonFields.h"
+#include "core/base/json/LimitedJson.h"
 #include "core/io/CameraTrackJson.h"
 #include "core/settings/Lanes.h"
 #include "core/settings/Parameters.h"
@@ -28,7 +30,6 @@ namespace {
 
 constexpr int kSessionFormat = 1;
 constexpr std::uintmax_t kMaxSessionBytes = 4u << 20;
-constexpr int kDeepest = 32; ///< levels of the JSON
 constexpr std::size_t kLongestName = 4096, kMaxModes = 4096;
 constexpr std::size_t kMaxFurtherLanes = kMaxLanes - 1;
 constexpr int kMaxFrame = 1'000'000, kMaxSide = 32768, kMinSide = 4, kMaxMiB = 1 << 20;
@@ -53,28 +54,21 @@ const Json& field(const Json& object, const char* key) {
   return *found;
 }
 
-std::string textOf(const Json& value, const char* key) {
-  if (!value.is_string()) throw Error(say<"\"%1\" is not text">(key));
-  std::string text = value.get<std::string>();
+std::string nameFrom(const Json& value, const char* key) {
+  std::string text = textOf(value, key);
   if (text.size() > kLongestName) throw Error(say<"\"%1\" is too long">(key));
   return text;
 }
 
-int numberOf(const Json& value, const char* key, int least, int most) {
-  const auto refuse = [&] {
-    throw Error(say<"\"%1\" wants a whole number from %2 to %3">(key, least, most));
-  };
-  if (!value.is_number_integer()) refuse();
-  const double number = value.get<double>(); // whatever its size
-  if (!(number >= least && number <= most)) refuse();
-  return static_cast<int>(number);
+int wholeFrom(const Json& value, const char* key, int least, int most) {
+  return static_cast<int>(integerOf(value, key, least, most));
 }
 
 using Notes = std::vector<std::string>;
 
 SessionLane laneFromJson(const Json& preset, const Json& settings, const Json* presetSettings, Notes& notes) {
   SessionLane lane;
-  lane.preset = textOf(preset, "preset");
+  lane.preset = nameFrom(preset, "preset");
   addNotes(notes, fromJson(settings, lane.settings));
   const auto known = std::ranges::find(builtinPresets(), lane.preset, &Preset::id);
   if (known != builtinPresets().end()) lane.presetSettings = known->settings;
@@ -105,7 +99,7 @@ std::vector<std::string> namesFromJson(const Json& object, const char* key) {
   if (!list.is_array() || list.size() > kMaxModes)
     throw Error(say<"\"%1\" is not a list of at most %2 names">(key, kMaxModes));
   std::vector<std::string> names;
-  for (const Json& name : list) names.push_back(textOf(name, key));
+  for (const Json& name : list) names.push_back(nameFrom(name, key));
   return names;
 }
 
@@ -114,7 +108,7 @@ std::vector<ClassOverride> classesFromJson(const Json& object) {
     throw Error(say<"\"%1\" is not an object of at most %2 names">("classes", kMaxModes));
   std::vector<ClassOverride> classes;
   for (const auto& [name, given] : object.items())
-    classes.push_back(parseClassOverride(name.substr(0, kLongestName) + "=" + textOf(given, "classes")));
+    classes.push_back(parseClassOverride(name.substr(0, kLongestName) + "=" + nameFrom(given, "classes")));
   return classes;
 }
 
@@ -122,7 +116,7 @@ std::vector<int> restartsFromJson(const Json& list) {
   if (!list.is_array() || list.size() > kMaxModes)
     throw Error(say<"\"%1\" is not a list of at most %2">("restarts", kMaxModes));
   std::vector<int> frames;
-  for (const Json& frame : list) frames.push_back(numberOf(frame, "restarts", 0, kMaxFrame));
+  for (const Json& frame : list) frames.push_back(wholeFrom(frame, "restarts", 0, kMaxFrame));
   return frames;
 }
 
@@ -131,7 +125,7 @@ std::vector<MotionOverride> modesFromJson(const Json& object) {
     throw Error(say<"\"%1\" is not an object of at most %2 names">("motionModes", kMaxModes));
   std::vector<MotionOverride> modes;
   for (const auto& [node, mode] : object.items())
-    modes.push_back(parseMotionOverride(node.substr(0, kLongestName) + "=" + textOf(mode, "motionModes")));
+    modes.push_back(parseMotionOverride(node.substr(0, kLongestName) + "=" + nameFrom(mode, "motionModes")));
   return modes;
 }
 
@@ -159,13 +153,6 @@ void renameFields(Json& window, Notes& notes) {
   }
 }
 
-Json parsed(const std::string& text) {
-  return Json::parse(text, [](int depth, Json::parse_event_t, Json&) {
-    if (depth > kDeepest) throw Error(say<"it is nested deeper than %1 levels">(kDeepest));
-    return true;
-  });
-}
-
 SessionFile sessionFromJson(const Json& object) {
   checkKeys(object, Part::Session,
             {"format", "source", "camera", "frame", "size", "preset", "presetSettings", "settings", "lanes",
@@ -174,13 +161,13 @@ SessionFile sessionFromJson(const Json& object) {
   if (const Json& format = field(object, "format"); format != kSessionFormat)
     throw Error(say<"its format is %1, this program reads %2">(format.dump().substr(0, 20), kSessionFormat));
   SessionFile session;
-  session.source = textOf(field(object, "source"), "source");
-  session.camera = textOf(object.value("camera", Json("")), "camera");
-  session.frame = numberOf(field(object, "frame"), "frame", 0, kMaxFrame);
+  session.source = nameFrom(field(object, "source"), "source");
+  session.camera = nameFrom(object.value("camera", Json("")), "camera");
+  session.frame = wholeFrom(field(object, "frame"), "frame", 0, kMaxFrame);
   const Json& size = field(object, "size");
   if (!size.is_array() || size.size() != 2) throw Error(say<"\"%1\" wants [width, height]">("size"));
-  session.size = {numberOf(size[0], "size", kMinSide, kMaxSide),
-                  numberOf(size[1], "size", kMinSide, kMaxSide)};
+  session.size = {wholeFrom(size[0], "size", kMinSide, kMaxSide),
+                  wholeFrom(size[1], "size", kMinSide, kMaxSide)};
   session.settings = laneFromJson(object, session.notes);
   const Json lanes = object.value("lanes", Json::array());
   if (!lanes.is_array() || lanes.size() > kMaxFurtherLanes)
@@ -189,14 +176,13 @@ SessionFile sessionFromJson(const Json& object) {
     checkKeys(lane, Part::Lane, {"preset", "presetSettings", "settings"});
     session.lanes.push_back(laneFromJson(lane, session.notes));
   }
-  if (const auto track = object.find("track"); track != object.end())
-    session.track = cameraTrackFrom(ordered_json::parse(track->dump()));
+  if (const auto track = object.find("track"); track != object.end()) session.track = cameraTrackFrom(*track);
   session.filter = {namesFromJson(object, "hidden"), namesFromJson(object, "isolated")};
   session.motionModes = modesFromJson(object.value("motionModes", Json::object()));
   session.objectClasses = classesFromJson(object.value("classes", Json::object()));
   session.restarts = restartsFromJson(object.value("restarts", Json::array()));
   session.checkpointsMiB =
-      numberOf(object.value("checkpointsMiB", Json(session.checkpointsMiB)), "checkpointsMiB", 0, kMaxMiB);
+      wholeFrom(object.value("checkpointsMiB", Json(session.checkpointsMiB)), "checkpointsMiB", 0, kMaxMiB);
   Json window = object.value("window", Json::object());
   if (!window.is_object()) throw Error(say<"\"%1\" is not an object">("window"));
   renameFields(window, session.notes);
@@ -216,7 +202,7 @@ bool isSessionName(std::string_view path) {
 
 SessionFile sessionFromText(const std::string& text, const std::string& place) {
   try {
-    return sessionFromJson(parsed(text));
+    return sessionFromJson(parseLimited(text, {.bytes = kMaxSessionBytes}));
   } catch (const Json::exception& error) {
     throw Error(say<"cannot open the session %1: %2">(place, error.what()));
   } catch (const Error& error) {

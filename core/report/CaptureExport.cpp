@@ -3,12 +3,12 @@
 #include "core/base/Error.h"
 #include "core/base/Files.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/base/Text.h"
 #include "core/capture/decode/Cameras.h"
 #include "core/capture/decode/DecodedFrame.h"
 #include "core/capture/decode/Depth.h"
 #include "core/capture/format/Manifest.h"
-#include "core/capture/format/ShownText.h"
 #include "core/capture/planes/Planes.h"
 #include "core/capture/source/Capture.h"
 #include "core/inspect/Inspector.h"
@@ -64,7 +64,7 @@ std::map<std::uint32_t, std::string> namesOfIds(const InspectedShot& shot) {
   for (const OutlineNode& node : outlineOf(shot.scene(), shot.source()).nodes)
     for (int part = 0; part < node.objectCount; ++part) {
       const std::string number = part > 0 ? " " + std::to_string(part + 1) : "";
-      names[static_cast<std::uint32_t>(node.firstObject + part)] = capture::shownText(node.key) + number;
+      names[static_cast<std::uint32_t>(node.firstObject + part)] = shownText(node.key) + number;
     }
   return names;
 }
@@ -121,7 +121,7 @@ CaptureExport::Impl::Impl(Inspector& looked, CaptureChoice chosen, int firstFram
   assert(last >= first);
   if (shot.capture()) source = capture::openCapture(shot.source());
   const FrameInputs& inputs = inspector.views().inputs(choice.lane);
-  manifest.name = capture::shownText(shot.scene().name);
+  manifest.name = shownText(shot.scene().name);
   manifest.engine = kEngineName;
   manifest.like = choice.like;
   manifest.conventions = conventionsOf(choice);

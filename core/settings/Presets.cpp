@@ -3,6 +3,7 @@
 #include "core/base/EmbeddedFiles.h"
 #include "core/base/Files.h"
 #include "core/base/Say.h"
+#include "core/base/json/LimitedJson.h"
 #include "core/settings/Parameters.h"
 
 #include <nlohmann/json.hpp>
@@ -115,7 +116,7 @@ Preset preset(const std::string& idOrPath) {
 
 Preset presetFromText(const std::string& text, const std::string& place) {
   return readPreset(place, [&] {
-    return presetFromJson(nlohmann::json::parse(text), [](const std::string& id) {
+    return presetFromJson(parseLimited(text), [](const std::string& id) {
       const auto base = std::ranges::find(builtinPresets(), id, &Preset::id);
       if (base == builtinPresets().end()) throw Error(say<"there is no preset \"%1\" to go on from">(id));
       return base->settings;

@@ -2,8 +2,8 @@
 
 #include "core/base/Error.h"
 #include "core/base/Files.h"
-#include "core/base/Json.h"
 #include "core/base/Say.h"
+#include "core/base/json/Json.h"
 
 #include <fcntl.h>
 #include <signal.h>

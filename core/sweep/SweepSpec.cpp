@@ -2,11 +2,11 @@
 
 #include "core/base/Error.h"
 #include "core/base/Files.h"
-#include "core/base/Json.h"
 #include "core/base/Say.h"
 #include "core/base/Text.h"
-#include "core/capture/format/JsonFields.h"
-#include "core/capture/format/LimitedJson.h"
+#include "core/base/json/Json.h"
+#include "core/base/json/JsonFields.h"
+#include "core/base/json/LimitedJson.h"
 #include "core/measure/Flicker.h"
 #include "core/scene/SceneSource.h"
 #include "core/settings/Presets.h"
@@ -42,7 +42,7 @@ std::string entryPlace(const std::string& place, std::size_t index) {
 /// Calls `read` with each entry of the list and its place; there is one at least.
 template <typename Read>
 void eachEntry(const Json& list, const std::string& place, Read read) {
-  capture::requireList(list, place, kMaxSweepEntries);
+  requireList(list, place, kMaxSweepEntries);
   if (list.empty()) throw Error(say<"\"%1\" is empty; leave it out, or name what to go over">(place));
   for (std::size_t index = 0; index < list.size(); ++index) read(list[index], entryPlace(place, index));
 }
@@ -50,16 +50,16 @@ void eachEntry(const Json& list, const std::string& place, Read read) {
 std::vector<std::string> textsOf(const Json& list, const std::string& place) {
   std::vector<std::string> texts;
   eachEntry(list, place,
-            [&](const Json& entry, const std::string& at) { texts.push_back(capture::textOf(entry, at)); });
+            [&](const Json& entry, const std::string& at) { texts.push_back(textOf(entry, at)); });
   return texts;
 }
 
 /// Two whole numbers.
 glm::ivec2 twoNumbers(const Json& list, const std::string& place, int least, int most) {
-  capture::requireList(list, place, 2);
+  requireList(list, place, 2);
   if (list.size() != 2) throw Error(say<"\"%1\" wants two numbers">(place));
-  return {static_cast<int>(capture::integerOf(list[0], entryPlace(place, 0), least, most)),
-          static_cast<int>(capture::integerOf(list[1], entryPlace(place, 1), least, most))};
+  return {static_cast<int>(integerOf(list[0], entryPlace(place, 0), least, most)),
+          static_cast<int>(integerOf(list[1], entryPlace(place, 1), least, most))};
 }
 
 void assignAll(Settings& settings, const Json& list, const std::string& place) {
@@ -70,7 +70,7 @@ void assignAll(Settings& settings, const Json& list, const std::string& place) {
 std::string assignedText(const Json& value, const std::string& place) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
-  return shortestText(capture::numberOf(value, place));
+  return shortestText(numberOf(value, place));
 }
 
 bool isNumberRow(const Parameter& row) {
@@ -88,19 +88,15 @@ std::vector<double> heldValues(const Parameter& row, const std::vector<double>& 
 }
 
 std::vector<double> rangeSteps(const Json& range, const std::string& place, const Parameter& row) {
-  capture::requireKeys(range, place, kRangeKeys);
+  requireKeys(range, place, kRangeKeys);
   if (!isNumberRow(row)) throw Error(say<"\"%1\" is no number: list its values">(place));
-  const double from =
-      capture::numberOf(capture::requireField(range, place, "from"), capture::pathOf(place, "from"));
-  const double to =
-      capture::numberOf(capture::requireField(range, place, "to"), capture::pathOf(place, "to"));
-  const auto steps =
-      capture::integerOf(capture::requireField(range, place, "steps"), capture::pathOf(place, "steps"), 2,
-                         static_cast<long long>(kMaxSweepEntries));
-  const Json* const scale = capture::findField(range, "scale");
-  const std::string how = scale ? capture::textOf(*scale, capture::pathOf(place, "scale")) : "linear";
-  if (how != "linear" && how != "log")
-    throw Error(say<"\"%1\" is linear or log">(capture::pathOf(place, "scale")));
+  const double from = numberOf(requireField(range, place, "from"), pathOf(place, "from"));
+  const double to = numberOf(requireField(range, place, "to"), pathOf(place, "to"));
+  const auto steps = integerOf(requireField(range, place, "steps"), pathOf(place, "steps"), 2,
+                               static_cast<long long>(kMaxSweepEntries));
+  const Json* const scale = findField(range, "scale");
+  const std::string how = scale ? textOf(*scale, pathOf(place, "scale")) : "linear";
+  if (how != "linear" && how != "log") throw Error(say<"\"%1\" is linear or log">(pathOf(place, "scale")));
   if (how == "log" && (from <= 0.0 || to <= 0.0))
     throw Error(say<"\"%1\" goes by a factor, which wants numbers above 0">(place));
   return valuesBetween(row, from, to, static_cast<int>(steps), how == "log");
@@ -141,14 +137,12 @@ Preset presetBelow(const fs::path& folder, const std::string& name) {
 
 SweepSettings settingsEntry(const Json& entry, const std::string& place, const fs::path& folder) {
   if (entry.is_string()) return {entry.get<std::string>(), presetBelow(folder, entry).settings};
-  capture::requireKeys(entry, place, kSettingsKeys);
-  const Json* const base = capture::findField(entry, "preset");
+  requireKeys(entry, place, kSettingsKeys);
+  const Json* const base = findField(entry, "preset");
   SweepSettings made{
-      capture::textOf(capture::requireField(entry, place, "name"), capture::pathOf(place, "name")),
-      presetBelow(folder, base ? capture::textOf(*base, capture::pathOf(place, "preset")) : "balanced")
-          .settings};
-  if (const Json* const set = capture::findField(entry, "set"))
-    assignAll(made.settings, *set, capture::pathOf(place, "set"));
+      textOf(requireField(entry, place, "name"), pathOf(place, "name")),
+      presetBelow(folder, base ? textOf(*base, pathOf(place, "preset")) : "balanced").settings};
+  if (const Json* const set = findField(entry, "set")) assignAll(made.settings, *set, pathOf(place, "set"));
   return made;
 }
 
@@ -160,9 +154,9 @@ Metric metricOfSpec(const std::string& id, const std::string& place) {
 }
 
 void readAxes(const Json& json, SweepSpec& spec, const fs::path& folder) {
-  for (const std::string& name : textsOf(capture::requireField(json, "", "sources"), "sources"))
+  for (const std::string& name : textsOf(requireField(json, "", "sources"), "sources"))
     spec.sources.push_back({name, isBuiltinScene(name) ? fs::path(name) : placedBelow(folder, name)});
-  if (const Json* const settings = capture::findField(json, "settings"))
+  if (const Json* const settings = findField(json, "settings"))
     eachEntry(*settings, "settings", [&](const Json& entry, const std::string& at) {
       spec.settings.push_back(settingsEntry(entry, at, folder));
     });
@@ -171,29 +165,28 @@ void readAxes(const Json& json, SweepSpec& spec, const fs::path& folder) {
   std::set<std::string> names;
   for (const SweepSettings& each : spec.settings)
     if (!names.insert(each.name).second) throw Error(say<"two of \"settings\" are called \"%1\"">(each.name));
-  if (const Json* const set = capture::findField(json, "set"))
+  if (const Json* const set = findField(json, "set"))
     for (SweepSettings& each : spec.settings) assignAll(each.settings, *set, "set");
-  if (const Json* const ranges = capture::findField(json, "parameters")) {
-    capture::requireObject(*ranges, "parameters");
+  if (const Json* const ranges = findField(json, "parameters")) {
+    requireObject(*ranges, "parameters");
     for (const auto& [path, value] : ranges->items()) spec.ranges.push_back(rangeEntry(path, value));
   }
   // Keys come sorted; the table's order is that of the stages.
   std::ranges::sort(spec.ranges, {}, &SweepRange::row);
-  if (const Json* const cameras = capture::findField(json, "cameras"))
-    spec.cameras = textsOf(*cameras, "cameras");
+  if (const Json* const cameras = findField(json, "cameras")) spec.cameras = textsOf(*cameras, "cameras");
 }
 
 void readMetrics(const Json& json, SweepSpec& spec) {
-  if (const Json* const samples = capture::findField(json, "referenceSamples"); samples && *samples == 0)
+  if (const Json* const samples = findField(json, "referenceSamples"); samples && *samples == 0)
     spec.referenceSamples = 0;
   else if (samples)
-    spec.referenceSamples = static_cast<int>(
-        capture::integerOf(*samples, "referenceSamples", kMinReferenceSamples, kMaxReferenceSamples));
-  if (const Json* const frames = capture::findField(json, "flickerFrames"))
+    spec.referenceSamples =
+        static_cast<int>(integerOf(*samples, "referenceSamples", kMinReferenceSamples, kMaxReferenceSamples));
+  if (const Json* const frames = findField(json, "flickerFrames"))
     spec.flickerFrames =
-        static_cast<int>(capture::integerOf(*frames, "flickerFrames", kMinFlickerFrames, kMaxFlickerFrames));
+        static_cast<int>(integerOf(*frames, "flickerFrames", kMinFlickerFrames, kMaxFlickerFrames));
   spec.metrics = metricsThere(spec.referenceSamples, {OverTime::Flicker});
-  if (const Json* const metrics = capture::findField(json, "metrics")) {
+  if (const Json* const metrics = findField(json, "metrics")) {
     spec.metrics.clear();
     for (const std::string& id : textsOf(*metrics, "metrics")) {
       const Metric metric = metricOfSpec(id, "metrics");
@@ -203,7 +196,7 @@ void readMetrics(const Json& json, SweepSpec& spec) {
     }
   }
   spec.tradeOff = defaultTradeOff(spec.metrics);
-  if (const Json* const pareto = capture::findField(json, "pareto")) {
+  if (const Json* const pareto = findField(json, "pareto")) {
     const std::vector<std::string> two = textsOf(*pareto, "pareto");
     if (two.size() != 2) throw Error(say<"\"%1\" wants two metrics">("pareto"));
     spec.tradeOff = {metricOfSpec(two[0], "pareto"), metricOfSpec(two[1], "pareto")};
@@ -214,16 +207,15 @@ void readMetrics(const Json& json, SweepSpec& spec) {
 }
 
 SweepSpec specFromJson(const Json& json, const fs::path& folder) {
-  capture::requireKeys(json, "", kSweepKeys);
-  capture::integerOf(capture::requireField(json, "", "format"), "format", kSweepFormat, kSweepFormat);
+  requireKeys(json, "", kSweepKeys);
+  integerOf(requireField(json, "", "format"), "format", kSweepFormat, kSweepFormat);
   SweepSpec spec;
   readAxes(json, spec, folder);
-  const glm::ivec2 frames =
-      twoNumbers(capture::requireField(json, "", "frames"), "frames", 0, kMaxSweepFrame);
+  const glm::ivec2 frames = twoNumbers(requireField(json, "", "frames"), "frames", 0, kMaxSweepFrame);
   if (frames.y < frames.x) throw Error(say<"\"frames\": the last frame is before the first">());
   spec.first = frames.x;
   spec.last = frames.y;
-  if (const Json* const size = capture::findField(json, "size"))
+  if (const Json* const size = findField(json, "size"))
     spec.size = twoNumbers(*size, "size", kMinSweepSide, kMaxSweepSide);
   readMetrics(json, spec);
   if (spec.pointCount() > kMaxSweepPoints)
@@ -270,7 +262,7 @@ SweepSpec sweepSpecFromText(const std::string& text, const std::string& place, c
   try {
     if (text.size() > kMaxSweepBytes)
       throw Error(say<"it has %1 bytes, more than the %2 allowed">(text.size(), kMaxSweepBytes));
-    return specFromJson(capture::parseLimited(text), folder);
+    return specFromJson(parseLimited(text), folder);
   } catch (const Error& error) {
     throw Error(say<"cannot read the sweep %1: %2">(place, error.what()));
   }

@@ -3,8 +3,8 @@
 #include "core/base/Error.h"
 #include "core/base/NearestNames.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/capture/format/ConventionText.h"
-#include "core/capture/format/ShownText.h"
 
 #include <algorithm>
 #include <charconv>

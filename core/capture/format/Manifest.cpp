@@ -3,7 +3,7 @@
 #include "core/base/Error.h"
 #include "core/base/Files.h"
 #include "core/base/Say.h"
-#include "core/capture/format/LimitedJson.h"
+#include "core/base/json/LimitedJson.h"
 #include "core/capture/format/ManifestKeys.h"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
+#include "core/base/json/JsonFields.h"
 #include "core/capture/format/ConventionText.h"
-#include "core/capture/format/JsonFields.h"
-#include "core/capture/format/ShownText.h"
 #include "core/capture/planes/Planes.h"
 
 #include <algorithm>

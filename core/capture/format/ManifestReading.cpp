@@ -1,11 +1,11 @@
 // capture.json to Manifest: every key is looked at, none is left over.
 #include "core/base/Error.h"
 #include "core/base/Say.h"
-#include "core/capture/format/JsonFields.h"
-#include "core/capture/format/LimitedJson.h"
+#include "core/base/ShownText.h"
+#include "core/base/json/JsonFields.h"
+#include "core/base/json/LimitedJson.h"
 #include "core/capture/format/ManifestChecks.h"
 #include "core/capture/format/ManifestKeys.h"
-#include "core/capture/format/ShownText.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 // Manifest to capture.json: what parseManifest reads back as the same, a line for each frame.
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/json/LimitedJson.h"
 #include "core/capture/format/ConventionText.h"
-#include "core/capture/format/LimitedJson.h"
 #include "core/capture/format/ManifestChecks.h"
 
 #include <nlohmann/json.hpp>

@@ -2,8 +2,8 @@
 // choice to a flag, its starting point is what holds without the flag, and its notes name the flag.
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/capture/format/Conventions.h"
-#include "core/capture/format/ShownText.h"
 
 #include <algorithm>
 #include <span>

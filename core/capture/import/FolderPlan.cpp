@@ -2,7 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
-#include "core/capture/format/ShownText.h"
+#include "core/base/ShownText.h"
 #include "core/capture/import/FolderScan.h"
 #include "core/capture/import/SideLimits.h"
 

@@ -3,9 +3,9 @@
 #include "core/base/Error.h"
 #include "core/base/Files.h"
 #include "core/base/Say.h"
-#include "core/capture/format/LimitedJson.h"
+#include "core/base/ShownText.h"
+#include "core/base/json/LimitedJson.h"
 #include "core/capture/format/ManifestChecks.h"
-#include "core/capture/format/ShownText.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>

@@ -2,7 +2,7 @@
 // stored.
 #include "core/base/Files.h"
 #include "core/base/Say.h"
-#include "core/capture/format/ShownText.h"
+#include "core/base/ShownText.h"
 #include "core/capture/planes/PictureParts.h"
 #include "core/capture/planes/PlaneFiles.h"
 #include "core/capture/planes/StoredRows.h"

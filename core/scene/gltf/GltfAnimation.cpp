@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kMaxKeys = 20'000'000; ///< of all animations together
 
-std::optional<AnimationPath> pathOf(const std::string& name) {
+std::optional<AnimationPath> animatedPath(const std::string& name) {
   if (name == "translation") return AnimationPath::Translation;
   if (name == "rotation") return AnimationPath::Rotation;
   if (name == "scale") return AnimationPath::Scale;
@@ -80,7 +80,7 @@ void readSampler(GltfContext& context, const tinygltf::AnimationSampler& sampler
 /// Nothing when the channel moves nothing that is shown.
 std::optional<AnimationChannel> readChannel(GltfContext& context, const tinygltf::Animation& animation,
                                             const tinygltf::AnimationChannel& source) {
-  const std::optional<AnimationPath> path = pathOf(source.target_path);
+  const std::optional<AnimationPath> path = animatedPath(source.target_path);
   if (!path) {
     context.warn(say<"Animation of \"%1\" is not shown yet.">(source.target_path));
     return std::nullopt;

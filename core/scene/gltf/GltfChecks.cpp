@@ -19,6 +19,7 @@ namespace taa {
 namespace {
 
 constexpr std::uint64_t kMaxElements = 1u << 25;                  ///< of an accessor
+constexpr std::uint64_t kMaxComponents = 1u << 27;                ///< of them: 512 MiB as floats
 constexpr std::uint64_t kMaxBufferBytes = std::uint64_t(1) << 31; ///< of all buffers together
 
 constexpr std::uint64_t kMaxImageBytes = std::uint64_t(1) << 30; ///< of all images together, as files
@@ -143,8 +144,8 @@ void checkSpan(const Json& root, const Json& reference, std::uint64_t count, std
 
 void checkAccessor(const Json& root, const Json& accessor) {
   const std::uint64_t count = countOf(accessor, "count"), bytes = elementBytes(accessor);
-  if (count > kMaxElements)
-    throw Error(say<"%1 %2 is more than the %3 that can be opened">("count", count, kMaxElements));
+  const std::uint64_t most = std::min(kMaxElements, kMaxComponents * componentBytes(accessor) / bytes);
+  if (count > most) throw Error(say<"%1 %2 is more than the %3 that can be opened">("count", count, most));
   if (accessor.contains("bufferView")) checkSpan(root, accessor, count, bytes);
   if (!accessor.contains("sparse")) return;
   const Json& sparse = accessor["sparse"];
@@ -227,15 +228,15 @@ std::vector<int> parentsOf(const Json& nodes) {
 
 void checkScenes(const Json& root, const std::vector<int>& parents) {
   const Json& scenes = arrayOf(root, "scenes");
+  std::vector<std::size_t> listed(parents.size(), scenes.size()); // the last scene that names a node
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    std::vector<bool> listed(parents.size(), false);
     for (const Json& node : arrayOf(scenes[i], "nodes")) {
       const std::size_t index = node.get<std::size_t>();
       if (parents[index] >= 0)
         throw Error(listPlace("scenes", i) +
                     say<"nodes[%1] is the child of nodes[%2], not a root">(index, parents[index]));
-      if (listed[index]) throw Error(listPlace("scenes", i) + say<"it lists nodes[%1] twice">(index));
-      listed[index] = true;
+      if (listed[index] == i) throw Error(listPlace("scenes", i) + say<"it lists nodes[%1] twice">(index));
+      listed[index] = i;
     }
   }
 }
@@ -283,9 +284,8 @@ void stripGltf(Json& root) {
   const auto animations = root.find("animations");
   if (animations == root.end()) return;
   for (auto& animation : *animations) { // a channel without a node is for an extension; tinygltf refuses it
-    auto& channels = animation["channels"];
-    for (std::size_t i = channels.size(); i-- > 0;)
-      if (!channels[i]["target"].contains("node")) channels.erase(i);
+    auto& channels = animation["channels"].get_ref<Json::array_t&>();
+    std::erase_if(channels, [](const Json& channel) { return !channel["target"].contains("node"); });
   }
 }
 

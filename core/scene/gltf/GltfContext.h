@@ -1,8 +1,10 @@
 // What the parts of the glTF loader share while one file becomes a scene.
 #pragma once
 
+#include "core/base/Say.h"
 #include "core/scene/Scene.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,11 +23,14 @@ struct GltfContext {
   std::size_t vertices = 0; ///< made so far
   std::size_t indices = 0;  ///< made so far
 
-  /// Adds a sentence for the user, once.
+  /// Adds a sentence for the user, once; of very many only the first.
   void warn(const std::string& sentence) {
+    constexpr std::size_t kMaxWarnings = 20;
+    if (scene.warnings.size() > kMaxWarnings) return;
     for (const std::string& known : scene.warnings)
       if (known == sentence) return;
-    scene.warnings.push_back(sentence);
+    const bool isOneMore = scene.warnings.size() == kMaxWarnings;
+    scene.warnings.push_back(isOneMore ? say<"There is more to say of the file.">() : sentence);
   }
 };
 

@@ -3,11 +3,15 @@
 #include "core/base/Error.h"
 #include "core/base/Files.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
+#include "core/base/json/LimitedJson.h"
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstring>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace taa {
@@ -17,8 +21,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t(1) << 30;
-constexpr std::size_t kMaxJsonBytes = std::size_t(1) << 28;
-constexpr int kMaxDepth = 64; ///< of nested JSON; what walks it afterwards is recursive
+/// What walks the JSON afterwards is recursive. Buffers may be texts within it.
+constexpr JsonLimits kGltfLimits{.bytes = std::size_t(1) << 28, .depth = 64, .memory = std::size_t(1) << 29};
 
 constexpr std::array<std::string_view, 6> kExtensions{
     "EXT_mesh_gpu_instancing", "KHR_lights_punctual",   "KHR_materials_emissive_strength",
@@ -63,26 +67,32 @@ Chunks splitBinary(const std::string& bytes) {
   return chunks;
 }
 
-Json parseJson(const std::string& text) {
-  if (text.size() > kMaxJsonBytes)
-    throw Error(say<"JSON: %1 bytes are more than can be opened">(text.size()));
+Json parseGltf(const std::string& text) {
   try {
-    return Json::parse(text, [](int depth, Json::parse_event_t, const Json&) {
-      if (depth > kMaxDepth) throw Error(say<"JSON: nested deeper than %1 levels">(kMaxDepth));
-      return true;
-    });
-  } catch (const Json::exception& exception) {
-    std::string reason = exception.what(); // "[json.exception.parse_error.101] parse error at line 1, …"
-    if (const std::size_t end = reason.find("] "); end != std::string::npos) reason.erase(0, end + 2);
-    throw Error(say<"it is not glTF: %1">(reason));
+    return parseLimited(text, kGltfLimits);
+  } catch (const Error& error) {
+    throw Error(std::string("JSON: ") + error.what());
   }
 }
 
-void checkVersionText(const Json& version, const std::string& place) {
-  if (!version.is_string()) throw Error(place + ": " + say<"missing or not a text">());
-  const std::string text = version.get<std::string>();
-  if (!text.starts_with("2."))
-    throw Error(place + ": " + say<"it is glTF %1; only glTF 2.0 can be opened, export it anew">(text));
+struct GltfVersion {
+  int major = 0, minor = 0;
+};
+
+/// Of "2.0". Throws Error where it is none.
+GltfVersion versionFrom(const Json& asset, const char* key) {
+  const std::string place = std::string("asset.") + key + ": ";
+  const auto found = asset.find(key);
+  if (found == asset.end() || !found->is_string()) throw Error(place + say<"missing or not a text">());
+  const std::string text = found->get<std::string>();
+  const char* const end = text.data() + text.size();
+  GltfVersion version;
+  const auto [dot, majorError] = std::from_chars(text.data(), end, version.major);
+  if (majorError == std::errc() && dot != end && *dot == '.') {
+    const auto [rest, minorError] = std::from_chars(dot + 1, end, version.minor);
+    if (minorError == std::errc() && rest == end && version.major >= 0 && version.minor >= 0) return version;
+  }
+  throw Error(place + say<"\"%1\" is not a version such as 2.0">(shownText(text)));
 }
 
 void checkVersion(const Json& root) {
@@ -94,8 +104,16 @@ void checkVersion(const Json& root) {
     throw Error("asset: " + say<"it is glTF %1; only glTF 2.0 can be opened, export it anew">("1.0"));
   if (asset == root.end() || !asset->is_object())
     throw Error("asset: " + say<"missing; it is not a glTF file">());
-  checkVersionText(asset->value("version", Json()), "asset.version");
-  if (asset->contains("minVersion")) checkVersionText((*asset)["minVersion"], "asset.minVersion");
+  const GltfVersion version = versionFrom(*asset, "version");
+  if (version.major != 2)
+    throw Error("asset.version: " + say<"it is glTF %1; only glTF 2.0 can be opened, export it anew">(
+                                        std::to_string(version.major) + "." + std::to_string(version.minor)));
+  if (!asset->contains("minVersion")) return; // a later 2.x is said to be readable as 2.0
+  const GltfVersion least = versionFrom(*asset, "minVersion");
+  if (least.major != 2 || least.minor != 0)
+    throw Error("asset.minVersion: " +
+                say<"it needs glTF %1; only glTF 2.0 can be opened, export it for that">(
+                    std::to_string(least.major) + "." + std::to_string(least.minor)));
 }
 
 void checkExtensions(const Json& root) {
@@ -171,7 +189,7 @@ GltfDocument readGltfDocument(const fs::path& file) {
     document.binary = std::move(chunks.binary);
     bytes = std::move(chunks.json);
   }
-  document.json = parseJson(bytes);
+  document.json = parseGltf(bytes);
   checkVersion(document.json);
   checkExtensions(document.json);
   return document;

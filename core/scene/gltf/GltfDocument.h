@@ -2,7 +2,7 @@
 // with it.
 #pragma once
 
-#include "core/base/Json.h"
+#include "core/base/json/Json.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,7 +1,6 @@
 // The table of conventions: every value is said and read back, and what contradicts itself is named.
 #include "core/capture/format/Conventions.h"
 #include "core/base/Error.h"
-#include "core/capture/format/ShownText.h"
 
 #include <gtest/gtest.h>
 
@@ -196,19 +195,6 @@ TEST(Conventions, NameWhatContradictsItself) {
             "depth.nothing is 0, which with depth.reversed=off is the near plane");
   EXPECT_EQ(of({"depth.nothing=0", "depth.reversed=off", "depth.range=minusOneToOne"}), "");
   EXPECT_EQ(of({"depth.nearPlane=0.1", "depth.farPlane=100", "depth.nothing=0"}), "");
-}
-
-TEST(ShownText, IsShortAndHasNothingThatMovesACursor) {
-  EXPECT_EQ(shownText("a\nb\x1b[2Jc"), "a?b?[2Jc");
-  EXPECT_EQ(shownText("\xff\xc3(\xed\xa0\x80"), "\?\?(\?\?\?");
-  EXPECT_EQ(shownText("Bäume −½"), "Bäume −½");
-  EXPECT_EQ(shownText(std::string(101, 'x')), std::string(100, 'x') + "…");
-  EXPECT_EQ(shownText(std::string(99, 'x') + "½"), std::string(99, 'x') + "…");
-  EXPECT_TRUE(isPlainText("Bäume 🌲"));
-  EXPECT_FALSE(isPlainText("a\tb"));
-  EXPECT_FALSE(isPlainText("\xc0\xaf"));
-  EXPECT_FALSE(isPlainText("\xe2\x88"));
-  EXPECT_FALSE(isPlainText("\xc2\x9b"));
 }
 
 } // namespace taa::capture

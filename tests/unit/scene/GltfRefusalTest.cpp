@@ -58,18 +58,26 @@ TEST(GltfRefusal, RefusesFilesThatAreNotThereOrNotGltf) {
   EXPECT_EQ(refusal(test::temporaryFolder() / "none.gltf"), "there is no such file");
   EXPECT_EQ(refusal(test::temporaryFolder()), "it is a folder");
   EXPECT_EQ(refusal("/dev/zero"), "it is not a regular file");
-  EXPECT_TRUE(refusal(test::writeTemporary("empty.gltf", "")).starts_with("it is not glTF: parse error"));
-  EXPECT_TRUE(refusal(test::writeTemporary("text.gltf", "hello")).starts_with("it is not glTF: parse error"));
+  EXPECT_EQ(refusal(test::writeTemporary("empty.gltf", "")), "JSON: it is empty");
+  EXPECT_EQ(refusal(test::writeTemporary("text.gltf", "hello")),
+            "JSON: it is not JSON from line 1, column 1 on");
   EXPECT_EQ(refusal(test::writeTemporary("list.gltf", "[]")), "JSON: the file holds no object");
   EXPECT_EQ(refusal(test::writeTemporary("object.gltf", "{}")), "asset: missing; it is not a glTF file");
   EXPECT_EQ(refusal(test::writeTemporary("deep.gltf", std::string(100000, '['))),
-            "JSON: nested deeper than 64 levels");
+            "JSON: it is nested deeper than 64 levels");
 }
 
 TEST(GltfRefusal, RefusesOtherVersions) {
   const std::string advice = "; only glTF 2.0 can be opened, export it anew";
   EXPECT_EQ(refusalWith("/asset/version", "1.0"), "asset.version: it is glTF 1.0" + advice);
-  EXPECT_EQ(refusalWith("/asset/minVersion", "3.0"), "asset.minVersion: it is glTF 3.0" + advice);
+  EXPECT_EQ(refusalWith("/asset/version", "2.7"), "it opened"); // as 2.0, which it says it is readable as
+  EXPECT_EQ(refusalWith("/asset/minVersion", "2.0"), "it opened");
+  for (const std::string version : {"2.1", "3.0"})
+    EXPECT_EQ(refusalWith("/asset/minVersion", version),
+              "asset.minVersion: it needs glTF " + version +
+                  "; only glTF 2.0 can be opened, export it for that");
+  EXPECT_EQ(refusalWith("/asset/version", ""), "asset.version: \"\" is not a version such as 2.0");
+  EXPECT_EQ(refusalWith("/asset/version", "2.x\n"), "asset.version: \"2.x?\" is not a version such as 2.0");
   EXPECT_EQ(refusal(test::writeTemporary("old.gltf", R"({"nodes": {}, "techniques": {}})")),
             "asset: it is glTF 1.0" + advice);
   std::string glb = test::joinGlb("{}", "");

@@ -59,7 +59,7 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
                "fflush perror puts"},
     {"cstdlib", "abs atoi exit getenv size_t strtod strtof strtol abort quick_exit"},
     {"cstring", "memchr memcmp memcpy memset ptrdiff_t size_t strchr strcmp strerror strlen strstr"},
-    {"ctime", "time time_t tm localtime gmtime strftime"},
+    {"ctime", "clock clock_t time time_t tm localtime gmtime strftime"},
     {"deque", "deque erase erase_if ptrdiff_t size_t initializer_list"},
     {"exception", "current_exception exception exception_ptr make_exception_ptr rethrow_exception terminate"},
     {"filesystem", "error_code filesystem"},

@@ -2,7 +2,7 @@
 #include "core/sweep/PointClaim.h"
 
 #include "core/base/Files.h"
-#include "core/base/Json.h"
+#include "core/base/json/Json.h"
 #include "tests/support/Paths.h"
 
 #include <gtest/gtest.h>

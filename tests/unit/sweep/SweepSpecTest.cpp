@@ -1,7 +1,7 @@
 // Files that say what a sweep goes over: read, or refused with a sentence that names what is wrong.
 #include "core/sweep/SweepSpec.h"
 
-#include "core/base/Json.h"
+#include "core/base/json/Json.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 #include "tests/support/ErrorOf.h"

@@ -1,9 +1,9 @@
-#include "core/capture/format/JsonFields.h"
+#include "core/base/json/JsonFields.h"
 
 #include "core/base/Error.h"
 #include "core/base/NearestNames.h"
 #include "core/base/Say.h"
-#include "core/capture/format/ShownText.h"
+#include "core/base/ShownText.h"
 
 #include <nlohmann/json.hpp>
 
@@ -11,7 +11,7 @@
 #include <cmath>
 #include <vector>
 
-namespace taa::capture {
+namespace taa {
 
 using nlohmann::json;
 
@@ -82,4 +82,4 @@ long long integerOf(const json& value, const std::string& place, long long least
   return static_cast<long long>(number);
 }
 
-} // namespace taa::capture
+} // namespace taa

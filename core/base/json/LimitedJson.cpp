@@ -1,8 +1,8 @@
-#include "core/capture/format/LimitedJson.h"
+#include "core/base/json/LimitedJson.h"
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
-#include "core/capture/format/ShownText.h"
+#include "core/base/ShownText.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace taa::capture {
+namespace taa {
 
 using nlohmann::json;
 
@@ -23,9 +23,9 @@ constexpr std::size_t kValueBytes = 32, kNestBytes = 96, kKeyBytes = 112;
 
 /// Builds the values as the parser meets them. The library's own parser with a callback takes time that grows
 /// with the square of the text, and the one without sees neither depth nor keys that come twice.
-class Builder {
+class LimitedBuilder {
  public:
-  explicit Builder(std::string_view text) : text_(text) {}
+  LimitedBuilder(std::string_view text, const JsonLimits& limits) : text_(text), limits_(limits) {}
   json take() { return std::move(root_); }
 
   bool null() { return add(nullptr); }
@@ -65,13 +65,13 @@ class Builder {
  private:
   void spend(std::size_t bytes) {
     spent_ += bytes;
-    if (spent_ > kMaxJsonMemory)
-      throw Error(say<"it would take more than %1 MiB of memory">(kMaxJsonMemory >> 20));
+    if (spent_ > limits_.memory)
+      throw Error(say<"it would take more than %1 MiB of memory">(limits_.memory >> 20));
   }
 
   void requireRoom() const {
-    if (open_.back()->size() >= kMaxJsonEntries)
-      throw Error(say<"a list or an object has more than %1 entries">(kMaxJsonEntries));
+    if (open_.back()->size() >= limits_.entries)
+      throw Error(say<"a list or an object has more than %1 entries">(limits_.entries));
   }
 
   json* put(json&& value) {
@@ -88,7 +88,8 @@ class Builder {
   }
   bool open(json&& value) {
     spend(kNestBytes);
-    if (open_.size() >= kMaxJsonDepth) throw Error(say<"it is nested deeper than %1 levels">(kMaxJsonDepth));
+    if (open_.size() >= static_cast<std::size_t>(limits_.depth))
+      throw Error(say<"it is nested deeper than %1 levels">(limits_.depth));
     open_.push_back(put(std::move(value)));
     return true;
   }
@@ -98,6 +99,7 @@ class Builder {
   }
 
   std::string_view text_;
+  const JsonLimits& limits_;
   json root_;
   std::vector<json*> open_; ///< from the root; only the last of them grows
   json* slot_ = nullptr;    ///< where the value of the last key goes
@@ -106,12 +108,13 @@ class Builder {
 
 } // namespace
 
-json parseLimited(std::string_view text) {
-  if (text.size() > kMaxJsonBytes)
-    throw Error(say<"it has %1 bytes, more than the %2 allowed">(text.size(), kMaxJsonBytes));
-  Builder builder(text);
+json parseLimited(std::string_view text, const JsonLimits& limits) {
+  if (text.size() > limits.bytes)
+    throw Error(say<"it has %1 bytes, more than the %2 allowed">(text.size(), limits.bytes));
+  if (text.empty()) throw Error(say<"it is empty">());
+  LimitedBuilder builder(text, limits);
   json::sax_parse(text.begin(), text.end(), &builder);
   return builder.take();
 }
 
-} // namespace taa::capture
+} // namespace taa

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace taa::capture {
+namespace taa {
 
 /// Its beginning, at most 100 bytes and "…", whole letters, with a question mark for each that is not one.
 std::string shownText(std::string_view text);
@@ -12,4 +12,4 @@ std::string shownText(std::string_view text);
 /// Whether all of it is UTF-8 without control characters.
 bool isPlainText(std::string_view text);
 
-} // namespace taa::capture
+} // namespace taa

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace taa::capture {
+namespace taa {
 
 /// "planes" and "color" are "planes.color"; nothing and "size" are "size".
 std::string pathOf(const std::string& place, std::string_view key);
@@ -30,4 +30,4 @@ double numberOf(const nlohmann::json& value, const std::string& place);
 /// Whole, `least` to `most`.
 long long integerOf(const nlohmann::json& value, const std::string& place, long long least, long long most);
 
-} // namespace taa::capture
+} // namespace taa

@@ -1,9 +1,9 @@
-#include "core/capture/format/ShownText.h"
+#include "core/base/ShownText.h"
 
 #include <cstddef>
 #include <cstdint>
 
-namespace taa::capture {
+namespace taa {
 
 namespace {
 
@@ -52,4 +52,4 @@ bool isPlainText(std::string_view text) {
   return true;
 }
 
-} // namespace taa::capture
+} // namespace taa
