@@ -34,6 +34,7 @@ shared::ResolveBlock makeBlock(const FrameInputs& inputs, const Settings& settin
   block.weightTerms.x = sampleDistanceFactor(settings.weight.sampleDistance, distance);
   block.weightTerms.y =
       static_cast<float>(frameEighths(inputs.info.stepSeconds, settings.weight.referenceRate));
+  // Of the last frame, which fault.historyJitter alone reads.
   block.weightTerms.z = inputs.block.previousJitter.x;
   block.weightTerms.w = inputs.block.previousJitter.y;
   block.state = glm::ivec4(historyState, target.region.x, target.region.y, inputs.info.frame);

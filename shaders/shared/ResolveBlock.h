@@ -20,7 +20,7 @@ layout(std140, binding = 0) uniform ResolveBlock {
   vec4 currentWeights0; // weights of the current filter, row-major over 3×3: first row, w unused
   vec4 currentWeights1; // middle row
   vec4 currentWeights2; // last row
-  vec4 weightTerms;     // x: factor on α by the sample's distance; y: eighths of the reference frame that this one took; zw: last jitterPx
+  vec4 weightTerms;     // x: factor on α by the sample's distance; y: eighths of the reference frame that this one took
   ivec4 state;          // x: bit 0 when there is history, others for its layers; y, z: pixel at the target's top left; w: the frame's number
   ivec4 spread;         // pixels of the region that is drawn, texels of the target that stand for them
 #ifdef __cplusplus
