@@ -279,9 +279,10 @@ ManualPage faultsPage() {
       "Each is made by settings, as `--set` takes them; those of the group `fault` are "
       "[in the list of all](settings.md#faults), with what else there is of each: strength, region, frames. "
       "Input faults are applied between the source of frames and all that uses them, so that frame n stays a "
-      "function; the [reference](metrics.md) has none. Where it says so, a fault needs frames that are "
-      "drawn: "
-      "a capture's jitter, textures and transparent surfaces are in its pictures already.");
+      "function; the [reference](metrics.md) has none. Where and when inputs are faulty is said once for "
+      "all of them: motion, depth and exposure in `fault.region`, everything from `fault.firstFrame` to "
+      "`fault.lastFrame`. Where it says so, a fault needs frames that are drawn: a capture's jitter, "
+      "textures and transparent surfaces are in its pictures already.");
   constexpr std::array kParts{FaultPart::Jitter, FaultPart::Motion, FaultPart::Depth, FaultPart::Color,
                               FaultPart::Resolve};
   for (const FaultPart part : kParts) {

@@ -251,6 +251,9 @@ TEST_F(FaultySourceTest, MistakesDepth) {
       ASSERT_FLOAT_EQ(linear.at(x, y)[0], d == 0.0f ? 1.0f : 0.08f) << "8 m of 100";
       ASSERT_EQ(coarse.at(x, y)[0], HandMadeSource::depthAt(x / 8 * 8 + 4, y / 8 * 8 + 4));
     }
+  const Image sky = depths({"fault.depth=reversed", "fault.region=sky"});
+  EXPECT_EQ(sky.at(3, 3)[0], 1.0f);
+  EXPECT_EQ(sky.at(3, 40)[0], HandMadeSource::kDepth) << "a surface";
   const FrameInputs healthy = drawn(requestOf({})), near = drawn(requestOf({"fault.nearPlane=2"}));
   EXPECT_EQ(near.block.depthTerms.y, 2.0f * healthy.block.depthTerms.y);
   EXPECT_EQ(near.previousDepth.download().at(3, 40)[0], 4.0f);
