@@ -70,8 +70,9 @@ TEST(GltfMissingPictures, MayBeDamagedInAnyWay) {
 
 TEST(GltfMissingPictures, AreNotLookedForOutsideTheFolder) {
   const std::string secret = test::writeTemporary("secret.png", "secret").filename().string();
-  for (const std::string uri : {"../" + secret, "a/../../" + secret, std::string("/etc/passwd"),
-                                std::string("file:///etc/passwd"), std::string("http://example.com/a.png")}) {
+  for (const std::string& uri :
+       {"../" + secret, "a/../../" + secret, std::string("/etc/passwd"), std::string("file:///etc/passwd"),
+        std::string("http://example.com/a.png")}) {
     const std::string text = toldOf(uri);
     EXPECT_NE(text.find("is not a file below the folder of the scene; only such files are opened"),
               std::string::npos)
