@@ -2,6 +2,7 @@
 
 #include "core/measure/Metrics.h"
 #include "core/measure/compare/GhostEnergy.h"
+#include "core/measure/compare/Sharpness.h"
 #include "core/settings/Parameters.h"
 
 #include <glm/geometric.hpp>
@@ -44,18 +45,6 @@ Image historyPositions(const FrameInputs& inputs) {
 
 double meanOfSquares(const glm::dvec3& value) {
   return glm::dot(value, value) / 3.0;
-}
-
-/// Sum of the lengths of luma's differences to the right and below.
-double gradientSum(const Image& shown) {
-  const auto luma = [&](int x, int y) {
-    return glm::dot(pixelColorAt(shown, {x, y}), glm::dvec3(0.2126, 0.7152, 0.0722));
-  };
-  double sum = 0.0;
-  for (int y = 0; y + 1 < shown.height; ++y)
-    for (int x = 0; x + 1 < shown.width; ++x)
-      sum += std::hypot(luma(x + 1, y) - luma(x, y), luma(x, y + 1) - luma(x, y));
-  return sum;
 }
 
 double meanOfSquares(const Image& values) {
@@ -111,8 +100,7 @@ class PictureSums {
   /// `reference`: of the last frame, as shown.
   RemedyMeasure measure(const Image& reference) const {
     RemedyMeasure measure = sums_.measure();
-    const double gradients = gradientSum(reference);
-    if (gradients > 0.0) measure.sharpness = gradientSum(*shown_) / gradients;
+    measure.sharpness = sharpness(*shown_, reference).value_or(1.0);
     return measure;
   }
 

@@ -25,7 +25,7 @@ struct RemedyMeasure {
   /// Root of the mean squared ghost (core/measure/compare/GhostEnergy.h), looked for where the motion vectors
   /// point, the same for all settings; of a picture only.
   double ghost = 0.0;
-  double sharpness = 1.0; ///< sum of the gradients' lengths against the reference's; of a picture only
+  double sharpness = 1.0; ///< core/measure/compare/Sharpness.h, of the last frame of a picture
 };
 
 struct TriedRemedy {

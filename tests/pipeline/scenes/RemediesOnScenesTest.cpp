@@ -5,10 +5,14 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <future>
 #include <string>
 
+using taa::IntermediateId;
 using taa::Metric;
 using namespace taa::test::small;
 
@@ -30,9 +34,19 @@ class MeanSquare {
   int count_ = 0;
 };
 
-/// Against the reference: the picture of the last four frames, and a pixel of the last one.
+/// What the screen is sent less what it should be, of the frame on show.
+taa::Image errorsOnShow(taa::Inspector& inspector) {
+  inspector.reference().refine(taa::kVerdictSamples);
+  taa::Image errors = taa::shownColors(inspector.views().image(IntermediateId::resolved));
+  const taa::Image reference = taa::shownColors(inspector.views().image(IntermediateId::reference));
+  std::ranges::transform(errors.pixels, reference.pixels, errors.pixels.begin(), std::minus<float>());
+  return errors;
+}
+
+/// Against the reference: the picture of the last four frames and between them, its sharpness in the last
+/// one, and a pixel of that.
 struct Shown {
-  double picture = 0.0, pixel = 0.0;
+  double picture = 0.0, flicker = 0.0, ghost = 0.0, sharpness = 0.0, pixel = 0.0;
 };
 
 Shown shownWith(const taa::Settings& settings, const taa::VerdictQuestion& question) {
@@ -41,15 +55,29 @@ Shown shownWith(const taa::Settings& settings, const taa::VerdictQuestion& quest
     inspector.shot().setSize(kWidth, kHeight);
     inspector.shot().setSettings(settings);
     inspector.shot().open("builtin:fan");
-    MeanSquare errors;
+    MeanSquare errors, changes, ghosts;
+    Shown shown;
+    taa::Image before;
     taa::MetricCursor cursor;
-    for (int frame = question.frame - 3; frame <= question.frame; ++frame)
-      errors.add(*inspector.metrics()
-                      .measureFrame(frame, {Metric::Rmse}, taa::kVerdictSamples, cursor)
-                      .at(Metric::Rmse));
+    for (int frame = question.frame - 3; frame <= question.frame; ++frame) {
+      const taa::FrameMetrics metrics = inspector.metrics().measureFrame(
+          frame, {Metric::Rmse, Metric::GhostEnergy, Metric::Sharpness}, taa::kVerdictSamples, cursor);
+      inspector.shot().seek(frame);
+      const taa::Image now = errorsOnShow(inspector);
+      for (std::size_t at = 0; at < before.pixels.size(); ++at)
+        changes.add(double(now.pixels[at]) - double(before.pixels[at]));
+      if (frame > question.frame - 3) ghosts.add(*metrics.at(Metric::GhostEnergy));
+      errors.add(*metrics.at(Metric::Rmse));
+      shown.sharpness = *metrics.at(Metric::Sharpness);
+      before = now;
+    }
+    shown.picture = errors.root();
+    shown.flicker = changes.root();
+    shown.ghost = ghosts.root();
     const taa::PixelError error = inspector.verdicts().of(question).error;
     const glm::dvec3 off = taa::shownValue(error.resolved) - taa::shownValue(error.reference);
-    return Shown{errors.root(), std::sqrt(glm::dot(off, off) / 3.0)};
+    shown.pixel = std::sqrt(glm::dot(off, off) / 3.0);
+    return shown;
   };
   return std::async(std::launch::async, make).get(); // a thread has one context
 }
@@ -90,6 +118,8 @@ TEST_F(RemediesOnScenesTest, SayWhatTheProgramShowsWithThem) {
   taa::Settings settings; // a trail behind what moves
   settings.rectify.method = taa::RectifyMethod::None;
   settings.validate.depth = taa::Switch::Off;
+  settings.dilate.method = taa::DilateMethod::None; // history is read where ghosts are looked for
+  settings.output.sharpen = taa::Sharpen::None;
   const taa::VerdictQuestion question{.frame = 14, .pixel = {15, 6}};
   const auto inspector = opened({settings});
   const taa::PixelVerdict verdict = inspector->verdicts().of(question).verdict;
@@ -101,5 +131,10 @@ TEST_F(RemediesOnScenesTest, SayWhatTheProgramShowsWithThem) {
   const Shown shown = shownWith(settings, question);
   ASSERT_TRUE(first.picture);
   EXPECT_NEAR(first.picture->error, shown.picture, 1e-6);
+  EXPECT_NEAR(first.picture->flicker, shown.flicker, 1e-6);
+  EXPECT_NEAR(first.picture->sharpness, shown.sharpness, 1e-6);
   EXPECT_NEAR(first.pixel.latest, shown.pixel, 1e-6);
+  ASSERT_EQ(settings.dilate.method, taa::DilateMethod::None);
+  ASSERT_EQ(settings.reproject.method, taa::ReprojectMethod::Motion);
+  EXPECT_NEAR(first.picture->ghost, shown.ghost, 1e-6);
 }
