@@ -1,6 +1,7 @@
 #include "core/base/Files.h"
 
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -12,7 +13,6 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 #include <utility>
 
 namespace taa {
@@ -20,23 +20,12 @@ namespace taa {
 namespace fs = std::filesystem;
 
 std::string readFile(const fs::path& path, std::uintmax_t maxBytes) {
-  std::error_code error;
-  if (fs::is_directory(path, error)) throw Error(say<"cannot read %1: it is a folder">(path.string()));
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw Error(say<"cannot open %1: %2">(path.string(), std::strerror(errno)));
-  const std::uintmax_t size = fs::file_size(path, error);
-  if (!error && size > maxBytes)
-    throw Error(
-        say<"cannot read %1: it has %2 bytes, more than the %3 allowed">(path.string(), size, maxBytes));
-  std::ostringstream out;
-  out << in.rdbuf();
-  if (in.bad()) throw Error(say<"cannot read %1: %2">(path.string(), std::strerror(errno)));
-  return std::move(out).str();
+  return UntrustedFile(path).text(maxBytes);
 }
 
 fs::path requireRegularBelow(const fs::path& folder, const fs::path& file) {
-  const std::string name = file.string();
-  if (name.empty() || name.find('\0') != std::string::npos || file.is_absolute())
+  const std::string text = file.string(), name = shownText(text);
+  if (text.empty() || text.find('\0') != std::string::npos || file.is_absolute())
     throw Error(say<"%1 is not a path below the folder; only files below it are opened">(name));
   std::error_code error;
   const fs::path root = fs::canonical(folder, error);
@@ -58,6 +47,7 @@ UntrustedFile::UntrustedFile(fs::path path)
   struct stat status {};
   if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) {
     ::close(descriptor_);
+    if (S_ISDIR(status.st_mode)) throw Error(say<"cannot open %1: it is a folder">(path_.string()));
     throw Error(say<"cannot open %1: it is not a regular file">(path_.string()));
   }
   size_ = static_cast<std::uintmax_t>(status.st_size);
@@ -70,21 +60,45 @@ UntrustedFile::~UntrustedFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
+std::size_t UntrustedFile::readSome(std::uintmax_t offset, std::span<std::byte> bytes) const {
+  for (;;) {
+    const ::ssize_t count = ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<::off_t>(offset));
+    if (count >= 0) return static_cast<std::size_t>(count);
+    if (errno != EINTR) throw Error(say<"cannot read %1: %2">(path_.string(), std::strerror(errno)));
+  }
+}
+
 void UntrustedFile::read(std::uintmax_t offset, std::span<std::byte> bytes) const {
   while (!bytes.empty()) {
-    const ::ssize_t count = ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<::off_t>(offset));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw Error(say<"cannot read %1: %2">(path_.string(), std::strerror(errno)));
+    const std::size_t count = readSome(offset, bytes);
     if (count == 0) throw Error(say<"cannot read %1: it ends after %2 bytes">(path_.string(), offset));
-    offset += static_cast<std::uintmax_t>(count);
-    bytes = bytes.subspan(static_cast<std::size_t>(count));
+    offset += count;
+    bytes = bytes.subspan(count);
+  }
+}
+
+std::string UntrustedFile::text(std::uintmax_t maxBytes) const {
+  constexpr std::size_t kStep = std::size_t(1) << 16;
+  std::string text;
+  for (std::size_t end = 0;;) {
+    if (std::max(size_, std::uintmax_t(end)) > maxBytes)
+      throw Error(say<"cannot read %1: it has %2 bytes, more than the %3 allowed">(
+          path_.string(), std::max(size_, std::uintmax_t(end)), maxBytes));
+    // One byte more than it is said to have, so that the end shows.
+    if (end == text.size()) text.resize(std::max(static_cast<std::size_t>(size_) + 1, 2 * end + kStep));
+    const std::size_t count = readSome(end, std::as_writable_bytes(std::span(text)).subspan(end));
+    end += count;
+    if (count > 0) continue;
+    text.resize(end);
+    return text;
   }
 }
 
 UntrustedFile openUntrusted(const fs::path& folder, const fs::path& file, std::uintmax_t maxBytes) {
   UntrustedFile opened(requireRegularBelow(folder, file));
   if (opened.size() > maxBytes)
-    throw Error(say<"%1 has %2 bytes, more than the %3 allowed">(file.string(), opened.size(), maxBytes));
+    throw Error(
+        say<"%1 has %2 bytes, more than the %3 allowed">(shownText(file.string()), opened.size(), maxBytes));
   return opened;
 }
 

@@ -13,7 +13,8 @@
 
 namespace taa {
 
-/// The bytes of a file. Throws Error when it cannot be read or is larger than `maxBytes`.
+/// The bytes of a file. It comes from anywhere: never waits for a writer, and follows links. Throws Error
+/// when it cannot be read, is no regular file or has more than `maxBytes`.
 std::string readFile(const std::filesystem::path& path, std::uintmax_t maxBytes = std::uintmax_t(2) << 30);
 
 // Files of somebody else's, which a file of somebody else's names.
@@ -36,8 +37,14 @@ class UntrustedFile {
   std::uintmax_t size() const { return size_; }
   /// Fills `bytes` with what stands at `offset`. Throws Error where the file ends before.
   void read(std::uintmax_t offset, std::span<std::byte> bytes) const;
+  /// All of it, also where the system tells no size, as of what stands in /proc. Throws Error where that is
+  /// more than `maxBytes`.
+  std::string text(std::uintmax_t maxBytes) const;
 
  private:
+  /// As pread() returns it: 0 where the file ends.
+  std::size_t readSome(std::uintmax_t offset, std::span<std::byte> bytes) const;
+
   std::filesystem::path path_;
   int descriptor_ = -1;
   std::uintmax_t size_ = 0;

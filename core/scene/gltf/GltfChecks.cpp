@@ -60,7 +60,7 @@ std::uint64_t dataUriBytes(const std::string& uri) {
 }
 
 /// How many bytes the buffer really has.
-std::uint64_t bufferBytes(const GltfDocument& document, const Json& buffer, std::size_t index) {
+std::uint64_t bufferBytes(GltfDocument& document, Json& buffer, std::size_t index) {
   const auto uri = buffer.find("uri");
   if (uri == buffer.end()) {
     if (!document.isBinary || index != 0)
@@ -68,8 +68,7 @@ std::uint64_t bufferBytes(const GltfDocument& document, const Json& buffer, std:
     return document.binary.size();
   }
   const std::string text = uri->get<std::string>();
-  if (text.starts_with("data:")) return dataUriBytes(text);
-  return std::filesystem::file_size(resolveGltfUri(document.folder, text));
+  return text.starts_with("data:") ? dataUriBytes(text) : takeGltfFile(document, *uri);
 }
 
 void checkBuffers(GltfDocument& document) {
@@ -171,15 +170,13 @@ void checkAccessors(const Json& root) {
 }
 
 /// How many bytes the image's own file or data URI has; 0 for one in a buffer.
-std::uint64_t imageBytes(const GltfDocument& document, const Json& image) {
+std::uint64_t imageBytes(GltfDocument& document, Json& image) {
   const auto uri = image.find("uri");
   if ((uri == image.end()) != image.contains("bufferView"))
     throw Error(say<"it must have either a uri or a bufferView">());
   if (uri == image.end()) return 0;
   const std::string text = uri->get<std::string>();
-  const std::uint64_t bytes = text.starts_with("data:")
-                                  ? dataUriBytes(text)
-                                  : std::filesystem::file_size(resolveGltfUri(document.folder, text));
+  const std::uint64_t bytes = text.starts_with("data:") ? dataUriBytes(text) : takeGltfFile(document, *uri);
   if (bytes == 0) throw Error(say<"it is empty">());
   return bytes;
 }

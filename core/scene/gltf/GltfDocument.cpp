@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Files.h"
+#include "core/base/OldNames.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
 #include "core/base/json/LimitedJson.h"
@@ -165,24 +166,30 @@ std::string readGltfFile(const fs::path& file, std::uintmax_t maxBytes) {
   }
 }
 
-fs::path resolveGltfUri(const fs::path& folder, const std::string& uri) {
-  const std::string name = percentDecoded(uri);
+std::uint64_t takeGltfFile(GltfDocument& document, Json& uri) {
+  std::string name = percentDecoded(uri.get<std::string>());
+  if (name.find('\\') != std::string::npos) {
+    std::ranges::replace(name, '\\', '/');
+    addNotes(document.notes, {say<"Backslashes in the names of its files are taken for slashes.">()});
+  }
   const bool hasScheme = name.find(':') != std::string::npos; // http:, file:, C:
-  const bool hasOddCharacter = name.find('\0') != std::string::npos || name.find('\\') != std::string::npos;
   const fs::path path(name);
-  if (name.empty() || hasScheme || hasOddCharacter || path.is_absolute() ||
+  if (name.empty() || hasScheme || name.find('\0') != std::string::npos || path.is_absolute() ||
       std::ranges::find(path, fs::path("..")) != path.end())
-    throw Error(say<"\"%1\" is not a file below the folder of the scene; only such files are opened">(name));
-  fs::path file = folder / path;
+    throw Error(say<"\"%1\" is not a file below the folder of the scene; only such files are opened">(
+        shownText(name)));
   std::error_code error;
-  if (!fs::is_regular_file(file, error)) throw Error(say<"there is no file \"%1\" beside it">(name));
-  return file;
+  if (!fs::exists(document.folder / path, error))
+    throw Error(say<"there is no file \"%1\" beside it">(shownText(name)));
+  document.files.push_back({name, requireRegularBelow(document.folder, path)});
+  uri = std::to_string(document.files.size() - 1);
+  return fs::file_size(document.files.back().path);
 }
 
 GltfDocument readGltfDocument(const fs::path& file) {
   std::string bytes = readGltfFile(file, kMaxFileBytes);
   GltfDocument document;
-  document.folder = file.parent_path();
+  document.folder = file.has_parent_path() ? file.parent_path() : ".";
   if (bytes.starts_with(kGlbMagic)) {
     Chunks chunks = splitBinary(bytes);
     document.isBinary = true;

@@ -11,12 +11,20 @@
 
 namespace taa {
 
+/// A file beside the scene.
+struct GltfFile {
+  std::string name; ///< as the scene has it
+  std::filesystem::path path;
+};
+
 struct GltfDocument {
   Json json;
   std::string binary;                   ///< the BIN chunk of a .glb
   bool isBinary = false;                ///< a .glb
   std::filesystem::path folder;         ///< where the files lie that it names
   std::vector<std::string> imageFaults; ///< for each image why it cannot be shown; empty: nothing is known
+  std::vector<GltfFile> files;          ///< that it names: a uri is an index of this, as text
+  std::vector<std::string> notes;       ///< to say of the file
 };
 
 // All of these throw Error with "place: reason"; the loader puts the file's name before it.
@@ -43,7 +51,8 @@ bool isKnownGltfExtension(const std::string& name);
 /// The bytes of a file; the Error has the reason only.
 std::string readGltfFile(const std::filesystem::path& file, std::uintmax_t maxBytes);
 
-/// Where the file named by `uri` lies. Throws Error when it is not below `folder` or does not exist.
-std::filesystem::path resolveGltfUri(const std::filesystem::path& folder, const std::string& uri);
+/// Bytes of the regular file below the folder of the scene, once links are resolved, that `uri`
+/// names; from now on it names its index in `files`. Throws Error when there is none.
+std::uint64_t takeGltfFile(GltfDocument& document, Json& uri);
 
 } // namespace taa

@@ -1,15 +1,20 @@
 #include "core/scene/gltf/GltfImport.h"
 
 #include "core/base/Error.h"
+#include "core/base/Files.h"
 #include "core/base/Say.h"
 #include "core/scene/gltf/GltfDocument.h"
 
 #include <tiny_gltf.h>
 
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <string>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 namespace taa {
 
@@ -20,6 +25,35 @@ bool keepEncoded(tinygltf::Image* image, int /*index*/, std::string* /*error*/, 
                  int /*width*/, int /*height*/, const unsigned char* bytes, int size, void* /*user*/) {
   image->image.assign(bytes, bytes + size);
   return true;
+}
+
+/// Of a uri that takeGltfFile() has numbered; null: there is none.
+const GltfFile* numberedFile(const std::string& uri, const void* document) {
+  const std::vector<GltfFile>& files = static_cast<const GltfDocument*>(document)->files;
+  std::size_t index = files.size();
+  const char* const end = uri.data() + uri.size();
+  const auto [rest, error] = std::from_chars(uri.data(), end, index);
+  return error == std::errc() && rest == end && index < files.size() ? &files[index] : nullptr;
+}
+
+/// tinygltf opens files by no other way than this.
+tinygltf::FsCallbacks fileAccess(const GltfDocument& document) {
+  constexpr std::uintmax_t kMaxNamedBytes = std::uintmax_t(1) << 31;
+  return {.FileExists = [](const std::string& uri, void* user) { return numberedFile(uri, user) != nullptr; },
+          .ExpandFilePath = [](const std::string& uri, void*) { return uri; },
+          .ReadWholeFile =
+              [](std::vector<unsigned char>* out, std::string* error, const std::string& uri, void* user) {
+                try {
+                  const std::string bytes = readFile(numberedFile(uri, user)->path, kMaxNamedBytes);
+                  out->assign(bytes.begin(), bytes.end());
+                  return true;
+                } catch (const std::exception& failure) {
+                  *error = failure.what();
+                  return false;
+                }
+              },
+          .WriteWholeFile = nullptr,
+          .user_data = const_cast<GltfDocument*>(&document)};
 }
 
 void append(std::string& bytes, std::uint32_t value) {
@@ -56,18 +90,20 @@ std::string firstLine(const std::string& text) {
 void importGltf(const GltfDocument& document, tinygltf::Model& model) {
   tinygltf::TinyGLTF parser;
   parser.SetImageLoader(keepEncoded, nullptr);
+  parser.SetFsCallbacks(fileAccess(document));
   std::string json = document.json.dump(), error, warning;
-  const std::string folder = document.folder.string();
   bool good = false;
   if (document.isBinary) {
     const std::string bytes = joinBinary(std::move(json), document.binary);
     good = parser.LoadBinaryFromMemory(&model, &error, &warning,
                                        reinterpret_cast<const unsigned char*>(bytes.data()),
-                                       static_cast<unsigned>(bytes.size()), folder);
+                                       static_cast<unsigned>(bytes.size()), "");
   } else {
     good = parser.LoadASCIIFromString(&model, &error, &warning, json.data(),
-                                      static_cast<unsigned>(json.size()), folder);
+                                      static_cast<unsigned>(json.size()), "");
   }
+  for (tinygltf::Image& image : model.images)
+    if (const GltfFile* file = numberedFile(image.uri, &document)) image.uri = file->name;
   if (!good) throw Error("tinygltf: " + (error.empty() ? say<"it cannot be read">() : firstLine(error)));
 }
 

@@ -66,6 +66,7 @@ Scene build(const std::filesystem::path& file, const Progress& progress) {
   Scene scene;
   scene.name = file.filename().string();
   GltfContext context{model, scene, document.imageFaults};
+  for (const std::string& note : document.notes) context.warn(note);
   warnOfExtensions(context);
   addGltfMaterials(context, progress);
   report(progress, say<"Building meshes">(), 0, 1);

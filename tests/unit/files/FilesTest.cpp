@@ -1,11 +1,16 @@
 // Reading and writing whole files, and the files inside the binary.
 #include "core/base/Files.h"
 #include "core/base/EmbeddedFiles.h"
+#include "core/io/CameraTrackJson.h"
+#include "core/io/SessionFile.h"
+#include "core/settings/Presets.h"
+#include "core/sweep/SweepSpec.h"
 #include "tests/support/ErrorOf.h"
 #include "tests/support/Paths.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -110,6 +115,28 @@ TEST(UntrustedFiles, ReadWhereTheyAreAsked) {
             std::string::npos);
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
   EXPECT_NE(errorOf([&] { taa::UntrustedFile(folder / "pipe"); }).find("not a regular file"),
+            std::string::npos);
+}
+
+/// Where a file is expected that somebody gives.
+TEST(UntrustedFiles, AreNeverWaitedForNorReadWithoutEnd) {
+  const fs::path folder = emptyFolder("given");
+  const fs::path pipe = folder / "pipe.json", zero = folder / "zero.json";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  fs::create_symlink("/dev/zero", zero);
+  for (const fs::path& file : {pipe, zero}) {
+    const std::string reason = file.string() + ": it is not a regular file";
+    for (const std::string& said :
+         {errorOf([&] { taa::readFile(file); }), errorOf([&] { taa::readSession(file); }),
+          errorOf([&] { taa::readCameraTrack(file); }), errorOf([&] { taa::preset(file.string()); }),
+          errorOf([&] { taa::readSweepSpec(file); })})
+      EXPECT_NE(said.find(reason), std::string::npos) << said;
+  }
+}
+
+TEST(Files, ReadWhatTellsNoSize) {
+  EXPECT_NE(taa::readFile("/proc/self/stat").find(std::to_string(::getpid())), std::string::npos);
+  EXPECT_NE(errorOf([] { taa::readFile("/proc/self/stat", 3); }).find("more than the 3 allowed"),
             std::string::npos);
 }
 

@@ -291,6 +291,26 @@ TEST(GltfLoader, OpensFilesBesideItThroughPercentEncodedNames) {
   EXPECT_NO_THROW(openScene(test::writeTemporary("external.gltf", sample.json.dump()).string()));
 }
 
+TEST(GltfLoader, OpensFilesBesideItWhateverTheyAreCalled) {
+  GltfSample sample;
+  for (const std::string name : {"a+b.bin", "$HOME ~ `id`.bin", "*.bin"}) {
+    test::writeTemporary("named/" + name, sample.buffer);
+    sample.json["buffers"][0]["uri"] = name;
+    EXPECT_TRUE(
+        openScene(test::writeTemporary("named/it.gltf", sample.json.dump()).string()).warnings.empty())
+        << name;
+  }
+}
+
+TEST(GltfLoader, TakesBackslashesForSlashesAndSaysSo) {
+  GltfSample sample;
+  test::writeTemporary("back/sub/slash.bin", sample.buffer);
+  sample.json["buffers"][0]["uri"] = "sub\\slash.bin";
+  const Scene scene = openScene(test::writeTemporary("back/it.gltf", sample.json.dump()).string());
+  EXPECT_EQ(scene.warnings,
+            std::vector<std::string>{"Backslashes in the names of its files are taken for slashes."});
+}
+
 TEST(GltfLoader, ReportsProgressAndStopsWhenAsked) {
   const std::string file = GltfSample().writeEmbedded("stopped").string();
   int calls = 0;

@@ -212,6 +212,19 @@ TEST(GltfRefusal, RefusesFilesOutsideItsFolder) {
   }
 }
 
+TEST(GltfRefusal, RefusesLinksOutOfItsFolder) {
+  GltfSample sample;
+  const fs::path outside = test::writeTemporary("aside.bin", sample.buffer);
+  sample.json["buffers"][0]["uri"] = "link.bin";
+  const fs::path file = test::writeTemporary("linked/it.gltf", sample.json.dump());
+  fs::create_symlink(outside, file.parent_path() / "link.bin");
+  EXPECT_EQ(refusal(file), "buffers[0]: link.bin leads out of the folder; only files below it are opened");
+  fs::remove(file.parent_path() / "link.bin");
+  test::writeTemporary("linked/other.bin", sample.buffer);
+  fs::create_symlink("other.bin", file.parent_path() / "link.bin");
+  EXPECT_EQ(refusal(file), "it opened");
+}
+
 TEST(GltfRefusal, RefusesMissingAndUnreadableData) {
   GltfSample sample;
   EXPECT_EQ(refusal(test::writeTemporary("bufferless.gltf", sample.json.dump())),
