@@ -1,10 +1,9 @@
 // How each kind of GL object is freed, asked for and named.
 #include "core/gl/Handle.h"
 
-#include "core/base/Text.h"
-
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace taa::gl {
@@ -81,8 +80,8 @@ bool isObject(ObjectKind kind, unsigned id) {
 
 void labelObject(ObjectKind kind, unsigned id, const std::string& label) {
   constexpr std::size_t kMaxBytes = 255; // GL_MAX_LABEL_LENGTH, which labels are shorter than, is 256 or more
-  const std::string shown = shortened(label, kMaxBytes);
-  glObjectLabel(identifierOf(kind), id, static_cast<GLsizei>(shown.size()), shown.data());
+  glObjectLabel(identifierOf(kind), id, static_cast<GLsizei>(std::min(label.size(), kMaxBytes)),
+                label.data());
 }
 
 } // namespace taa::gl

@@ -1,7 +1,7 @@
 #include "core/render/SceneResources.h"
 
 #include "core/base/Say.h"
-#include "core/base/Text.h"
+#include "core/base/ShownText.h"
 #include "core/gl/Context.h"
 #include "shaders/shared/MaterialBlock.h"
 
@@ -46,11 +46,6 @@ gl::TextureWrap textureWrap(Wrap wrap) {
     return gl::TextureWrap::ClampToEdge;
   }
   return gl::TextureWrap::Repeat;
-}
-
-/// A file's own name, of any length, as part of a label.
-std::string shownName(const std::string& name) {
-  return shortened(name, 64);
 }
 
 shared::MaterialBlock materialBlock(const Material& material) {
@@ -157,7 +152,7 @@ void SceneResources::uploadMeshes(const Scene& scene, const Progress& progress) 
                                        : gl::Mesh(std::as_bytes(std::span(primitive.vertices)),
                                                   sizeof(Vertex), kAttributes, primitive.indices,
                                                   primitiveKind(primitive.topology),
-                                                  "mesh: " + shownName(scene.meshes[index].name)));
+                                                  "mesh: " + shownText(scene.meshes[index].name)));
     }
   }
 }
@@ -175,7 +170,7 @@ void SceneResources::uploadTextures(const Scene& scene, const Progress& progress
     report(progress, say<"Uploading textures">(), done, total);
     texture =
         gl::Texture({image.width, image.height, 0, 0}, key.second ? gl::Format::SRGBA8 : gl::Format::RGBA8,
-                    "texture: " + shownName(image.name));
+                    "texture: " + shownText(image.name));
     texture.uploadBytes(image.rgba);
     report(progress, say<"Making mip levels">(), done, total);
     texture.generateMipmaps();

@@ -3,10 +3,9 @@
 
 #include "core/base/Error.h"
 #include "core/gl/Buffer.h"
+#include "core/gl/RenderPass.h"
 #include "core/gl/Texture.h"
 #include "tests/support/GlTest.h"
-
-#include <epoxy/gl.h>
 
 #include <algorithm>
 #include <functional>
@@ -120,12 +119,12 @@ TEST_F(MemoryTest, AnAllocationThatFailsLeavesNothingBehindAndSaysWhatItWas) {
 }
 
 TEST_F(MemoryTest, AnErrorThatIsNotOfMemoryIsNotToldForOne) {
-  glEnable(0xFFFF); // there is no such thing
+  const taa::gl::Framebuffer wrong(-1, 1, "of no width");
   try {
     const Buffer buffer(4, nullptr, "third");
     ADD_FAILURE() << "the error was not told";
   } catch (const Error& error) {
-    EXPECT_EQ(std::string(error.what()), "cannot make third: GL reports error 1280");
+    EXPECT_EQ(std::string(error.what()), "cannot make third: GL reports error 1281");
   }
   EXPECT_EQ(context().takeMessages().size(), 1u);
 }

@@ -28,7 +28,12 @@ void scaleAlpha(Settings& s, float factor) {
   case AlphaSource::HistoryLength:
     s.weight.minimum = std::max(s.weight.minimum, 0.03f); // 1/(N+1) gets there
     return scale(s.weight.minimum);
-  default:
+  case AlphaSource::LumaDifference:
+  case AlphaSource::Contrast:
+  case AlphaSource::LumaDifferenceAsPrinted:
+  case AlphaSource::ContrastPerChannel:
+  case AlphaSource::Confidence:
+  case AlphaSource::LumaDifferenceCompressed:
     scale(s.weight.sourceMax);
     scale(s.weight.sourceMin);
   }

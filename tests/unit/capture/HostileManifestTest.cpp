@@ -69,7 +69,7 @@ TEST(HostileManifest, WithNothingWrongIsTaken) {
 }
 
 TEST(HostileManifest, WhatIsNotJson) {
-  EXPECT_EQ(refusalOf(""), "it is not JSON from line 1, column 0 on");
+  EXPECT_EQ(refusalOf(""), "it is empty");
   EXPECT_EQ(refusalOf("{\n \"format\": 1,\n}"), "it is not JSON from line 3, column 1 on");
   EXPECT_EQ(refusalOf(R"({"format": NaN})"), "it is not JSON from line 1, column 12 on");
   EXPECT_EQ(refusalOf("{\"name\": \"\xff\"}"), "it is not JSON from line 1, column 11 on");

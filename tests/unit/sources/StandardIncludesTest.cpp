@@ -73,7 +73,7 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
     {"ios", "fixed ios streamsize hex"},
     {"iosfwd", "ostream istream"},
     {"iostream", "cerr cin cout endl fixed flush ios ostream istream streamsize"},
-    {"iterator", "advance back_inserter begin distance end make_move_iterator next prev size inserter "
+    {"iterator", "advance back_inserter begin distance end make_move_iterator next prev size ssize inserter "
                  "istreambuf_iterator"},
     {"limits", "numeric_limits"},
     {"list", "erase erase_if list ptrdiff_t size_t"},
