@@ -50,7 +50,7 @@ TEST(Cures, OtherwiseChangeEverySettingOfTheResolveThatHasAnEffect) {
     const bool isChanged = std::ranges::any_of(
         changes, [&](const std::string& change) { return change.starts_with(std::string(row.path) + "="); });
     EXPECT_TRUE(isChanged || !isOfResolve || !isRelevant(row, settings)) << row.path;
-    EXPECT_FALSE(isChanged && row.stage == taa::Stage::Output) << row.path;
+    EXPECT_FALSE(isChanged && row.stage >= taa::Stage::Output) << row.path; // nor is a fault injected
   }
 }
 

@@ -142,3 +142,12 @@ TEST(VerdictLabelsTable, VerdictsNameKindAndStageRight) {
   EXPECT_GE(shares.kind, 0.95);
   EXPECT_GE(shares.stage, 0.90);
 }
+
+TEST(VerdictLabelsTable, FirstRemediesLowerTheErrorOfNineFaultsInTen) {
+  const std::vector<JudgedLabel> judged = taa::judgedLabels();
+  const auto faults = std::ranges::count_if(
+      judged, [](const JudgedLabel& entry) { return entry.label.kind != VerdictKind::None; });
+  const taa::VerdictShares shares = taa::sharesRight(judged);
+  EXPECT_EQ(shares.tried, static_cast<std::size_t>(faults)) << "TAA_VERDICTS=write";
+  EXPECT_GE(shares.mended, 0.9);
+}
