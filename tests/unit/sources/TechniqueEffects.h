@@ -1,15 +1,15 @@
 // Which tests show what each row of the table of techniques does.
 #pragma once
 
-#include <initializer_list>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace taa::test {
 
 /// Tests by the row's number. Rows that are left out have none.
-inline const std::map<std::string, std::initializer_list<const char*>>& testsOfTechniques() {
-  static const std::map<std::string, std::initializer_list<const char*>> kTests{
+inline const std::map<std::string, std::vector<const char*>>& testsOfTechniques() {
+  static const std::map<std::string, std::vector<const char*>> kTests{
       {"1.1", {"DynamicRangeTest.OfLdrEndsAtWhiteAndIsTheSameBelow"}},
       {"1.2",
        {"DynamicRangeTest.OfLdrEndsAtWhiteAndIsTheSameBelow",
