@@ -4,16 +4,24 @@
 #include "core/base/ShownText.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 namespace taa {
 
@@ -78,14 +86,14 @@ void UntrustedFile::read(std::uintmax_t offset, std::span<std::byte> bytes) cons
 }
 
 std::string UntrustedFile::text(std::uintmax_t maxBytes) const {
-  constexpr std::size_t kStep = std::size_t(1) << 16;
+  constexpr std::size_t kReadStep = std::size_t(1) << 16;
   std::string text;
   for (std::size_t end = 0;;) {
     if (std::max(size_, std::uintmax_t(end)) > maxBytes)
       throw Error(say<"cannot read %1: it has %2 bytes, more than the %3 allowed">(
           path_.string(), std::max(size_, std::uintmax_t(end)), maxBytes));
     // One byte more than it is said to have, so that the end shows.
-    if (end == text.size()) text.resize(std::max(static_cast<std::size_t>(size_) + 1, 2 * end + kStep));
+    if (end == text.size()) text.resize(std::max(static_cast<std::size_t>(size_) + 1, 2 * end + kReadStep));
     const std::size_t count = readSome(end, std::as_writable_bytes(std::span(text)).subspan(end));
     end += count;
     if (count > 0) continue;
@@ -102,10 +110,58 @@ UntrustedFile openUntrusted(const fs::path& folder, const fs::path& file, std::u
   return opened;
 }
 
-void writeAtomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+namespace {
+
+/// Tells processes of other machines and containers from those that can be asked after here.
+const std::string& processSpace() {
+  static const std::string kSpace = [] {
+    std::array<char, 256> host{}, space{};
+    ::gethostname(host.data(), host.size() - 1);
+    const bool isKnown = ::readlink("/proc/self/ns/pid", space.data(), space.size() - 1) > 0;
+    return std::to_string(std::hash<std::string>()(host.data() + std::string(isKnown ? space.data() : "")));
+  }();
+  return kSpace;
+}
+
+/// The process of this space that a temporary file is of, by its name ".STEM.SPACE-PROCESS.part.EXT".
+std::optional<::pid_t> writerOf(const std::string& name) {
+  const std::string before = "." + processSpace() + "-";
+  const std::size_t end = name.rfind(".part"), start = name.rfind(before, end);
+  if (!name.starts_with('.') || end == std::string::npos || start == std::string::npos) return {};
+  ::pid_t process = 0;
+  const char* const last = name.data() + end;
+  const auto [rest, error] = std::from_chars(name.data() + start + before.size(), last, process);
+  return error == std::errc() && rest == last && process > 0 ? std::optional(process) : std::nullopt;
+}
+
+/// What killed processes left; once for each folder, for it may hold many files.
+void clearLeftovers(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::set<fs::path> cleared;
+  const std::lock_guard lock(mutex);
+  if (!cleared.insert(folder).second) return;
+  std::error_code error;
+  std::vector<fs::path> leftovers;
+  for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error))
+    if (const auto writer = writerOf(entry->path().filename().string());
+        writer && ::kill(*writer, 0) != 0 && errno == ESRCH)
+      leftovers.push_back(entry->path());
+  for (const fs::path& leftover : leftovers) fs::remove(leftover, error);
+}
+
+} // namespace
+
+fs::path temporaryBeside(const fs::path& path) {
+  clearLeftovers(path.has_parent_path() ? path.parent_path() : ".");
   fs::path temporary = path;
-  temporary.replace_filename("." + path.stem().string() + "." + std::to_string(::getpid()) + ".part" +
-                             path.extension().string());
+  temporary.replace_filename("." + path.stem().string() + "." + processSpace() + "-" +
+                             std::to_string(::getpid()) + ".part" + path.extension().string());
+  return temporary;
+}
+
+void writeAtomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+  const fs::path temporary = temporaryBeside(path);
   std::error_code error;
   try {
     write(temporary);

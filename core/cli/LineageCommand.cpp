@@ -21,6 +21,7 @@ void runLineage(const LineageArguments& arguments, std::ostream& out, const Prog
   Inspector inspector;
   openShot(inspector, arguments.shot, plan, progress);
   requireFrame(inspector, frame);
+  requirePixel(inspector, pixel);
   inspector.shot().seek(frame, progress);
 
   LineageReport report{shotFacts(inspector), pixel, {}};

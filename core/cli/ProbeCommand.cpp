@@ -76,6 +76,7 @@ void runProbe(const ProbeArguments& arguments, std::ostream& out, const Progress
   Inspector inspector;
   openShot(inspector, arguments.shot, plan, progress);
   requireFrame(inspector, frame);
+  requirePixel(inspector, pixel);
   inspector.shot().seek(frame, progress);
 
   ProbeReport report{shotFacts(inspector), pixel, {}, comparison};

@@ -3,6 +3,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/ExistingFiles.h"
+#include "core/base/Files.h"
 #include "core/capture/format/Manifest.h"
 #include "core/cli/Pictures.h"
 #include "core/inspect/MemoryNeed.h"
@@ -11,8 +12,6 @@
 #include "core/io/PictureFile.h"
 #include "core/report/FrameExport.h"
 #include "core/report/SequenceExport.h"
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -138,9 +137,7 @@ class Animations {
     for (int lane = 0; lane < pictures.laneCount(plan); ++lane)
       for (const IntermediateId id : ids) {
         const fs::path path = gifPath(arguments, plan.lanes.at(static_cast<std::size_t>(lane)), id);
-        fs::path temporary = path;
-        temporary.replace_filename("." + path.stem().string() + "." + std::to_string(::getpid()) +
-                                   ".part.gif");
+        const fs::path temporary = temporaryBeside(path);
         rows_.push_back({lane, id, path, temporary,
                          std::make_unique<GifWriter>(temporary, path, inspector.shot().width(),
                                                      inspector.shot().height(), rate)});

@@ -2,12 +2,14 @@
 
 #include "core/base/Error.h"
 #include "core/base/OldNames.h"
+#include "core/base/Text.h"
 #include "core/capture/source/Capture.h"
 #include "core/io/SessionFile.h"
 #include "core/render/CaptureFacts.h"
 #include "core/scene/SceneSource.h"
 #include "core/settings/Parameters.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <iostream>
 #include <string>
@@ -43,11 +45,30 @@ ShotPlan planSession(const ShotArguments& arguments) {
   return plan;
 }
 
+void requireBuiltin(const std::string& source) {
+  if (!isBuiltinScene(source)) return;
+  std::vector<std::string> known;
+  for (const BuiltinScene& scene : builtinScenes()) known.push_back("builtin:" + scene.id);
+  if (std::ranges::find(known, source) == known.end())
+    throw UsageError("there is no built-in scene \"" + source + "\"; there are " + joined(known));
+}
+
+/// The driver knows which sizes it draws.
+void setAskedSize(Inspector& inspector, const ShotPlan& plan) {
+  try {
+    inspector.shot().setSize(plan.size.x, plan.size.y);
+  } catch (const Error& error) {
+    if (!plan.isSizeAsked) throw;
+    throw UsageError(std::string("--size: ") + error.what());
+  }
+}
+
 } // namespace
 
 ShotPlan planShot(const ShotArguments& arguments) {
   if (!arguments.session.empty()) return planSession(arguments);
   if (arguments.source.empty()) throw UsageError("SOURCE is required, or --session FILE instead of it");
+  requireBuiltin(arguments.source);
   const bool isSizeAsked = !arguments.size.empty();
   return {arguments.source,
           arguments.camera,
@@ -90,7 +111,7 @@ void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPl
   inspector.shot().setCheckpointBudget(static_cast<std::size_t>(arguments.checkpointsMiB) << 20);
   inspector.shot().setLanes(settings);
   const bool isCaptured = !isBuiltinScene(plan.source) && capture::isCapture(plan.source);
-  if (!isCaptured) inspector.shot().setSize(plan.size.x, plan.size.y);
+  if (!isCaptured) setAskedSize(inspector, plan);
   inspector.shot().open(plan.source, progress);
   if (const auto captured = inspector.shot().capture()) checkForCapture(*captured, arguments, plan);
   if (!plan.camera.empty()) inspector.shot().setCamera(plan.camera);
@@ -106,8 +127,16 @@ void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPl
 void requireFrame(const Inspector& inspector, int frame) {
   const int last = inspector.shot().frameCount() - 1;
   if (frame > last)
-    throw Error("there is no frame " + std::to_string(frame) + ": " + inspector.shot().source() +
-                " has frames 0 to " + std::to_string(last));
+    throw UsageError("there is no frame " + std::to_string(frame) + ": " + inspector.shot().source() +
+                     " has frames 0 to " + std::to_string(last));
+}
+
+void requirePixel(const Inspector& inspector, const glm::ivec2& pixel) {
+  const glm::ivec2 size(inspector.shot().width(), inspector.shot().height());
+  if (pixel.x >= size.x || pixel.y >= size.y)
+    throw UsageError("pixel " + std::to_string(pixel.x) + "," + std::to_string(pixel.y) +
+                     " lies outside the picture of " + std::to_string(size.x) + "x" + std::to_string(size.y) +
+                     " pixels");
 }
 
 ShotFacts shotFacts(const Inspector& inspector) {

@@ -37,8 +37,10 @@ void sayNotes(std::vector<std::string> notes, const std::vector<LaneChoice>& lan
 void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPlan& plan,
               const Progress& progress);
 
-/// Throws Error that names the frames there are.
+/// Throws UsageError that names the frames there are.
 void requireFrame(const Inspector& inspector, int frame);
+/// Throws UsageError that names the size of the picture.
+void requirePixel(const Inspector& inspector, const glm::ivec2& pixel);
 
 /// What was rendered, on which driver.
 ShotFacts shotFacts(const Inspector& inspector);

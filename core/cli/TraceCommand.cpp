@@ -24,6 +24,7 @@ void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress
   Inspector inspector;
   openShot(inspector, arguments.shot, plan, progress);
   requireFrame(inspector, range.last);
+  for (const std::string& pixel : arguments.pixels) requirePixel(inspector, parsePixel(pixel));
   if (arguments.surface && inspector.shot().capture())
     throw UsageError("--surface: a capture has no surfaces to follow, only pictures of them; leave it out");
   for (int frame = range.first; frame <= range.last; ++frame) {

@@ -67,6 +67,7 @@ void runVerdict(const VerdictArguments& arguments, std::ostream& out, const Prog
   Inspector inspector;
   openShot(inspector, arguments.shot, plan, progress);
   requireFrame(inspector, frame);
+  if (isOfPixel) requirePixel(inspector, parsePixel(arguments.pixel));
   inspector.shot().seek(frame, progress);
   if (isOfPixel) return printOfPixel(arguments, plan, inspector, out, progress);
   printOfPicture(arguments, plan, inspector, out, progress);

@@ -1,5 +1,6 @@
 // taa-batch: the core without a window. The command line, and how the program ends.
 #include "core/base/Error.h"
+#include "core/base/Text.h"
 #include "core/cli/Commands.h"
 #include "core/cli/ShotOptions.h"
 #include "core/cli/sweep/SweepOptions.h"
@@ -10,11 +11,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include <charconv>
 #include <csignal>
 #include <exception>
 #include <iostream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <unistd.h>
 
 namespace {
@@ -23,10 +26,10 @@ using namespace taa::cli;
 
 constexpr int kWorldsFault = 1;
 constexpr int kUsage = 2;
-constexpr int kContradicted = 3;  // import --check: pixels say something else than what is stated
-constexpr int kInterrupted = 130; // as a shell reports SIGINT
+constexpr int kContradicted = 3; // import --check: pixels say something else than what is stated
+constexpr int kSignalled = 128;  // and the number of SIGINT or SIGTERM, as a shell reports it
 
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t interrupted = 0; // the signal; 0: none came
 
 /// One line on a terminal that follows the work and is wiped at the end; silent where stderr is no terminal.
 class ProgressLine {
@@ -46,6 +49,19 @@ class ProgressLine {
   bool isTerminal_;
 };
 
+/// As CLI::Range, which lets NaN pass.
+CLI::Validator numberFrom(double least, double most) {
+  return {[least, most](std::string& text) -> std::string {
+            double value = 0.0;
+            const char* const end = text.data() + text.size();
+            const auto [rest, error] = std::from_chars(text.data(), end, value);
+            if (error == std::errc() && rest == end && value >= least && value <= most) return {};
+            return "\"" + text + "\" is not a number from " + taa::shortestText(least) + " to " +
+                   taa::shortestText(most);
+          },
+          "FLOAT"};
+}
+
 void addList(CLI::App& app, ListArguments& list) {
   CLI::App* command = app.add_subcommand("list", "Say what there is");
   command->add_option("WHAT", list.what, "intermediates, parameters, presets or scenes")
@@ -64,7 +80,7 @@ void addComparing(CLI::App& command, RenderArguments& render) {
                      "difference");
   command
       .add_option("--divider", render.divider, "Where a wipe goes over to the other side, share of the width")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(numberFrom(0.0, 1.0))
       ->capture_default_str();
   command.add_option("--other-style", render.otherStyle, "As --style, of the other side; repeat it for more")
       ->allow_extra_args(false);
@@ -109,7 +125,7 @@ void addRender(CLI::App& app, RenderArguments& render, const taa::Progress& prog
       ->allow_extra_args(false);
   addComparing(*command, render);
   command->add_option("--fps", render.framesPerSecond, "Frames a second of a gif; else the scene's")
-      ->check(CLI::Range(0.1, 1000.0));
+      ->check(numberFrom(0.1, 1000.0));
   addForce(*command, render.force);
   command->add_flag("--json", render.json, "Print JSON instead of the names of the files");
   command->add_flag("--verbose", render.verbose,
@@ -348,7 +364,7 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGINT, [](int) { interrupted = 1; });
+  for (const int each : {SIGINT, SIGTERM}) std::signal(each, [](int number) { interrupted = number; });
   try {
     return run(argc, argv);
   } catch (const UsageError& error) {
@@ -356,7 +372,7 @@ int main(int argc, char** argv) {
     return kUsage;
   } catch (const taa::Cancelled&) {
     std::cerr << "taa-batch: interrupted; the files written so far are whole\n";
-    return kInterrupted;
+    return kSignalled + (interrupted != 0 ? interrupted : SIGINT);
   } catch (const std::exception& error) {
     std::cerr << "taa-batch: " << error.what() << '\n';
     return kWorldsFault;

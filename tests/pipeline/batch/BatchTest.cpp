@@ -162,12 +162,26 @@ TEST_F(BatchTest, SaysWhatIsWrongWithTheWorld) {
   const fs::path folder = freshFolder();
   const std::vector<std::string> end = {"--size", "16x16", "--out", folder.string()};
   expectFailure(joined({"render", "/nowhere/a.glb", "--frames", "0"}, end), {"/nowhere/a.glb"});
-  expectFailure(joined({"render", "builtin:nothing", "--frames", "0"}, end), {"nothing", "fan", "fence"});
   const std::vector<std::string> fan = joined({"render", "builtin:fan"}, end);
   expectFailure(joined(fan, {"--frames", "0", "--camera", "drone"}), {"drone", "orbit"});
-  expectFailure(joined(fan, {"--frames", "0..99999"}), {"99999", "frames 0 to"});
   expectFailure(joined(fan, {"--frames", "0", "--preset", "/nowhere/a.json"}), {"/nowhere/a.json"});
-  expectFailure({"probe", "builtin:fan", "--size", "16x16", "--frame", "0", "--pixel", "16,0"}, {"16"});
+  EXPECT_FALSE(fs::exists(folder)) << "nothing is made before it is known that it can be filled";
+}
+
+TEST_F(BatchTest, SaysThatTheCallAsksForWhatIsNotThere) {
+  const fs::path folder = freshFolder();
+  const std::vector<std::string> out = {"--out", folder.string()};
+  expectUsageError(joined({"render", "builtin:nothing", "--frames", "0"}, out), {"nothing", "fan", "fence"});
+  const std::vector<std::string> fan = joined({"render", "builtin:fan", "--size", "16x16"}, out);
+  expectUsageError(joined(fan, {"--frames", "0..99999"}), {"99999", "frames 0 to"});
+  expectUsageError(joined(fan, {"--frames", "0", "--fps", "nan"}), {"--fps", "nan", "1000"});
+  expectUsageError(joined(fan, {"--frames", "0", "--divider", "nan"}), {"--divider", "nan"});
+  expectUsageError(joined({"render", "builtin:fan", "--size", "3x3", "--frames", "0"}, out),
+                   {"--size", "3 × 3"});
+  const std::string source = "builtin:fan";
+  for (const std::string command : {"probe", "lineage", "verdict"})
+    expectUsageError({command, source, "--size", "16x16", "--frame", "0", "--pixel", "16,0"},
+                     {"16,0", "outside the picture"});
   EXPECT_FALSE(fs::exists(folder)) << "nothing is made before it is known that it can be filled";
 }
 

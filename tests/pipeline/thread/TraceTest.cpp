@@ -146,7 +146,7 @@ TEST_F(TraceTest, IsWhatTaaBatchPrints) {
   EXPECT_EQ(printed.out, here);
   const auto outside = test::runProcess({test::binary("taa-batch").string(), "trace", "builtin:fan", "--size",
                                          "32x18", "--pixel", "32,0", "--frames", "0"});
-  EXPECT_EQ(outside.exitCode, 1);
+  EXPECT_EQ(outside.exitCode, 2);
   EXPECT_NE(outside.err.find("outside the picture"), std::string::npos) << outside.err;
 }
 

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -172,6 +173,26 @@ TEST(Files, KeepTheOldFileWhenWritingFails) {
   EXPECT_EQ(message, "the disk is full");
   EXPECT_EQ(taa::readFile(folder / "a.txt"), "old");
   EXPECT_EQ(countFiles(folder), 1u);
+}
+
+TEST(Files, AreClearedOfWhatAKilledWriterLeft) {
+  const fs::path folder = emptyFolder("killed");
+  const ::pid_t ended = ::fork();
+  if (ended == 0) ::_exit(0);
+  ASSERT_EQ(::waitpid(ended, nullptr, 0), ended);
+  const fs::path own = taa::temporaryBeside(emptyFolder("name") / "a.b.txt").filename();
+  const std::string name = own.string(), process = "-" + std::to_string(::getpid()) + ".part";
+  const std::size_t at = name.find(process);
+  ASSERT_NE(at, std::string::npos) << name;
+  const std::string dead = name.substr(0, at) + "-" + std::to_string(ended) + ".part.txt";
+  const std::string elsewhere = ".a.b.1-" + std::to_string(ended) + ".part.txt"; // of another machine
+  for (const std::string& file : {name, dead, elsewhere, std::string("a.part.txt")})
+    std::ofstream(folder / file) << "half";
+  taa::writeFile(folder / "b.txt", "whole");
+  EXPECT_FALSE(fs::exists(folder / dead));
+  EXPECT_TRUE(fs::exists(folder / name)) << "of a process that runs";
+  EXPECT_TRUE(fs::exists(folder / elsewhere));
+  EXPECT_EQ(countFiles(folder), 4u);
 }
 
 TEST(Files, SayThatTheTargetFolderIsMissing) {
