@@ -98,11 +98,12 @@ void addMended(std::ostream& out, const std::vector<JudgedLabel>& judged) {
     const std::vector<JudgedLabel> tried = labelsWhere(
         judged, [&](const JudgedLabel& entry) { return isTried(entry) && entry.label.kind == said.kind; });
     if (tried.empty()) continue;
+    const auto all = static_cast<std::ptrdiff_t>(tried.size());
     const auto mended = std::ranges::count_if(tried, isMended);
     const auto none =
         std::ranges::count_if(tried, [](const JudgedLabel& entry) { return entry.remedy.changes.empty(); });
-    out << "| " << said.label << " | " << tried.size() << " | " << mended << " | "
-        << std::ssize(tried) - mended - none << " | " << none << " |\n";
+    out << "| " << said.label << " | " << all << " | " << mended << " | " << all - mended - none << " | "
+        << none << " |\n";
   }
 }
 
