@@ -177,7 +177,7 @@ class MaterialReader {
       const tinygltf::Image& encoded = context_.model.images[source];
       const std::string name = encoded.uri.empty() ? encoded.name : encoded.uri;
       const std::string place = gltfPlace("images", source) + (name.empty() ? "" : " (" + name + ")");
-      context_.warn(say<"%1 is not shown: %2. What it covers is plain.">(place, error.what()));
+      context_.warn(say<"The picture %1 is not shown: %2. What it covers is plain.">(place, error.what()));
       index = -1;
     }
     return *index;

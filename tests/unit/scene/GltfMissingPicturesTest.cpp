@@ -40,21 +40,24 @@ std::string toldOfBytes(const std::string& bytes) {
 
 TEST(GltfMissingPictures, LeaveTheirGeometryPlainAndAreNamed) {
   EXPECT_EQ(toldOf("gone.png"),
-            "images[0] (red) is not shown: there is no file \"gone.png\" beside it. What it "
+            "The picture images[0] (red) is not shown: there is no file \"gone.png\" beside it. What it "
             "covers is plain.");
   test::writeTemporary("nothing.png", "");
-  EXPECT_EQ(toldOf("nothing.png"), "images[0] (red) is not shown: it is empty. What it covers is plain.");
-  EXPECT_EQ(toldOf("data:image/png;base64,AA*A"),
-            "images[0] (red) is not shown: its data URI is not valid base64. What it covers is plain.");
+  EXPECT_EQ(toldOf("nothing.png"),
+            "The picture images[0] (red) is not shown: it is empty. What it covers is plain.");
+  EXPECT_EQ(
+      toldOf("data:image/png;base64,AA*A"),
+      "The picture images[0] (red) is not shown: its data URI is not valid base64. What it covers is plain.");
   test::writeTemporary("text.png", "no picture");
-  EXPECT_EQ(toldOf("text.png"),
-            "images[0] (text.png) is not shown: it is neither PNG nor JPEG. What it covers is plain.");
+  EXPECT_EQ(
+      toldOf("text.png"),
+      "The picture images[0] (text.png) is not shown: it is neither PNG nor JPEG. What it covers is plain.");
 }
 
 TEST(GltfMissingPictures, MayBeDamagedInAnyWay) {
   const std::string start("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16);
   const auto told = [](const std::string& reason) {
-    return "images[0] (red) is not shown: " + reason + ". What it covers is plain.";
+    return "The picture images[0] (red) is not shown: " + reason + ". What it covers is plain.";
   };
   EXPECT_EQ(toldOfBytes("GIF89a"), told("it is neither PNG nor JPEG"));
   EXPECT_EQ(toldOfBytes(start), told("its picture is damaged: it has no size"));
