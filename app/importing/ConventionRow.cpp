@@ -9,12 +9,14 @@
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QEvent>
+#include <QFontMetrics>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
 
+#include <algorithm>
 #include <string_view>
 
 namespace taa::app {
@@ -22,7 +24,6 @@ namespace taa::app {
 namespace {
 
 constexpr int kLabelWidth = 168;
-constexpr int kVerdictWidth = 92;
 
 QString htmlOf(std::string_view view) {
   return tableText(view).toHtmlEscaped();
@@ -44,6 +45,14 @@ QString wordsOf(Verdict verdict) {
     return ConventionRow::tr("✗ does not fit");
   }
   return ConventionRow::tr("not measured");
+}
+
+/// Of the longest words.
+int verdictWidth(const QFont& font) {
+  int width = 0;
+  for (const Verdict verdict : {Verdict::NotMeasured, Verdict::NotSure, Verdict::Sure, Verdict::Contradicted})
+    width = std::max(width, QFontMetrics(font).horizontalAdvance(wordsOf(verdict)));
+  return width;
 }
 
 QColor verdictColor(Verdict verdict, const ThemeColors& colors) {
@@ -87,8 +96,8 @@ ConventionRow::ConventionRow(const capture::Convention& row, QWidget* parent)
   label_->setToolTip(tip);
   editor_->setToolTip(tip);
   label_->setFixedWidth(kLabelWidth);
-  verdictText_->setFixedWidth(kVerdictWidth);
   verdictText_->setFont(secondaryFont());
+  verdictText_->setFixedWidth(verdictWidth(secondaryFont()));
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(0, 0, 0, 0);
   line->setSpacing(kUnit);

@@ -6,6 +6,7 @@
 #include "app/style/Theme.h"
 
 #include <QLabel>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -47,6 +48,8 @@ ConventionTable::ConventionTable(QWidget* parent) : QScrollArea(parent) {
     }
   layout->addStretch(1);
   setWidget(content);
+  // Nothing scrolls sideways: what a row says last is seen at any size of the letters.
+  setMinimumWidth(content->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
 }
 
 void ConventionTable::addGroup(QVBoxLayout* to, std::string_view prefix) {

@@ -108,7 +108,6 @@ QWidget* ImportPage::makeSides() {
   auto* sides = new QSplitter;
   sides->setHandleWidth(2 * kUnit);
   sides->setChildrenCollapsible(false);
-  table_->setMinimumWidth(430);
   sides->addWidget(table_);
   sides->addWidget(frames_);
   sides->setStretchFactor(1, 1);

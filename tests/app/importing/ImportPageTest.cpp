@@ -4,6 +4,7 @@
 #include <QAbstractScrollArea>
 #include <QAccessible>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QListWidget>
 
 #include <string>
@@ -25,6 +26,17 @@ TEST_F(ImportPageTest, ShowsWhatIsSureAndWhatIsNot) {
   EXPECT_TRUE(sentences->item(1)->text().contains("no matrices"));
   EXPECT_FALSE(row("motion.direction")->isChanged());
   EXPECT_EQ(problem(), "");
+}
+
+TEST_F(ImportPageTest, NoRowIsCutOffHoweverNarrowThePageIs) {
+  page->resize(page->minimumSizeHint());
+  QCoreApplication::processEvents();
+  const auto* table = page->findChild<ConventionTable*>();
+  for (const capture::Convention& convention : capture::conventions()) {
+    const ConventionRow* shown = row(convention.path);
+    const QPoint end = shown->mapTo(table->viewport(), QPoint(shown->width(), 0));
+    EXPECT_LE(end.x(), table->viewport()->width()) << convention.path;
+  }
 }
 
 TEST_F(ImportPageTest, AChangeByKeysIsMeasuredAgainAndCanBeUndone) {
