@@ -122,7 +122,7 @@ void addOthers(FolderPlan& plan, const FolderScan& scan, const PictureSequence& 
     plan.unsure.push_back(say<"%1 is not used: it is another sequence">(shownText(unused.front())));
   if (unused.size() > 1)
     plan.unsure.push_back(
-        say<"%1 other sequences are not used: %2 …">(unused.size(), shownText(unused.front())));
+        say<"%1 other sequences are not used, among them %2">(unused.size(), shownText(unused.front())));
 }
 
 std::vector<SideFile> sidesOf(const fs::path& folder, const FolderScan& scan, FolderPlan& plan,
