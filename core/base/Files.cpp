@@ -112,13 +112,17 @@ UntrustedFile openUntrusted(const fs::path& folder, const fs::path& file, std::u
 
 namespace {
 
-/// Tells processes of other machines and containers from those that can be asked after here.
+/// Tells processes of other machines and containers from those that can be asked after here. Machines of one
+/// image share names, and all have the same first space: what no two share is the id of the kernel's start.
+/// Empty where that is not told: nobody is asked after then.
 const std::string& processSpace() {
   static const std::string kSpace = [] {
-    std::array<char, 256> host{}, space{};
-    ::gethostname(host.data(), host.size() - 1);
+    std::string start;
+    std::ifstream("/proc/sys/kernel/random/boot_id") >> start;
+    if (start.empty()) return start;
+    std::array<char, 256> space{};
     const bool isKnown = ::readlink("/proc/self/ns/pid", space.data(), space.size() - 1) > 0;
-    return std::to_string(std::hash<std::string>()(host.data() + std::string(isKnown ? space.data() : "")));
+    return std::to_string(std::hash<std::string>()(start + (isKnown ? space.data() : "")));
   }();
   return kSpace;
 }
@@ -127,7 +131,9 @@ const std::string& processSpace() {
 std::optional<::pid_t> writerOf(const std::string& name) {
   const std::string before = "." + processSpace() + "-";
   const std::size_t end = name.rfind(".part"), start = name.rfind(before, end);
-  if (!name.starts_with('.') || end == std::string::npos || start == std::string::npos) return {};
+  if (processSpace().empty() || !name.starts_with('.') || end == std::string::npos ||
+      start == std::string::npos)
+    return {};
   ::pid_t process = 0;
   const char* const last = name.data() + end;
   const auto [rest, error] = std::from_chars(name.data() + start + before.size(), last, process);
