@@ -1,5 +1,6 @@
 #include "core/RenderThread.h"
 
+#include "core/gl/Turn.h"
 #include "core/jobs/Scheduler.h"
 #include "core/requests/RequestQueue.h"
 #include "core/requests/WaitingRequests.h"
@@ -58,9 +59,15 @@ void RenderThread::Impl::run() {
 }
 
 void RenderThread::Impl::runScheduler() {
+  gl::Turn turn;
   Scheduler scheduler(listener, waiting, now);
   scheduler.deliver();
-  for (Scheduler::Agenda agenda = scheduler.agenda(); auto taken = take(agenda);
+  const auto takeNext = [&](const Scheduler::Agenda& agenda) {
+    std::optional<RequestQueue> taken;
+    turn.restDuring([&] { taken = take(agenda); });
+    return taken;
+  };
+  for (Scheduler::Agenda agenda = scheduler.agenda(); auto taken = takeNext(agenda);
        agenda = scheduler.agenda()) {
     if (!taken->isEmpty())
       scheduler.takeUp(std::move(*taken));

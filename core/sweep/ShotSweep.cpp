@@ -3,6 +3,7 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/capture/source/Capture.h"
+#include "core/gl/Turn.h"
 #include "core/inspect/Inspector.h"
 #include "core/scene/SceneSource.h"
 
@@ -46,9 +47,12 @@ void sweepShots(const ShotSweepRequest& request, const SettingsMeasured& measure
   const int frames = request.metrics.last - request.metrics.first + 1;
   const int total = frames * static_cast<int>(request.count());
   int done = 0;
-  const auto tell = [&] { return !progress || progress(say<"Measuring settings">(), done, total); };
   // What is done between frames only asks whether to stop.
-  const Progress between = [&](std::string_view, int, int) { return tell(); };
+  const Progress tell = [&](std::string_view, int, int) {
+    return !progress || progress(say<"Measuring settings">(), done, total);
+  };
+  gl::Turn turn;
+  const Progress between = turn.passing(tell);
   std::unique_ptr<Inspector> inspector;
   for (std::size_t index = 0; index < request.count(); ++index) {
     if (index % request.settings.size() == 0) {

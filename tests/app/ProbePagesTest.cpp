@@ -6,6 +6,7 @@
 #include "app/views/plots/ColorSpaceView.h"
 #include "app/views/plots/WhatIfPage.h"
 #include "app/widgets/ValueTable.h"
+#include "core/gl/Turn.h"
 #include "core/inspect/Inspector.h"
 #include "core/report/ProbeReport.h"
 #include "tests/app/WindowFixture.h"
@@ -96,6 +97,7 @@ TEST(ProbeReport, OfTheWindowIsThatOfTheCommandLine) {
   window.probeCommands()->copy(ProbeFormat::Json);
   const std::string copied = QApplication::clipboard()->text().toStdString();
   const auto printed = [] {
+    const gl::Turn turn;
     Inspector inspector;
     inspector.shot().setSize(64, 36);
     inspector.shot().open("builtin:fan");

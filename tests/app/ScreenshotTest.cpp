@@ -5,6 +5,7 @@
 #include "app/panels/ProbePanel.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
+#include "core/gl/Turn.h"
 #include "tests/app/WindowFixture.h"
 #include "tests/support/Paths.h"
 
@@ -146,6 +147,7 @@ TEST(RealWindow, ProbesWhatTheInspectorProbes) {
            session.probes().result()->x == 60;
   }));
 
+  const gl::Turn turn; // the window judges the pixel meanwhile
   Inspector inspector;
   inspector.shot().open("builtin:fan");
   inspector.shot().setSize(96, 54);

@@ -1,4 +1,5 @@
 // Verdicts on the active probe's pixel, made in idle time on the render thread.
+#include "core/gl/Turn.h"
 #include "tests/support/RenderRecorder.h"
 
 #include "core/inspect/Inspector.h"
@@ -27,6 +28,7 @@ struct Verdict {
 };
 Verdict askedOf(const Status& status, const glm::ivec2& pixel) {
   const auto make = [&] {
+    const gl::Turn turn;
     Inspector inspector;
     inspector.shot().setSize(status.width, status.height);
     inspector.shot().setSettings(status.settings);

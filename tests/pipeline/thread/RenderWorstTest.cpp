@@ -1,4 +1,5 @@
 // The worst pixels of the frame on show, on the render thread.
+#include "core/gl/Turn.h"
 #include "core/inspect/Inspector.h"
 #include "tests/support/RenderRecorder.h"
 
@@ -52,6 +53,7 @@ TEST_F(RenderWorstTest, WaitsForTheReferenceThatNobodyShows) {
   EXPECT_EQ(recorder.worst[0].found.question.row, IntermediateId::referenceErrorAbs);
   EXPECT_EQ(recorder.worst[0].found.number, 1);
 
+  const taa::gl::Turn turn;
   taa::Inspector inspector;
   inspector.shot().open(recorder.statuses.back().source);
   inspector.shot().setSize(recorder.statuses.back().width, recorder.statuses.back().height);

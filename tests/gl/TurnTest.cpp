@@ -1,0 +1,88 @@
+// Threads that draw take turns.
+#include "core/gl/Turn.h"
+#include "core/inspect/Inspector.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstring>
+#include <future>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+using taa::gl::Turn;
+
+TEST(Turn, IsOfOneThreadAtATime) {
+  std::atomic<int> inside = 0, most = 0;
+  const auto draw = [&] {
+    Turn turn;
+    for (int step = 0; step < 200; ++step) {
+      most = std::max<int>(most, ++inside);
+      std::this_thread::yield();
+      --inside;
+      turn.pass();
+    }
+  };
+  { const std::jthread one(draw), two(draw), three(draw); }
+  EXPECT_EQ(most, 1);
+}
+
+TEST(Turn, IsPassedToWhoWaits) {
+  std::vector<int> order;
+  std::atomic<bool> waits = false;
+  std::jthread other;
+  {
+    Turn turn;
+    other = std::jthread([&] {
+      waits = true;
+      const Turn its;
+      order.push_back(1);
+    });
+    while (!waits) std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(50)); // it has its number
+    order.push_back(0);
+    turn.pass();
+    order.push_back(2);
+  }
+  other.join();
+  EXPECT_EQ(order, (std::vector<int>{0, 1, 2}));
+}
+
+TEST(Turn, IsOthersWhileItsOwnerRests) {
+  Turn turn;
+  bool hasDrawn = false;
+  turn.restDuring([&] {
+    std::async(std::launch::async, [&] {
+      const Turn its;
+      hasDrawn = true;
+    }).get();
+  });
+  EXPECT_TRUE(hasDrawn);
+}
+
+TEST(Turn, ProgressAsksWhoReportsIt) {
+  Turn turn;
+  EXPECT_TRUE(turn.passing({})("", 0, 1));
+  EXPECT_FALSE(turn.passing([](std::string_view, int, int) { return false; })("", 0, 1));
+}
+
+// Without turns llvmpipe of Mesa 22 ends the process here.
+TEST(Turn, LetsTwoContextsDraw) {
+  const auto draw = [] {
+    Turn turn;
+    taa::Inspector inspector;
+    inspector.shot().setSize(96, 54);
+    inspector.shot().open("builtin:fan");
+    for (int frame = 0; frame < 40; ++frame) {
+      inspector.shot().seek(frame);
+      turn.pass();
+    }
+    return inspector.probes().probe(60, 20);
+  };
+  auto one = std::async(std::launch::async, draw), other = std::async(std::launch::async, draw);
+  const taa::PixelRecord first = one.get(), second = other.get();
+  EXPECT_EQ(0, std::memcmp(&first, &second, sizeof(first)));
+}
