@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -36,24 +37,44 @@ const GltfFile* numberedFile(const std::string& uri, const void* document) {
   return error == std::errc() && rest == end && index < files.size() ? &files[index] : nullptr;
 }
 
-/// tinygltf opens files by no other way than this.
+constexpr std::uintmax_t kMaxNamedBytes = std::uintmax_t(1) << 31;
+
+/// tinygltf 2.9 also asks how large a file is; readFile() refuses what is too large anyway.
+template <typename Callbacks>
+void addFileSize(Callbacks& callbacks) {
+  if constexpr (requires { callbacks.GetFileSizeInBytes; })
+    callbacks.GetFileSizeInBytes = [](std::size_t* bytes, std::string*, const std::string& uri, void* user) {
+      std::error_code error;
+      *bytes = std::filesystem::file_size(numberedFile(uri, user)->path, error);
+      return !error;
+    };
+}
+
+/// tinygltf opens files by no other way than this. All are set: from 2.9 on it takes its own for all where
+/// one is not.
 tinygltf::FsCallbacks fileAccess(const GltfDocument& document) {
-  constexpr std::uintmax_t kMaxNamedBytes = std::uintmax_t(1) << 31;
-  return {.FileExists = [](const std::string& uri, void* user) { return numberedFile(uri, user) != nullptr; },
-          .ExpandFilePath = [](const std::string& uri, void*) { return uri; },
-          .ReadWholeFile =
-              [](std::vector<unsigned char>* out, std::string* error, const std::string& uri, void* user) {
-                try {
-                  const std::string bytes = readFile(numberedFile(uri, user)->path, kMaxNamedBytes);
-                  out->assign(bytes.begin(), bytes.end());
-                  return true;
-                } catch (const std::exception& failure) {
-                  *error = failure.what();
-                  return false;
-                }
-              },
-          .WriteWholeFile = nullptr,
-          .user_data = const_cast<GltfDocument*>(&document)};
+  tinygltf::FsCallbacks callbacks{};
+  callbacks.FileExists = [](const std::string& uri, void* user) {
+    return numberedFile(uri, user) != nullptr;
+  };
+  callbacks.ExpandFilePath = [](const std::string& uri, void*) { return uri; };
+  callbacks.ReadWholeFile = [](std::vector<unsigned char>* out, std::string* error, const std::string& uri,
+                               void* user) {
+    try {
+      const std::string bytes = readFile(numberedFile(uri, user)->path, kMaxNamedBytes);
+      out->assign(bytes.begin(), bytes.end());
+      return true;
+    } catch (const std::exception& failure) {
+      *error = failure.what();
+      return false;
+    }
+  };
+  callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
+    return false; // nothing is written
+  };
+  addFileSize(callbacks);
+  callbacks.user_data = const_cast<GltfDocument*>(&document);
+  return callbacks;
 }
 
 void append(std::string& bytes, std::uint32_t value) {
