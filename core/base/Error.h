@@ -10,7 +10,16 @@ namespace taa {
 /// instead.
 class Error : public std::runtime_error {
  public:
-  explicit Error(const std::string& message) : std::runtime_error(message) {}
+  /// Whatever texts of files are in it, it is one line then, as shownLine() makes it.
+  explicit Error(const std::string& message);
+  /// A sentence with what a compiler says below it; its lines stay lines.
+  static Error withLog(const std::string& message);
+
+ private:
+  struct Shown {
+    std::string text;
+  };
+  explicit Error(const Shown& shown) : std::runtime_error(shown.text) {}
 };
 
 /// Thrown by long work whose progress callback asked it to stop. Nothing is wrong; nothing was changed.

@@ -110,7 +110,8 @@ struct Shader {
     GLint compiled = 0;
     glGetShaderiv(id, GL_COMPILE_STATUS, &compiled);
     if (compiled) return;
-    throw Error(say<"cannot compile %1:\n%2">("shaders/" + source.path(), source.readableLog(shaderLog(id))));
+    throw Error::withLog(
+        say<"cannot compile %1:\n%2">("shaders/" + source.path(), source.readableLog(shaderLog(id))));
   }
 };
 
@@ -137,7 +138,7 @@ struct Program::VertexStage {
   explicit VertexStage(const ShaderSource& source) {
     const Shader shader(GL_VERTEX_SHADER, source);
     if (const auto log = link(id, shader.id, 0))
-      throw Error(say<"cannot link %1:\n%2">("shaders/" + source.path(), *log));
+      throw Error::withLog(say<"cannot link %1:\n%2">("shaders/" + source.path(), *log));
   }
 };
 
@@ -179,7 +180,7 @@ void Program::compile(const ShaderSource& vertex, const ShaderSource& fragment) 
   std::optional<Shader> vertexShader;
   if (!vertexStage_) vertexShader.emplace(GL_VERTEX_SHADER, vertex);
   if (const auto log = link(id_, vertexShader ? vertexShader->id : 0, fragmentShader.id))
-    throw Error(
+    throw Error::withLog(
         say<"cannot link %1 with %2:\n%3">("shaders/" + vertex.path(), "shaders/" + fragment.path(), *log));
 }
 
