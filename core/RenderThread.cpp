@@ -1,5 +1,6 @@
 #include "core/RenderThread.h"
 
+#include "core/base/ShownText.h"
 #include "core/gl/Turn.h"
 #include "core/jobs/Scheduler.h"
 #include "core/requests/RequestQueue.h"
@@ -53,7 +54,7 @@ void RenderThread::Impl::run() {
   try {
     runScheduler();
   } catch (const std::exception& error) { // no GL
-    if (listener) listener({0, Failure{error.what()}});
+    if (listener) listener({0, Failure{shownReason(error)}});
     while (take({})) continue;
   }
 }

@@ -2,6 +2,7 @@
 
 #include "app/style/Text.h"
 #include "core/base/Error.h"
+#include "core/base/ShownText.h"
 
 #include <QMetaObject>
 
@@ -48,7 +49,7 @@ void BackgroundWork::start(const Act& act) {
       act([this, run](const std::function<void()>& found) { deliver(run, found); }, progress);
     } catch (const Cancelled&) { // what was found is told
     } catch (const std::exception& failure) {
-      error = QString::fromUtf8(failure.what());
+      error = QString::fromStdString(shownReason(failure));
     }
     deliver(run, [this, error] { end(error); });
   });

@@ -6,6 +6,7 @@
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "core/base/Files.h"
+#include "core/base/ShownText.h"
 #include "core/io/CameraTrackJson.h"
 #include "core/io/PictureFile.h"
 #include "core/report/CommandLine.h"
@@ -78,7 +79,7 @@ void Exports::writeView(const QString& path, bool withLegend) {
       const auto bytes = static_cast<std::size_t>(4) * image.width() * image.height();
       writePng(path.toStdString(), image.width(), image.height(), {image.constBits(), bytes});
     } catch (const std::exception& wrong) {
-      error = QString::fromUtf8(wrong.what());
+      error = QString::fromStdString(shownReason(wrong));
     }
     QMetaObject::invokeMethod(
         qApp,
@@ -127,7 +128,7 @@ void Exports::writeGlsl(const QString& path, const Settings& settings) {
     writeFile(path.toStdString(), exportedGlsl(settings, title));
     Q_EMIT said(tr("Saved %1.").arg(path));
   } catch (const std::exception& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()));
+    Q_EMIT failed(QString::fromStdString(shownReason(error)));
   }
 }
 
@@ -167,7 +168,7 @@ void Exports::copyCommandLine() {
       writeFile(camera.toStdString(), cameraTrackJson(*session.track).dump(1));
     }
   } catch (const std::exception& error) {
-    return Q_EMIT failed(QString::fromUtf8(error.what()));
+    return Q_EMIT failed(QString::fromStdString(shownReason(error)));
   }
   QApplication::clipboard()->setText(commandLine());
   Q_EMIT said(tr("Copied: %1").arg(commandLine()));

@@ -6,6 +6,7 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "core/base/EmbeddedFiles.h"
+#include "core/base/ShownText.h"
 #include "core/taa/glsl/GlslExport.h"
 
 #include <QApplication>
@@ -41,7 +42,7 @@ QString glslText(const QString& what, const Settings& settings, const std::strin
     if (what == kExport) return QString::fromStdString(exportedGlsl(settings, title));
     return QString::fromStdString(embeddedText(what.toStdString()));
   } catch (const std::exception& error) {
-    return QString::fromUtf8(error.what());
+    return QString::fromStdString(shownReason(error));
   }
 }
 

@@ -6,6 +6,7 @@
 #include "app/style/Theme.h"
 #include "app/widgets/ConfirmReplace.h"
 #include "app/widgets/Prompt.h"
+#include "core/base/ShownText.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 
@@ -185,7 +186,7 @@ void PresetsDialog::change(const std::function<QString()>& act) {
   try {
     next = act();
   } catch (const std::exception& error) {
-    error_->setText(QString::fromUtf8(error.what()));
+    error_->setText(QString::fromStdString(shownReason(error)));
     error_->setVisible(true);
   }
   readPresets(next);

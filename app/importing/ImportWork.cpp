@@ -2,6 +2,7 @@
 
 #include "app/style/Text.h"
 #include "core/base/Error.h"
+#include "core/base/ShownText.h"
 #include "core/capture/import/SavedImport.h"
 #include "core/capture/planes/Planes.h"
 
@@ -128,7 +129,9 @@ void ImportWork::post(ImportTask task, Piece piece) {
       outcome = piece(progress);
     } catch (const Cancelled&) {
     } catch (const std::exception& error) {
-      outcome = [this, task, sentence = QString::fromUtf8(error.what())] { Q_EMIT failed(task, sentence); };
+      outcome = [this, task, sentence = QString::fromStdString(shownReason(error))] {
+        Q_EMIT failed(task, sentence);
+      };
     }
     tell({}, 0, 0);
     deliver(task, version, [this, task, outcome] {

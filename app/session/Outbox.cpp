@@ -1,5 +1,7 @@
 #include "app/session/Outbox.h"
 
+#include "core/base/ShownText.h"
+
 #include <exception>
 
 namespace taa::app {
@@ -14,7 +16,7 @@ void Outbox::guarded(const std::function<void()>& act) {
   try {
     act();
   } catch (const std::exception& error) {
-    tell_(QString::fromUtf8(error.what()));
+    tell_(QString::fromStdString(shownReason(error)));
   }
 }
 

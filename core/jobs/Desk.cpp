@@ -1,5 +1,7 @@
 #include "core/jobs/Desk.h"
 
+#include "core/base/ShownText.h"
+
 #include <algorithm>
 #include <exception>
 #include <string_view>
@@ -52,7 +54,7 @@ bool Desk::attempt(RequestKind kind, const std::function<void()>& action) {
   } catch (const Cancelled&) {
     return false; // whoever asked for it knows
   } catch (const std::exception& error) {
-    tell(kind, Failure{error.what(), kind, latest_.of(kind)});
+    tell(kind, Failure{shownReason(error), kind, latest_.of(kind)});
     isStatusOld = true;
     return false;
   }

@@ -7,6 +7,7 @@
 #include "app/widgets/bars/OfferBar.h"
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/inspect/FirstSize.h"
 #include "core/replay/Checkpoints.h"
 #include "core/settings/Presets.h"
@@ -113,7 +114,7 @@ bool SessionKeeper::restore(const QString& path) {
     isFromSession_ = true;
     return true;
   } catch (const std::exception& error) {
-    lastError_ = QString::fromUtf8(error.what());
+    lastError_ = QString::fromStdString(shownReason(error));
     Q_EMIT failed(lastError_);
     return false;
   }
@@ -261,7 +262,7 @@ void SessionKeeper::saveTo(const QString& path) {
     remember(named);
     Q_EMIT said(tr("Saved %1.").arg(QFileInfo(named).fileName()));
   } catch (const std::exception& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()));
+    Q_EMIT failed(QString::fromStdString(shownReason(error)));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/capture/planes/PlaneFiles.h"
 
 #include <glm/common.hpp>
@@ -80,7 +81,7 @@ void read(const std::filesystem::path& folder, const Manifest& manifest, const C
   } catch (const std::bad_alloc&) {
     throw fail(say<"there is not enough memory for %1">(job.requests.front().file));
   } catch (const std::exception& error) { // of libraries that read pictures
-    throw fail(say<"cannot read %1: %2">(job.requests.front().file, error.what()));
+    throw fail(say<"cannot read %1: %2">(job.requests.front().file, shownReason(error)));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 
 #include <exception>
 #include <utility>
@@ -50,7 +51,7 @@ void PixelJudging::step() {
     tryOn();
   } catch (const Cancelled&) { // goes on later
   } catch (const std::exception& error) {
-    giveUp(error.what()); // where it is missed, not as an error: nobody pressed a button for it
+    giveUp(shownReason(error)); // where it is missed, not as an error: nobody pressed a button for it
   }
   endIfDone();
 }

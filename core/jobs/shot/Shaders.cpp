@@ -1,5 +1,7 @@
 #include "core/jobs/shot/Shaders.h"
 
+#include "core/base/ShownText.h"
+
 #include <exception>
 #include <utility>
 
@@ -12,7 +14,7 @@ void Shaders::take(const request::ReloadShaders&) {
     desk_.noteChange(RequestKind::Shaders);
     desk_.isReplayStopped = false;
   } catch (const std::exception& failed) {
-    read_->error = failed.what();
+    read_->error = shownReason(failed);
   }
 }
 
