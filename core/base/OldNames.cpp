@@ -1,6 +1,7 @@
 #include "core/base/OldNames.h"
 
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 
 #include <algorithm>
 
@@ -16,8 +17,10 @@ std::string oldNameNote(const OldName& name) {
 }
 
 void addNotes(std::vector<std::string>& notes, const std::vector<std::string>& more) {
-  for (const std::string& note : more)
+  for (const std::string& each : more) {
+    const std::string note = shownLine(each);
     if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
+  }
 }
 
 } // namespace taa

@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/scene/gltf/GltfAccessor.h"
 #include "core/scene/gltf/GltfContext.h"
 
@@ -31,7 +32,7 @@ Interpolation interpolationOf(const std::string& name) {
   if (name == "STEP") return Interpolation::Step;
   if (name == "CUBICSPLINE") return Interpolation::CubicSpline;
   if (name.empty() || name == "LINEAR") return Interpolation::Linear;
-  throw Error(say<"%1 does not exist">("interpolation \"" + name + "\""));
+  throw Error(say<"%1 does not exist">("interpolation \"" + shownText(name) + "\""));
 }
 
 /// Keys whose time does not rise are dropped.
@@ -82,7 +83,7 @@ std::optional<AnimationChannel> readChannel(GltfContext& context, const tinygltf
                                             const tinygltf::AnimationChannel& source) {
   const std::optional<AnimationPath> path = animatedPath(source.target_path);
   if (!path) {
-    context.warn(say<"Animation of \"%1\" is not shown yet.">(source.target_path));
+    context.warn(say<"Animation of \"%1\" is not shown yet.">(shownText(source.target_path)));
     return std::nullopt;
   }
   AnimationChannel channel;
@@ -110,7 +111,7 @@ void addGltfAnimations(GltfContext& context) {
   for (std::size_t i = 0; i < context.model.animations.size(); ++i) {
     const tinygltf::Animation& source = context.model.animations[i];
     Animation animation;
-    animation.name = source.name;
+    animation.name = plainText(source.name);
     for (std::size_t c = 0; c < source.channels.size(); ++c) try {
         std::optional<AnimationChannel> channel = readChannel(context, source, source.channels[c]);
         if (!channel) continue;

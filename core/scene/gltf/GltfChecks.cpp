@@ -1,6 +1,7 @@
 // Whether the parts of a glTF file fit together: data inside buffers, nodes in trees, channels with samplers.
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/scene/gltf/GltfDocument.h"
 
 #include <algorithm>
@@ -126,7 +127,7 @@ std::uint64_t elementBytes(const Json& accessor) {
       {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}}};
   const std::string type = accessor["type"].get<std::string>();
   const auto found = std::ranges::find(kTypes, type, &std::pair<std::string_view, std::uint64_t>::first);
-  if (found == kTypes.end()) throw Error(say<"%1 does not exist">("type \"" + type + "\""));
+  if (found == kTypes.end()) throw Error(say<"%1 does not exist">("type \"" + shownText(type) + "\""));
   return found->second * componentBytes(accessor);
 }
 
@@ -192,7 +193,7 @@ void findImageFaults(GltfDocument& document) {
         throw Error(say<"with it the images have more than %1 bytes">(kMaxImageBytes));
       total += bytes;
     } catch (const std::exception& error) { // ours, or the file system's
-      document.imageFaults[i] = error.what();
+      document.imageFaults[i] = shownReason(error);
       Json& image = (*images)[i]; // tinygltf refuses a file for such an image, and would read it
       image.erase("bufferView");
       image["uri"] = "data:image/png;base64,AAAA";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/scene/Scene.h"
 
 #include <cstddef>
@@ -24,7 +25,8 @@ struct GltfContext {
   std::size_t indices = 0;  ///< made so far
 
   /// Adds a sentence for the user, once; of very many only the first.
-  void warn(const std::string& sentence) {
+  void warn(const std::string& text) {
+    const std::string sentence = shownLine(text);
     constexpr std::size_t kMaxWarnings = 20;
     if (scene.warnings.size() > kMaxWarnings) return;
     for (const std::string& known : scene.warnings)

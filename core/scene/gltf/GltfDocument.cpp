@@ -126,7 +126,7 @@ void checkExtensions(const Json& root) {
     if (!isKnownGltfExtension(name.get<std::string>()))
       throw Error("extensionsRequired: " +
                   say<"it needs the extension %1, which is not supported; export it without">(
-                      name.get<std::string>()));
+                      shownText(name.get<std::string>())));
   }
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/Error.h"
 #include "core/base/Files.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/scene/gltf/GltfDocument.h"
 
 #include <tiny_gltf.h>
@@ -65,7 +66,7 @@ tinygltf::FsCallbacks fileAccess(const GltfDocument& document) {
       out->assign(bytes.begin(), bytes.end());
       return true;
     } catch (const std::exception& failure) {
-      *error = failure.what();
+      *error = shownReason(failure);
       return false;
     }
   };

@@ -1,6 +1,7 @@
 #include "core/scene/gltf/GltfLoader.h"
 
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/scene/Geometry.h"
 #include "core/scene/gltf/GltfAnimation.h"
 #include "core/scene/gltf/GltfContext.h"
@@ -25,7 +26,7 @@ namespace {
 void warnOfExtensions(GltfContext& context) {
   for (const std::string& extension : context.model.extensionsUsed)
     if (!isKnownGltfExtension(extension))
-      context.warn(say<"The file uses %1, which is not shown.">(extension));
+      context.warn(say<"The file uses %1, which is not shown.">(shownText(extension)));
 }
 
 void setBounds(Scene& scene) {
@@ -93,7 +94,7 @@ Scene loadGltf(const std::filesystem::path& file, const Progress& progress) {
     throw Error(say<"cannot open %1: memory: it needs more than there is">(file.string()));
   } catch (
       const std::exception& exception) { // our own Error, and whatever a library or the file system throws
-    throw Error(say<"cannot open %1: %2">(file.string(), exception.what()));
+    throw Error(say<"cannot open %1: %2">(file.string(), shownReason(exception)));
   }
 }
 

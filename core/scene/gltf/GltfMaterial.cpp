@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/scene/gltf/GltfContext.h"
 #include "core/scene/gltf/GltfImage.h"
 
@@ -94,7 +95,7 @@ class MaterialReader {
   Material read(const tinygltf::Material& source) {
     Material material;
     const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
-    material.name = source.name;
+    material.name = plainText(source.name);
     for (int i = 0; i < 4; ++i)
       material.baseColor[i] = toFloat(pbr.baseColorFactor.at(static_cast<std::size_t>(i)));
     material.metallic = std::clamp(toFloat(pbr.metallicFactor), 0.0f, 1.0f);

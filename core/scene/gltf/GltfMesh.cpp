@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/scene/gltf/GltfAccessor.h"
 #include "core/scene/gltf/GltfContext.h"
 #include "core/scene/gltf/GltfPrimitive.h"
@@ -47,11 +48,11 @@ class MeshAdder {
   int build(std::size_t sourceMesh) {
     const tinygltf::Mesh& source = context_.model.meshes.at(sourceMesh);
     Mesh mesh;
-    mesh.name = source.name;
+    mesh.name = plainText(source.name);
     for (std::size_t i = 0; i < source.primitives.size(); ++i) try {
         Primitive primitive = readPrimitive(context_, source.primitives[i]);
         if (primitive.indices.empty())
-          context_.warn(say<"A part of the mesh \"%1\" has nothing to draw.">(source.name));
+          context_.warn(say<"A part of the mesh \"%1\" has nothing to draw.">(shownText(source.name)));
         else
           mesh.primitives.push_back(std::move(primitive));
       } catch (const Error& error) {

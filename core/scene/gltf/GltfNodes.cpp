@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/scene/Pose.h"
 #include "core/scene/gltf/GltfContext.h"
 
@@ -46,7 +47,7 @@ void readTransform(const tinygltf::Node& source, Node& node) {
 
 void addCamera(GltfContext& context, const tinygltf::Camera& source, int nodeIndex) {
   SceneCamera camera;
-  camera.name = source.name;
+  camera.name = plainText(source.name);
   camera.node = nodeIndex;
   camera.orthographic = source.type == "orthographic";
   const float nearPlane = toFloat(camera.orthographic ? source.orthographic.znear : source.perspective.znear);
@@ -71,7 +72,7 @@ void addLight(GltfContext& context, const tinygltf::Light& source, int nodeIndex
   else if (source.type == "spot")
     light.kind = LightKind::Spot;
   else if (source.type != "directional")
-    return context.warn(say<"A light of the unknown type \"%1\" is left out.">(source.type));
+    return context.warn(say<"A light of the unknown type \"%1\" is left out.">(shownText(source.type)));
   light.color = glm::max(vectorOr(source.color, glm::vec3(1.0f)), glm::vec3(0.0f));
   light.intensity = std::max(toFloat(source.intensity), 0.0f);
   light.range = std::max(toFloat(source.range), 0.0f);
@@ -108,7 +109,7 @@ void addNode(GltfContext& context, std::size_t sourceIndex, int parent) {
     throw Error("nodes: " + say<"more than %1 are drawn">(kMaxNodes));
   context.sceneNode[sourceIndex] = index;
   Node node;
-  node.name = source.name;
+  node.name = plainText(source.name);
   node.parent = parent;
   readTransform(source, node);
   context.scene.nodes.push_back(std::move(node));

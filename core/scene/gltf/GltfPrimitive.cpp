@@ -23,6 +23,14 @@ namespace {
 
 constexpr std::size_t kMaxVertices = 20'000'000, kMaxIndices = 100'000'000; ///< of all meshes together
 
+/// `place` is what brought the last of the scene's vertices.
+void requireFewVertices(const GltfContext& context, const std::string& place) {
+  if (context.vertices > kMaxVertices)
+    throw Error(place + ": " +
+                say<"with these the scene has %1 vertices, more than the %2 that can be opened">(
+                    context.vertices, kMaxVertices));
+}
+
 /// Reads attributes of one primitive and checks that they belong together.
 class AttributeReader {
  public:
@@ -75,7 +83,7 @@ void readPositions(GltfContext& context, AttributeReader& attributes, Primitive&
   if (!positions->isFinite())
     throw Error("attributes.POSITION: " + say<"a position is not a finite number">());
   context.vertices += positions->count();
-  if (context.vertices > kMaxVertices) throw Error(say<"the scene has more than %1 vertices">(kMaxVertices));
+  requireFewVertices(context, "attributes.POSITION");
   primitive.vertices.resize(positions->count());
   for (std::size_t i = 0; i < primitive.vertices.size(); ++i)
     primitive.vertices[i].position = glm::vec3(positions->at(i));
@@ -147,10 +155,9 @@ void readTargets(GltfContext& context, const tinygltf::Primitive& source, Primit
   constexpr std::size_t kMaxDeltas = (std::size_t(128) << 20) / 48;
   if (source.targets.size() * primitive.vertices.size() > kMaxDeltas)
     throw Error("targets: " + say<"they have more than %1 vertices together">(kMaxDeltas));
+  context.vertices += source.targets.size() * primitive.vertices.size();
+  requireFewVertices(context, "targets");
   for (std::size_t i = 0; i < source.targets.size(); ++i) try {
-      context.vertices += primitive.vertices.size();
-      if (context.vertices > kMaxVertices)
-        throw Error(say<"the scene has more than %1 vertices and morph deltas">(kMaxVertices));
       std::vector<MorphDelta>& deltas = primitive.targets.emplace_back(primitive.vertices.size());
       readDeltas(context, source.targets[i], "POSITION", &MorphDelta::position, deltas);
       readDeltas(context, source.targets[i], "NORMAL", &MorphDelta::normal, deltas);
@@ -227,9 +234,9 @@ void unroll(const std::vector<std::uint32_t>& order, int mode, Primitive& primit
 /// Makes the normals and tangents that the file leaves out.
 void complete(GltfContext& context, const GivenAttributes& given, Primitive& primitive) {
   if (!given.normals) {
-    context.vertices += primitive.indices.size(); // flat triangles share no vertices
-    if (context.vertices > kMaxVertices)
-      throw Error(say<"the scene has more than %1 vertices">(kMaxVertices));
+    context.vertices -= primitive.vertices.size(); // flat triangles share none: each corner becomes one
+    context.vertices += primitive.indices.size();
+    requireFewVertices(context, "attributes.NORMAL");
     makeFlatNormals(primitive);
   }
   const TextureSlot& normalMap =
@@ -252,7 +259,9 @@ Primitive readPrimitive(GltfContext& context, const tinygltf::Primitive& source)
   readVelocities(attributes, primitive);
   const std::vector<std::uint32_t> order = readVertexOrder(context, source, primitive.vertices.size());
   context.indices += 3 * order.size();
-  if (context.indices > kMaxIndices) throw Error(say<"the scene has more than %1 indices">(kMaxIndices));
+  if (context.indices > kMaxIndices)
+    throw Error("indices: " +
+                say<"with these the scene has more than the %1 that can be opened">(kMaxIndices));
   unroll(order, source.mode < 0 ? TINYGLTF_MODE_TRIANGLES : source.mode, primitive);
   complete(context, given, primitive);
   finishVelocities(primitive);

@@ -1,6 +1,7 @@
 // The table of glTF's properties that are read here: what type each has and what list each index points into.
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/scene/gltf/GltfDocument.h"
 
 #include <cmath>
@@ -172,7 +173,7 @@ class Place {
       if (step.name.data() == nullptr)
         text += "[" + std::to_string(step.index) + "]";
       else
-        text += (text.empty() ? "" : ".") + std::string(step.name);
+        text += (text.empty() ? "" : ".") + shownText(step.name);
     throw Error(text + ": " + reason);
   }
 
@@ -281,13 +282,13 @@ class TypeCheck {
     }
     expectInteger(value, kMaxCount);
     if (value.get<std::uint64_t>() >= listSize_)
-      place_.fail(say<"there is no %1[%2]; there are %3">(rule_->list, value.dump(), listSize_));
+      place_.fail(say<"there is no %1[%2]; there are %3">(rule_->list, shownText(value.dump()), listSize_));
   }
 
   void expectInteger(const Json& value, std::uint64_t max) const {
     expect(value.is_number_integer(), say<"not a whole number">);
     if (!value.is_number_unsigned() || value.get<std::uint64_t>() > max)
-      place_.fail(say<"%1 is out of range">(value.dump()));
+      place_.fail(say<"%1 is out of range">(shownText(value.dump())));
   }
 
   // The reason is put into words only where it is needed: files have many values.

@@ -311,6 +311,12 @@ TEST(GltfLoader, TakesBackslashesForSlashesAndSaysSo) {
             std::vector<std::string>{"Backslashes in the names of its files are taken for slashes."});
 }
 
+TEST(GltfLoader, TakesWhatMovesACursorOutOfNames) {
+  GltfSample sample;
+  sample.json["nodes"][0]["name"] = "a\nb\x1b[2J";
+  EXPECT_EQ(openScene(sample.writeEmbedded("named").string()).nodes[0].name, "a?b?[2J");
+}
+
 TEST(GltfLoader, ReportsProgressAndStopsWhenAsked) {
   const std::string file = GltfSample().writeEmbedded("stopped").string();
   int calls = 0;

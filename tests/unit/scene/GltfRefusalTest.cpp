@@ -54,6 +54,25 @@ TEST(GltfRefusal, RefusesMorphTargetsThatDoNotFit) {
             "animations[0].channels[1]: it has 3 values for 2 times");
 }
 
+TEST(GltfRefusal, SaysWhereThereAreTooManyVertices) {
+  GltfSample sample;
+  json& accessors = sample.json["accessors"];
+  accessors.push_back({{"componentType", 5126}, {"type", "VEC3"}, {"count", 20'000'001}}); // all zero
+  sample.json["meshes"][0]["primitives"][0]["attributes"] = {{"POSITION", accessors.size() - 1}};
+  EXPECT_EQ(refusal(sample.writeEmbedded("vertices")),
+            "meshes[0].primitives[0].attributes.POSITION: with these the scene has 20000001 vertices, more "
+            "than the 20000000 that can be opened");
+}
+
+TEST(GltfRefusal, IsOneShortLineWhateverTheFileSays) {
+  const std::string forged = "x\ntaa-batch: all is well\x1b[2J" + std::string(5000, 'y');
+  const std::string shown = "x?taa-batch: all is well?[2J" + std::string(72, 'y') + "…";
+  EXPECT_EQ(refusalWith("/extensionsRequired", {forged}), "extensionsRequired: it needs the extension " +
+                                                              shown +
+                                                              ", which is not supported; export it without");
+  EXPECT_EQ(refusalWith("/accessors/0/type", forged), "accessors[0]: type \"" + shown + "\" does not exist");
+}
+
 TEST(GltfRefusal, RefusesFilesThatAreNotThereOrNotGltf) {
   EXPECT_EQ(refusal(test::temporaryFolder() / "none.gltf"), "there is no such file");
   EXPECT_EQ(refusal(test::temporaryFolder()), "it is a folder");
