@@ -2,6 +2,8 @@
 
 #include "core/base/Files.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
+#include "core/base/json/JsonFields.h"
 #include "core/base/json/LimitedJson.h"
 #include "core/io/FrameJson.h"
 
@@ -20,6 +22,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr std::uintmax_t kMaxTrackBytes = std::uintmax_t(64) << 20;
+constexpr int kMaxFirstFrame = 1'000'000;
 constexpr std::size_t kMaxNumbers = 6, kMinNumbers = 5;
 
 std::array<float, kMaxNumbers> numbersOf(const CameraPose& pose) {
@@ -76,8 +79,8 @@ ordered_json cameraTrackJson(const CameraTrack& track) {
 CameraTrack cameraTrackFrom(const nlohmann::json& json) {
   try {
     CameraTrack track;
-    track.name = json.at("name").get<std::string>();
-    track.firstFrame = json.at("firstFrame").get<int>();
+    track.name = plainText(json.at("name").get<std::string>());
+    track.firstFrame = static_cast<int>(integerOf(json.at("firstFrame"), "firstFrame", 0, kMaxFirstFrame));
     for (const nlohmann::json& row : json.at("poses")) {
       const auto numbers = row.get<std::vector<float>>();
       if (numbers.size() < kMinNumbers || numbers.size() > kMaxNumbers)

@@ -5,6 +5,7 @@
 #include "core/base/Files.h"
 #include "core/base/OldNames.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/base/json/Json.h"
 #include "core/base/json/JsonFields.h"
 #include "core/base/json/LimitedJson.h"
@@ -42,7 +43,7 @@ void checkKeys(const Json& object, Part part, std::initializer_list<std::string_
     throw Error(isLane ? say<"a lane is not an object">() : say<"the session is not an object">());
   for (const auto& [key, value] : object.items()) {
     if (std::ranges::find(known, key) != known.end()) continue;
-    const std::string shown = key.substr(0, 100);
+    const std::string shown = shownText(key);
     throw Error(isLane ? say<"there is no field \"%1\" in a lane">(shown)
                        : say<"there is no field \"%1\" in the session">(shown));
   }
@@ -159,7 +160,7 @@ SessionFile sessionFromJson(const Json& object) {
              "track", "hidden", "isolated", "motionModes", "classes", "restarts", "checkpointsMiB",
              "window"});
   if (const Json& format = field(object, "format"); format != kSessionFormat)
-    throw Error(say<"its format is %1, this program reads %2">(format.dump().substr(0, 20), kSessionFormat));
+    throw Error(say<"its format is %1, this program reads %2">(shownText(format.dump()), kSessionFormat));
   SessionFile session;
   session.source = nameFrom(field(object, "source"), "source");
   session.camera = nameFrom(object.value("camera", Json("")), "camera");
@@ -204,7 +205,7 @@ SessionFile sessionFromText(const std::string& text, const std::string& place) {
   try {
     return sessionFromJson(parseLimited(text, {.bytes = kMaxSessionBytes}));
   } catch (const Json::exception& error) {
-    throw Error(say<"cannot open the session %1: %2">(place, error.what()));
+    throw Error(say<"cannot open the session %1: %2">(place, shownReason(error)));
   } catch (const Error& error) {
     throw Error(say<"cannot open the session %1: %2">(place, error.what()));
   }

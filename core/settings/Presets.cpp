@@ -3,6 +3,8 @@
 #include "core/base/EmbeddedFiles.h"
 #include "core/base/Files.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
+#include "core/base/json/JsonFields.h"
 #include "core/base/json/LimitedJson.h"
 #include "core/settings/Parameters.h"
 
@@ -20,7 +22,7 @@ namespace taa {
 
 namespace {
 
-constexpr int kPresetFormat = 1;
+constexpr int kPresetFormat = 1, kMaxOrder = 1000;
 constexpr std::string_view kPresetFields[] = {"format", "id",          "label", "group",   "order",
                                               "step",   "description", "base",  "settings"};
 
@@ -28,19 +30,25 @@ constexpr std::string_view kPresetFields[] = {"format", "id",          "label", 
 using SettingsOf = std::function<Settings(const std::string& id)>;
 
 Preset presetFromJson(const nlohmann::json& json, const SettingsOf& settingsOf) {
-  for (const auto& [key, value] : json.items())
-    if (std::ranges::find(kPresetFields, key) == std::end(kPresetFields))
-      throw Error(say<"there is no preset field \"%1\"">(key));
-  if (json.at("format") != kPresetFormat)
-    throw Error(say<"its format is %1, this program reads %2">(json.at("format").dump(), kPresetFormat));
-  Preset row{json.at("id"),
-             json.at("label"),
-             json.value("group", ""),
-             json.value("order", 0),
-             json.value("description", ""),
-             json.contains("base") ? settingsOf(json.at("base")) : Settings{},
-             json.value("step", 0)};
-  row.notes = fromJson(json.at("settings"), row.settings);
+  requireKeys(json, "", kPresetFields);
+  if (const auto& format = requireField(json, "", "format"); format != kPresetFormat)
+    throw Error(say<"its format is %1, this program reads %2">(shownText(format.dump()), kPresetFormat));
+  const auto text = [&](const char* key) {
+    const nlohmann::json* const found = findField(json, key);
+    return found ? textOf(*found, key) : std::string();
+  };
+  const auto whole = [&](const char* key) {
+    const nlohmann::json* const found = findField(json, key);
+    return found ? static_cast<int>(integerOf(*found, key, 0, kMaxOrder)) : 0;
+  };
+  Preset row{textOf(requireField(json, "", "id"), "id"),
+             textOf(requireField(json, "", "label"), "label"),
+             text("group"),
+             whole("order"),
+             text("description"),
+             json.contains("base") ? settingsOf(text("base")) : Settings{},
+             whole("step")};
+  row.notes = fromJson(requireField(json, "", "settings"), row.settings);
   return row;
 }
 
@@ -49,8 +57,6 @@ template <typename Read>
 Preset readPreset(const std::string& place, Read read) {
   try {
     return read();
-  } catch (const nlohmann::json::exception& error) {
-    throw Error(say<"cannot read preset %1: %2">(place, error.what()));
   } catch (const Error& error) {
     throw Error(say<"cannot read preset %1: %2">(place, error.what()));
   }

@@ -3,6 +3,7 @@
 
 #include "core/base/Error.h"
 #include "core/settings/Presets.h"
+#include "tests/support/ErrorOf.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -422,6 +423,18 @@ TEST(Presets, RefuseUnknownNamesFieldsAndFormats) {
   EXPECT_THROW(presetFromText(R"({"format":2,"id":"a","label":"A","settings":{}})", "test"), Error);
   EXPECT_THROW(presetFromText(R"({"format":1,"id":"a","label":"A","settings":{},"extra":1})", "test"), Error);
   EXPECT_THROW(presetFromText(R"({"format":1,"label":"A","settings":{}})", "test"), Error);
+}
+
+TEST(Presets, SayWhichFieldIsWrong) {
+  const auto refusal = [](const std::string& text) {
+    return test::errorOf([&] { presetFromText(text, "mine.json"); });
+  };
+  const std::string start = "cannot read preset mine.json: ";
+  EXPECT_EQ(refusal(R"({"format":1,"id":7,"label":"A","settings":{}})"), start + "\"id\" is not text");
+  EXPECT_EQ(refusal(R"({"format":1,"id":"a","settings":{}})"), start + "the key \"label\" is missing");
+  EXPECT_EQ(refusal("[]"), start + "what the file holds is not an object");
+  EXPECT_EQ(refusal(R"({"format":1,"id":"a","label":"A","order":1e20,"settings":{}})"),
+            start + "\"order\" wants a whole number from 0 to 1000");
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "core/scene/ObjectFilter.h"
 #include "core/scene/SceneOutline.h"
 #include "core/scene/SceneSource.h"
+#include "tests/support/ErrorOf.h"
 
 #include <gtest/gtest.h>
 
@@ -149,6 +150,12 @@ TEST(CameraTrack, TakesOffWhereACameraIs) {
         EXPECT_NEAR(got[column][row], wanted[column][row], 2e-4f * (1.0f + std::abs(wanted[column][row])))
             << name;
   }
+}
+
+TEST(CameraTrack, SaysWhichFramesItMayBeginAt) {
+  const nlohmann::json json = {{"name", "x"}, {"firstFrame", 1e20}, {"poses", {{0, 0, 0, 0, 0}}}};
+  EXPECT_EQ(test::errorOf([&] { cameraTrackFrom(json); }),
+            "\"firstFrame\" wants a whole number from 0 to 1000000");
 }
 
 TEST(CameraTrack, ReadsWhatItWrites) {
