@@ -5,14 +5,17 @@
 #include "app/window/Dialogs.h"
 
 #include "core/base/Error.h"
+#include "core/base/ShownText.h"
 #include "core/io/CameraTrackJson.h"
 #include "core/replay/Checkpoints.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cstdio>
+#include <charconv>
 #include <sstream>
+#include <string>
+#include <system_error>
 
 namespace taa::app {
 
@@ -20,13 +23,17 @@ namespace {
 
 /// "1280x720" or "412,207".
 glm::ivec2 parseNumbers(const std::string& option, const std::string& text, char separator, int least) {
+  constexpr int kMost = 32768; // no driver draws a wider picture
   glm::ivec2 pair{0};
-  char found = 0, rest = 0;
-  const int count = std::sscanf(text.c_str(), "%d%c%d%c", &pair.x, &found, &pair.y, &rest);
-  if (count != 3 || found != separator || pair.x < least || pair.y < least)
-    throw CLI::ValidationError(option, "wants two whole numbers like " +
-                                           std::string(separator == 'x' ? "1280x720" : "412,207") +
-                                           ", not \"" + text + "\"");
+  const char* const end = text.data() + text.size();
+  const auto [middle, firstError] = std::from_chars(text.data(), end, pair.x);
+  const bool hasSecond = firstError == std::errc() && middle != end && *middle == separator;
+  const auto [rest, secondError] = std::from_chars(hasSecond ? middle + 1 : end, end, pair.y);
+  const auto isIn = [&](int number) { return number >= least && number <= kMost; };
+  if (secondError != std::errc() || rest != end || !isIn(pair.x) || !isIn(pair.y))
+    throw CLI::ValidationError(
+        option, "wants two whole numbers from " + std::to_string(least) + " to " + std::to_string(kMost) +
+                    " like " + (separator == 'x' ? "1280x720" : "412,207") + ", not \"" + text + "\"");
   return pair;
 }
 
@@ -144,7 +151,7 @@ void addSceneOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
 void readTexts(const Texts& texts, Arguments& arguments) {
   if (!texts.windowSize.empty())
     arguments.windowSize = parseNumbers("--window-size", texts.windowSize, 'x', 100);
-  if (!texts.size.empty()) arguments.size = parseNumbers("--size", texts.size, 'x', 1);
+  if (!texts.size.empty()) arguments.size = parseNumbers("--size", texts.size, 'x', 4);
   if (!texts.pixel.empty()) arguments.pixel = parseNumbers("--pixel", texts.pixel, ',', 0);
   if (texts.frame >= 0) arguments.frame = texts.frame;
   if (texts.checkpoints >= 0) arguments.checkpoints = texts.checkpoints;
@@ -165,6 +172,10 @@ void readTexts(const Texts& texts, Arguments& arguments) {
       if (overlayNames()[index] == name) arguments.overlays.push_back(static_cast<Overlay>(index));
 }
 
+EarlyEnd refusal(const std::string& sentence) {
+  return {2, "taa-inspector: " + shownLine(sentence) + "\n"};
+}
+
 } // namespace
 
 std::optional<EarlyEnd> parseArguments(int argc, const char* const* argv, Arguments& arguments) {
@@ -179,11 +190,13 @@ std::optional<EarlyEnd> parseArguments(int argc, const char* const* argv, Argume
     readTexts(texts, arguments);
     arguments.reopens = !texts.fresh && leavesOpenWhatToShow(app);
   } catch (const CLI::ParseError& error) {
-    std::ostringstream out, err;
-    const int code = app.exit(error, out, err) == 0 ? 0 : 2;
-    return EarlyEnd{code, out.str() + err.str()};
+    if (error.get_exit_code() != 0)
+      return refusal(std::string(error.what()) + "; taa-inspector --help says what there is");
+    std::ostringstream out;
+    app.exit(error, out, out); // --help, --version
+    return EarlyEnd{0, out.str()};
   } catch (const Error& error) {
-    return EarlyEnd{2, std::string(error.what()) + "\n"};
+    return refusal(error.what());
   }
   return {};
 }

@@ -9,6 +9,7 @@
 
 #include "core/base/ExistingFiles.h"
 #include "core/base/Files.h"
+#include "core/base/ShownText.h"
 #include "core/io/SessionFile.h"
 
 #include <QApplication>
@@ -200,7 +201,7 @@ int main(int argc, char** argv) {
     if (arguments.screenshot.empty()) installTranslation(application, QLocale(), translationFolders());
     return run(application, arguments);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "taa-inspector: %s\n", error.what());
+    std::fprintf(stderr, "taa-inspector: %s\n", taa::shownReason(error).c_str());
     return 1;
   }
 }

@@ -18,7 +18,8 @@ namespace taa::cli {
 
 namespace {
 
-constexpr std::string_view kMotionPrefix = "motion."; ///< of assignments that are for an object
+constexpr int kMinAskedSide = 4, kMaxAskedSide = 32768; // of every picture; the driver may draw none so large
+constexpr std::string_view kMotionPrefix = "motion.";   ///< of assignments that are for an object
 
 std::optional<int> parseCount(std::string_view text) {
   int value = 0;
@@ -63,8 +64,11 @@ FrameRange parseFrames(const std::string& text) {
 
 glm::ivec2 parseSize(const std::string& text) {
   const std::optional<glm::ivec2> size = parsePair(text, "x");
-  if (!size || size->x == 0 || size->y == 0)
-    throw UsageError("--size " + text + ": expected WIDTHxHEIGHT in pixels, for example 1280x720");
+  if (!size || size->x < kMinAskedSide || size->y < kMinAskedSide || size->x > kMaxAskedSide ||
+      size->y > kMaxAskedSide)
+    throw UsageError("--size " + text + ": expected WIDTHxHEIGHT in pixels, each from " +
+                     std::to_string(kMinAskedSide) + " to " + std::to_string(kMaxAskedSide) +
+                     ", for example 1280x720");
   return *size;
 }
 

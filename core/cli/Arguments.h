@@ -1,6 +1,7 @@
 // What the commands of taa-batch are asked for, and reading it from text.
 #pragma once
 
+#include "core/base/ShownText.h"
 #include "core/inspect/verdicts/VerdictOfShot.h"
 #include "core/scene/MotionMode.h"
 #include "core/scene/ObjectClass.h"
@@ -24,7 +25,7 @@ namespace taa::cli {
 /// The caller's mistake on the command line, told in a sentence; ends the program with 2.
 class UsageError : public std::runtime_error {
  public:
-  explicit UsageError(const std::string& message) : std::runtime_error(message) {}
+  explicit UsageError(const std::string& message) : std::runtime_error(shownLine(message)) {}
 };
 
 inline constexpr const char* kDefaultSize = "1280x720";

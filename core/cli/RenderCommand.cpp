@@ -1,5 +1,6 @@
 // taa-batch render: frames into files.
 #include "core/cli/Commands.h"
+#include "core/cli/Terminal.h"
 
 #include "core/base/Error.h"
 #include "core/base/ExistingFiles.h"
@@ -17,7 +18,6 @@
 #include <filesystem>
 #include <functional>
 #include <iomanip>
-#include <iostream>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -185,14 +185,15 @@ void sayMemory(const Inspector& inspector, const std::vector<IntermediateId>& id
   std::ranges::copy_if(ids, std::back_inserter(ofReference), isOfReference);
   const glm::ivec2 size(inspector.shot().width(), inspector.shot().height());
   const MemoryNeed need = memoryNeed(lanes, size, ofReference, !inspector.shot().scene().fog.empty());
-  std::cerr << "memory: about " << bytesText(need.total()) << " for " << size.x << " × " << size.y
-            << " pixels (inputs " << bytesText(need.inputs) << ", histories " << bytesText(need.histories);
-  if (need.reference > 0) std::cerr << ", reference " << bytesText(need.reference);
-  std::cerr << "), besides the scene, kept histories and an export of up to " << bytesText(kExportBytes)
-            << " at a time";
+  std::string text = "about " + bytesText(need.total()) + " for " + std::to_string(size.x) + " × " +
+                     std::to_string(size.y) + " pixels (inputs " + bytesText(need.inputs) + ", histories " +
+                     bytesText(need.histories);
+  if (need.reference > 0) text += ", reference " + bytesText(need.reference);
+  text +=
+      "), besides the scene, kept histories and an export of up to " + bytesText(kExportBytes) + " at a time";
   if (const std::optional<std::size_t> available = gl::availableMemory(inspector.shot().driver()))
-    std::cerr << "; " << bytesText(*available) << " are free";
-  std::cerr << '\n';
+    text += "; " + bytesText(*available) + " are free";
+  tell("memory", text);
 }
 
 /// All frames; `written` is told of each file as soon as it is there.

@@ -4,6 +4,7 @@
 #include "core/base/OldNames.h"
 #include "core/base/Text.h"
 #include "core/capture/source/Capture.h"
+#include "core/cli/Terminal.h"
 #include "core/io/SessionFile.h"
 #include "core/render/CaptureFacts.h"
 #include "core/scene/SceneSource.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -100,7 +100,7 @@ void checkForCapture(const CaptureFacts& captured, const ShotArguments& argument
 
 void sayNotes(std::vector<std::string> notes, const std::vector<LaneChoice>& lanes) {
   for (const LaneChoice& lane : lanes) addNotes(notes, lane.notes);
-  for (const std::string& note : notes) std::cerr << "note: " << note << '\n';
+  for (const std::string& note : notes) tell("note", note);
 }
 
 void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPlan& plan,
@@ -120,8 +120,7 @@ void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPl
   inspector.shot().setObjectFilter(plan.filter);
   inspector.shot().setObjectClasses(plan.objectClasses);
   inspector.shot().setRestarts(plan.restarts);
-  for (const std::string& warning : inspector.shot().scene().warnings)
-    std::cerr << "warning: " << warning << '\n';
+  for (const std::string& warning : inspector.shot().scene().warnings) tell("warning", warning);
 }
 
 void requireFrame(const Inspector& inspector, int frame) {

@@ -1,8 +1,10 @@
 // taa-batch: the core without a window. The command line, and how the program ends.
 #include "core/base/Error.h"
+#include "core/base/ShownText.h"
 #include "core/base/Text.h"
 #include "core/cli/Commands.h"
 #include "core/cli/ShotOptions.h"
+#include "core/cli/Terminal.h"
 #include "core/cli/sweep/SweepOptions.h"
 #include "core/inspect/Comparison.h"
 #include "core/measure/Flicker.h"
@@ -19,6 +21,7 @@
 #include <string_view>
 #include <system_error>
 #include <unistd.h>
+#include <vector>
 
 namespace {
 
@@ -311,6 +314,13 @@ void requireCommand(const CLI::App& app, int argc, char** argv) {
       "glsl, import and manual");
 }
 
+/// In the form of the program's own sentences, with the command whose help says more.
+std::string refusalOf(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  const std::string command = commands.empty() ? std::string() : commands.front()->get_name() + " ";
+  return std::string(error.what()) + "; taa-batch " + command + "--help says what there is";
+}
+
 int run(int argc, char** argv) {
   CLI::App app(
       "Renders frames through TAA, exports any intermediate and answers questions about pixels, without a "
@@ -354,7 +364,8 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kUsage;
+    if (error.get_exit_code() == 0) return app.exit(error); // --help, --version
+    throw UsageError(refusalOf(app, error));
   }
   if (!std::cout.flush()) throw taa::Error("cannot write the result to standard output");
   if (hasFailed) return kWorldsFault;
@@ -368,13 +379,13 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const UsageError& error) {
-    std::cerr << "taa-batch: " << error.what() << '\n';
+    tellFailure(error.what());
     return kUsage;
   } catch (const taa::Cancelled&) {
-    std::cerr << "taa-batch: interrupted; the files written so far are whole\n";
+    tellFailure("interrupted; the files written so far are whole");
     return kSignalled + (interrupted != 0 ? interrupted : SIGINT);
   } catch (const std::exception& error) {
-    std::cerr << "taa-batch: " << error.what() << '\n';
+    tellFailure(taa::shownReason(error));
     return kWorldsFault;
   }
 }

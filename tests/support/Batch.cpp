@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <string>
+#include <vector>
+
 namespace taa::test {
 
 ProcessResult batch(std::vector<std::string> arguments) {
@@ -18,6 +22,11 @@ void expectMistake(int exitCode, const std::vector<std::string>& arguments,
   const ProcessResult result = batch(arguments);
   EXPECT_EQ(result.exitCode, exitCode) << result.err;
   EXPECT_EQ(result.out, "");
+  ASSERT_GE(result.err.size(), 2u);
+  const std::size_t line =
+      result.err.rfind('\n', result.err.size() - 2) + 1; // the last one; before it are notes
+  EXPECT_TRUE(result.err.substr(line).starts_with("taa-batch: ")) << result.err;
+  EXPECT_EQ(result.err.back(), '\n');
   for (const std::string& word : words) EXPECT_NE(result.err.find(word), std::string::npos) << result.err;
 }
 

@@ -1,5 +1,6 @@
 // taa-batch sweep: many settings on many shots, by as many processes as there are.
 #include "core/cli/Commands.h"
+#include "core/cli/Terminal.h"
 
 #include "core/base/Error.h"
 #include "core/sweep/PointMeasurer.h"
@@ -13,7 +14,6 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
-#include <iostream>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -66,7 +66,7 @@ bool runSweep(const SweepArguments& arguments, std::ostream& out, const Progress
   }
   const std::vector<std::filesystem::path> files = writeSweepTables(spec, folder);
   for (const SweepFailure& failure : report.failures)
-    std::cerr << "point " << failure.point << ": " << failure.reason << '\n';
+    tell("point " + std::to_string(failure.point), failure.reason);
   if (arguments.json) {
     out << reportJson(report, files).dump(2) << '\n';
   } else {

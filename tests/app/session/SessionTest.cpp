@@ -85,13 +85,18 @@ TEST(Arguments, RefuseWhatTheyDoNotUnderstand) {
   for (const std::vector<const char*>& words :
        {std::vector<const char*>{"--size", "12"},
         {"--size", "0x4"},
+        {"--size", "10000000000x10"},
         {"--pixel", "4;5"},
         {"--frame", "-1"},
         {"--checkpoints", "-1"},
         {"--view", "nothing"},
         {"--view", "color", "--view", "color", "--view", "color", "--view", "color", "--view", "color"},
-        {"--theme", "pink"}})
-    EXPECT_EQ(parse(words, arguments).value_or(EarlyEnd{}).code, 2) << words[1];
+        {"--theme", "pink"}}) {
+    const EarlyEnd end = parse(words, arguments).value_or(EarlyEnd{});
+    EXPECT_EQ(end.code, 2) << words[1];
+    EXPECT_TRUE(end.text.starts_with("taa-inspector: ")) << end.text;
+    EXPECT_EQ(end.text.find('\n'), end.text.size() - 1) << end.text;
+  }
   const auto help = parse({"--help"}, arguments);
   ASSERT_TRUE(help);
   EXPECT_EQ(help->code, 0);

@@ -131,7 +131,9 @@ TEST(Batch, ExplainsEveryCommand) {
 }
 
 TEST(Batch, NamesWhatThereIsWhenTheCallerIsWrong) {
-  expectUsageError({}, {"subcommand"});
+  expectUsageError({}, {"subcommand", "taa-batch --help"});
+  expectUsageError({"probe", "builtin:fan"}, {"--pixel is required", "taa-batch probe --help"});
+  expectUsageError({"list", "scenes", "--nope\x1b[31m\ntaa-batch: well"}, {"--nope?[31m taa-batch: well"});
   expectUsageError({"paint"}, {"paint", "render"});
   expectUsageError({"list", "lights"}, {"intermediates", "presets"});
   const std::vector<std::string> call = {"render", "builtin:fan", "--frames", "0", "--out", "/nowhere"};
@@ -177,7 +179,7 @@ TEST_F(BatchTest, SaysThatTheCallAsksForWhatIsNotThere) {
   expectUsageError(joined(fan, {"--frames", "0", "--fps", "nan"}), {"--fps", "nan", "1000"});
   expectUsageError(joined(fan, {"--frames", "0", "--divider", "nan"}), {"--divider", "nan"});
   expectUsageError(joined({"render", "builtin:fan", "--size", "3x3", "--frames", "0"}, out),
-                   {"--size", "3 × 3"});
+                   {"--size", "3x3", "4 to 32768"});
   const std::string source = "builtin:fan";
   for (const std::string command : {"probe", "lineage", "verdict"})
     expectUsageError({command, source, "--size", "16x16", "--frame", "0", "--pixel", "16,0"},

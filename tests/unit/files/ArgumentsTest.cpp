@@ -25,6 +25,20 @@ TEST(Arguments, ReadARangeOfFrames) {
   EXPECT_THROW(parseFrames("2..1"), UsageError);
 }
 
+TEST(Arguments, SayTheLimitsOfASize) {
+  try {
+    parseSize("10000000000x10");
+    FAIL() << "no picture is so wide";
+  } catch (const UsageError& error) {
+    EXPECT_STREQ(error.what(),
+                 "--size 10000000000x10: expected WIDTHxHEIGHT in pixels, each from 4 to 32768, "
+                 "for example 1280x720");
+  }
+  EXPECT_THROW(parseSize("3x720"), UsageError);
+  EXPECT_THROW(parseSize("32769x720"), UsageError);
+  EXPECT_EQ(parseSize("4x32768"), glm::ivec2(4, 32768));
+}
+
 TEST(Arguments, ReadSizesAndPixels) {
   EXPECT_EQ(parseSize("1920x1080"), glm::ivec2(1920, 1080));
   EXPECT_EQ(parsePixel("0,719"), glm::ivec2(0, 719));
