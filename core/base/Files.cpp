@@ -127,7 +127,8 @@ const std::string& processSpace() {
   return kSpace;
 }
 
-/// The process of this space that a temporary file is of, by its name ".STEM.SPACE-PROCESS.part.EXT".
+/// The process of this space that a temporary file or folder is of, by its name
+/// ".STEM.SPACE-PROCESS.part.EXT".
 std::optional<::pid_t> writerOf(const std::string& name) {
   const std::string before = "." + processSpace() + "-";
   const std::size_t end = name.rfind(".part"), start = name.rfind(before, end);
@@ -153,7 +154,7 @@ void clearLeftovers(const fs::path& folder) {
     if (const auto writer = writerOf(entry->path().filename().string());
         writer && ::kill(*writer, 0) != 0 && errno == ESRCH)
       leftovers.push_back(entry->path());
-  for (const fs::path& leftover : leftovers) fs::remove(leftover, error);
+  for (const fs::path& leftover : leftovers) fs::remove_all(leftover, error); // a sequence has a folder
 }
 
 } // namespace

@@ -54,8 +54,8 @@ class UntrustedFile {
 UntrustedFile openUntrusted(const std::filesystem::path& folder, const std::filesystem::path& file,
                             std::uintmax_t maxBytes);
 
-/// Where this process writes what becomes `path` when it is whole; keeps the extension. Removes such files of
-/// processes that have ended in this folder.
+/// Where this process writes what becomes `path` when it is whole, a file or a folder; keeps the extension.
+/// Removes what processes that have ended left so in this folder.
 std::filesystem::path temporaryBeside(const std::filesystem::path& path);
 
 /// Writes beside the target and renames, so that a reader sees the old file or the new one, never half of

@@ -1,6 +1,7 @@
 #include "core/report/SequenceExport.h"
 
 #include "core/base/Error.h"
+#include "core/base/Files.h"
 #include "core/base/Say.h"
 #include "core/capture/source/Capture.h"
 #include "core/inspect/Inspector.h"
@@ -8,8 +9,6 @@
 #include "core/io/PictureFile.h"
 #include "core/report/CaptureExport.h"
 #include "core/report/FrameExport.h"
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <exception>
@@ -29,7 +28,7 @@ namespace {
 class Workshop {
  public:
   explicit Workshop(const fs::path& target)
-      : folder_(fs::absolute(target).parent_path() / (".taa-export." + std::to_string(::getpid()))) {
+      : folder_(temporaryBeside(fs::absolute(target).parent_path() / "taa-export")) {
     std::error_code error;
     isParentNew_ = !fs::exists(folder_.parent_path(), error);
     fs::create_directories(folder_, error);
@@ -191,7 +190,7 @@ std::vector<fs::path> exportSequence(Inspector& inspector, const SequenceRequest
   try {
     names = makeFiles(inspector, request, workshop, progress);
   } catch (const Error& error) {
-    throw Error(workshop.retold(error.what()));
+    throw Error::withLog(workshop.retold(error.what()));
   }
   // Planes of one capture are nothing under the capture.json of another, which is written last.
   if (request.kind == SequenceKind::Capture) {

@@ -188,8 +188,12 @@ TEST(Files, AreClearedOfWhatAKilledWriterLeft) {
   const std::string elsewhere = ".a.b.1-" + std::to_string(ended) + ".part.txt"; // of another machine
   for (const std::string& file : {name, dead, elsewhere, std::string("a.part.txt")})
     std::ofstream(folder / file) << "half";
+  const std::string sequence = name.substr(0, at) + "-" + std::to_string(ended) + ".part";
+  fs::create_directories(folder / sequence / "planes");
+  std::ofstream(folder / sequence / "planes" / "a.exr") << "half";
   taa::writeFile(folder / "b.txt", "whole");
   EXPECT_FALSE(fs::exists(folder / dead));
+  EXPECT_FALSE(fs::exists(folder / sequence)) << "the folder of a sequence";
   EXPECT_TRUE(fs::exists(folder / name)) << "of a process that runs";
   EXPECT_TRUE(fs::exists(folder / elsewhere));
   EXPECT_EQ(countFiles(folder), 4u);
