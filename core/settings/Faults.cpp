@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
 
 namespace taa {
@@ -267,8 +268,12 @@ bool isFaulty(const Settings& settings) {
 std::vector<std::string> injectedFaults(const Settings& settings) {
   if (!isFaulty(settings)) return {};
   std::vector<std::string> all = differences(settings, Settings{});
-  std::erase_if(all, [](const std::string& assignment) { return !assignment.starts_with(kFaultGroup); });
+  std::erase_if(all, std::not_fn(isOfFaults));
   return all;
+}
+
+bool isOfFaults(const std::string& assignment) {
+  return assignment.starts_with(kFaultGroup);
 }
 
 void clearFaults(Settings& settings) {

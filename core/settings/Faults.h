@@ -124,6 +124,8 @@ bool excludeEachOther(Fault a, Fault b);
 bool isFaulty(const Settings& settings);
 /// Those rows, and what says where, when and how much: "fault.motionY=-1". Empty where isFaulty() is not.
 std::vector<std::string> injectedFaults(const Settings& settings);
+/// Of an assignment: whether it is of the group, "fault.motionY=-1".
+bool isOfFaults(const std::string& assignment);
 /// The same without any of the group.
 void clearFaults(Settings& settings);
 

@@ -1,5 +1,6 @@
 #include "core/verdict/pixel/Remedies.h"
 
+#include "core/settings/Faults.h"
 #include "core/settings/Parameters.h"
 #include "core/verdict/pixel/Cures.h"
 
@@ -41,7 +42,7 @@ class RemedyList {
     const Settings changed = effective(wanted, of_.settings);
     Remedy remedy{differences(changed, of_.settings), changed};
     if (remedy.changes.empty() || remedy.changes.size() > kMaxChanges || isKnown(remedy)) return false;
-    if (!of_.drawsInputs && !sameInputs(changed, of_.settings)) return false;
+    if (!of_.drawsInputs && drawsOthers(changed)) return false;
     remedies_.push_back(std::move(remedy));
     return true;
   }
@@ -51,6 +52,12 @@ class RemedyList {
   std::vector<Remedy> take() { return std::move(remedies_); }
 
  private:
+  /// A capture's faults come on its way in, and can be left out like those of a scene.
+  bool drawsOthers(Settings changed) const {
+    changed.fault = of_.settings.fault;
+    return !sameInputs(changed, of_.settings);
+  }
+
   bool isKnown(const Remedy& remedy) const {
     const auto isSame = [&](const Remedy& known) { return known.changes == remedy.changes; };
     return std::ranges::any_of(remedies_, isSame) ||
@@ -61,6 +68,23 @@ class RemedyList {
   const std::vector<TriedRemedy>& tried_;
   std::vector<Remedy> remedies_;
 };
+
+/// What was injected is taken out, each row of it and all at once.
+void addWithoutFaults(RemedyList& list, const Settings& settings) {
+  Settings without = settings;
+  clearFaults(without);
+  list.add(without);
+  for (const std::string& fault : injectedFaults(settings)) {
+    const Parameter& row = parameter(fault.substr(0, fault.find('=')));
+    Settings one = settings;
+    row.set(one, row.defaultValue());
+    list.add(one);
+  }
+}
+
+bool takesFaultsOut(const Remedy& remedy) {
+  return std::ranges::all_of(remedy.changes, isOfFaults);
+}
 
 bool isNearer(const TriedRemedy& a, const TriedRemedy& b) {
   return harm(a.pixel) < harm(b.pixel);
@@ -101,12 +125,14 @@ std::vector<TriedRemedy>::const_iterator simplestOfBest(const std::vector<TriedR
 std::vector<Remedy> remedyRound(int round, const RemedyCase& of, const std::vector<TriedRemedy>& tried) {
   RemedyList list(of, tried);
   if (of.kind == VerdictKind::None || !isTaaOn(of.settings)) return {};
-  if (round == 0)
+  if (round == 0) {
+    addWithoutFaults(list, of.settings);
     list.add(likelyCures(of.kind, of.settings));
-  else if (round > 1)
+  } else if (round > 1) {
     addTogether(list, of, tried);
-  else if (bestRemedies(tried, of.before, 1).empty())
+  } else if (bestRemedies(tried, of.before, 1).empty()) {
     list.add(otherCures(of.kind, of.settings));
+  }
   return list.take();
 }
 
@@ -119,10 +145,14 @@ std::vector<TriedRemedy> bestRemedies(const std::vector<TriedRemedy>& tried, con
   });
   std::ranges::stable_sort(better, isNearer);
   std::vector<TriedRemedy> best;
-  while (best.size() < count && !better.empty()) {
-    best.push_back(*simplestOfBest(better, before));
+  const auto tell = [&](const TriedRemedy& told) {
+    best.push_back(told);
     std::erase_if(better, [&](const TriedRemedy& one) { return isPartOf(best.back().remedy, one.remedy); });
-  }
+  };
+  // A fault that was injected is the cause, whatever else hides it.
+  const auto cause = std::ranges::find_if(better, takesFaultsOut, &TriedRemedy::remedy);
+  if (cause != better.end()) tell(*cause);
+  while (best.size() < count && !better.empty()) tell(*simplestOfBest(better, before));
   return best;
 }
 

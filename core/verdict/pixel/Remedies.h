@@ -51,7 +51,8 @@ std::vector<Remedy> remedyRound(int round, const RemedyCase& of, const std::vect
 
 /// The best `count` of those that bring the pixel clearly nearer to the truth than `before`, by its errors
 /// and flicker together, and nearer in the last frame. Of two that nobody could tell apart the simpler one
-/// comes first; one that has all changes of one that is told, and more, is left out.
+/// comes first; one that has all changes of one that is told, and more, is left out. One that takes out what
+/// was injected comes before all.
 std::vector<TriedRemedy> bestRemedies(const std::vector<TriedRemedy>& tried, const RemedyMeasure& before,
                                       std::size_t count);
 

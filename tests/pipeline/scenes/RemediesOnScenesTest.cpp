@@ -1,6 +1,7 @@
 // What is said of remedies: the figures of the present settings are those of the metrics, and those of a
 // remedy what the program shows with it.
 #include "core/inspect/overtime/MetricCursor.h"
+#include "core/settings/Faults.h"
 #include "tests/support/SmallInspector.h"
 
 #include <glm/geometric.hpp>
@@ -111,6 +112,33 @@ TEST_F(RemediesOnScenesTest, MeasureThePictureAsTheMetricsDo) {
   EXPECT_NEAR(answer.picture->error, errors.root(), 1e-6);
   EXPECT_NEAR(answer.picture->ghost, ghosts.root(), 1e-6);
   EXPECT_GT(answer.picture->ghost, 0.01) << "the blades leave trails";
+}
+
+// History comes from half a picture away, everywhere; of the pixel that this harms most.
+TEST_F(RemediesOnScenesTest, TakeAnInjectedFaultOut) {
+  taa::Settings settings;
+  taa::applyAssignment(settings, "fault.motionUnit=biased");
+  const auto inspector = opened();
+  inspector->shot().seek(kFrame);
+  const taa::Image healthy = errorsOnShow(*inspector);
+  inspector->shot().setSettings(settings);
+  inspector->shot().seek(kFrame);
+  const taa::Image faulty = errorsOnShow(*inspector);
+  taa::VerdictQuestion question{.frame = kFrame};
+  float most = 0.0f;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const float harm = std::abs(faulty.at(x, y)[1]) - std::abs(healthy.at(x, y)[1]);
+      if (harm <= most) continue;
+      most = harm;
+      question.pixel = {x, y};
+    }
+  EXPECT_GT(most, 0.1f);
+  const taa::VerdictAnswer verdict = inspector->verdicts().of(question);
+  const taa::RemedyAnswer answer = inspector->verdicts().remedies(question, verdict.verdict);
+  ASSERT_FALSE(answer.best.empty()) << verdict.sentence;
+  EXPECT_FALSE(taa::isFaulty(answer.best.front().remedy.settings))
+      << testing::PrintToString(answer.best.front().remedy.changes);
 }
 
 // From frame 0 on in a program of its own, as `taa-batch metrics --set` measures it.

@@ -95,6 +95,21 @@ TEST(Remedies, DrawOtherInputsOnlyWhereThereIsAScene) {
   EXPECT_TRUE(std::ranges::none_of(remedyRound(0, of, {}), drawsOthers)) << "a capture is as it is";
 }
 
+// Of a capture's too: they come on its way in.
+TEST(Remedies, TakeOutWhatWasInjected) {
+  for (const bool drawsInputs : {true, false}) {
+    RemedyCase of = trailing(VerdictKind::Ghost);
+    of.drawsInputs = drawsInputs;
+    for (const char* fault : {"fault.motionX=-1", "fault.motionY=-1", "fault.region=sky"})
+      applyAssignment(of.settings, fault);
+    const std::vector<Remedy> remedies = remedyRound(0, of, {});
+    EXPECT_EQ(remedies.front().settings, trailing(VerdictKind::Ghost).settings) << "without any";
+    EXPECT_TRUE(holds(changesOf(remedies), {"fault.motionY=1"})) << "without one";
+  }
+  for (const Remedy& remedy : remedyRound(0, trailing(VerdictKind::Ghost), {}))
+    for (const std::string& change : remedy.changes) EXPECT_FALSE(change.starts_with("fault.")) << change;
+}
+
 TEST(Remedies, OfEverySettingAreTriedWhereLikelyOnesAreInVain) {
   const RemedyCase of = trailing(VerdictKind::Ghost);
   const std::vector<Remedy> likely = remedyRound(0, of, {});
@@ -147,6 +162,16 @@ TEST(Remedies, ThatAreSimplerComeFirstWhereNobodySeesTheDifference) {
   EXPECT_EQ(firstOf(1.3, 0.242, 96.0), (Changes{"a", "b"})) << "a step";
   EXPECT_EQ(firstOf(1.0, 0.9, 5.0), Changes{"c"});
   EXPECT_EQ(firstOf(1.5, 0.9, 5.0), (Changes{"a", "b"})) << "a tenth of the error";
+}
+
+TEST(Remedies, ThatTakeAFaultOutComeFirst) {
+  const std::vector<TriedRemedy> tried{triedRemedy({"rectify.method=clip"}, 0.01),
+                                       triedRemedy({"fault.motionY=1"}, 0.05),
+                                       triedRemedy({"fault.motionX=1"}, 0.3)};
+  const std::vector<TriedRemedy> best = bestRemedies(tried, measured(0.2), 3);
+  ASSERT_EQ(best.size(), 2u) << "one does not help";
+  EXPECT_EQ(best[0].remedy.changes, Changes{"fault.motionY=1"});
+  EXPECT_EQ(best[1].remedy.changes, Changes{"rectify.method=clip"});
 }
 
 TEST(Remedies, AreNotToldWhereTheLastFrameIsWorseOff) {
