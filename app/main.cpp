@@ -1,5 +1,6 @@
 // Starts taa-inspector: a window, or a picture of one.
 #include "app/Arguments.h"
+#include "app/session/keeping/EndSignals.h"
 #include "app/session/keeping/SessionKeeper.h"
 #include "app/style/Icons.h"
 #include "app/style/Translation.h"
@@ -147,8 +148,18 @@ void endScreenshot(int code, const QString& text) {
   QApplication::exit(code);
 }
 
+/// Closes the window as somebody would: what is open is kept, work that runs ends and leaves nothing half.
+void closeOnSignals(const EndSignals& signals, MainWindow& window) {
+  constexpr int kSignalled = 128; // as a shell reports it
+  QObject::connect(&signals, &EndSignals::asked, &window, [&window](int signal) {
+    window.close();
+    QApplication::exit(kSignalled + signal);
+  });
+}
+
 int run(QApplication& application, Arguments arguments) {
   const bool isScreenshot = !arguments.screenshot.empty();
+  const EndSignals endSignals; // ends after all that they end
   Session session;
   if (arguments.timing) sayWhenPictureArrives(session);
   QSettings settings(QStringLiteral("taa-inspector"), QStringLiteral("taa-inspector"));
@@ -163,6 +174,7 @@ int run(QApplication& application, Arguments arguments) {
   applyTheme(application, arguments.theme.value_or(theme));
 
   MainWindow window(session, isScreenshot ? nullptr : &settings);
+  closeOnSignals(endSignals, window);
   window.setTheme(arguments.theme.value_or(theme));
   if (isScreenshot) window.resize(arguments.windowSize.x, arguments.windowSize.y);
   window.show();
