@@ -21,8 +21,12 @@ struct GltfContext {
   const std::vector<std::string>& imageFaults; ///< GltfDocument's
   std::vector<int>
       sceneNode{}; ///< for each node of the file its index in the scene, −1 when that scene leaves it out
+  std::vector<bool>
+      posedOnly{};          ///< for each node of the file: outside the shown scene, it moves a skin in it
   std::size_t vertices = 0; ///< made so far
   std::size_t indices = 0;  ///< made so far
+
+  bool isPosedOnly(std::size_t node) const { return node < posedOnly.size() && posedOnly[node]; }
 
   /// Adds a sentence for the user, once; of very many only the first.
   void warn(const std::string& text) {

@@ -11,6 +11,8 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <cassert>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -21,18 +23,17 @@ namespace {
 constexpr std::size_t kMaxInstances = 100000; ///< nodes made for EXT_mesh_gpu_instancing
 constexpr std::size_t kMaxJoints = 65536;     ///< of all skins together
 constexpr std::size_t kMaxWeights = 1000000;  ///< of all nodes together
-constexpr int kNotBuilt = -2;
 
 class MeshAdder {
  public:
   explicit MeshAdder(GltfContext& context)
       : context_(context), sceneMesh_(context.model.meshes.size(), -1),
-        sceneSkin_(context.model.skins.size(), kNotBuilt) {}
+        sceneSkin_(context.model.skins.size(), -1) {}
 
   void addTo(std::size_t sourceNode) {
     const tinygltf::Node& source = context_.model.nodes[sourceNode];
     const int index = context_.sceneNode[sourceNode];
-    if (index < 0 || source.mesh < 0) return;
+    if (index < 0 || source.mesh < 0 || context_.isPosedOnly(sourceNode)) return;
     const int mesh = sharedMesh(static_cast<std::size_t>(source.mesh));
     const auto instancing = source.extensions.find("EXT_mesh_gpu_instancing");
     if (instancing != source.extensions.end() && instancing->second.Has("attributes"))
@@ -86,14 +87,9 @@ class MeshAdder {
     return static_cast<int>(first);
   }
 
-  /// A skin of the scene; −1 when a joint is not in the scene.
   int sharedSkin(std::size_t skinIndex) {
-    if (sceneSkin_[skinIndex] != kNotBuilt) return sceneSkin_[skinIndex];
+    if (sceneSkin_[skinIndex] >= 0) return sceneSkin_[skinIndex];
     Skin skin = readSkin(skinIndex);
-    if (skin.joints.empty()) {
-      context_.warn(say<"A skin whose joints are not in the scene is left out.">());
-      return sceneSkin_[skinIndex] = -1;
-    }
     joints_ += skin.joints.size();
     if (joints_ > kMaxJoints) throw Error(say<"the scene's skins have more than %1 joints">(kMaxJoints));
     context_.scene.skins.push_back(std::move(skin));
@@ -113,7 +109,7 @@ class MeshAdder {
     Skin skin;
     for (std::size_t i = 0; i < source.joints.size(); ++i) {
       const int joint = context_.sceneNode.at(static_cast<std::size_t>(source.joints[i]));
-      if (joint < 0) return {};
+      assert(joint >= 0); // addGltfNodes has brought it in
       skin.joints.push_back(joint);
       skin.inverseBinds.push_back(inverseBinds.values.empty() ? glm::mat4(1.0f)
                                                               : glm::make_mat4(&inverseBinds.values[16 * i]));
@@ -178,7 +174,7 @@ class MeshAdder {
 
   GltfContext& context_;
   std::vector<int> sceneMesh_; ///< for each mesh of the file its index in the scene, −1 when not built
-  std::vector<int> sceneSkin_; ///< likewise for skins; −1 when unusable
+  std::vector<int> sceneSkin_; ///< likewise for skins
   std::size_t instances_ = 0, joints_ = 0;
 };
 

@@ -15,6 +15,7 @@
 #include <functional>
 #include <numbers>
 #include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -113,6 +114,7 @@ void addNode(GltfContext& context, std::size_t sourceIndex, int parent) {
   node.parent = parent;
   readTransform(source, node);
   context.scene.nodes.push_back(std::move(node));
+  if (context.isPosedOnly(sourceIndex)) return;
   if (source.camera >= 0)
     addCamera(context, context.model.cameras.at(static_cast<std::size_t>(source.camera)), index);
   const auto light = source.extensions.find("KHR_lights_punctual");
@@ -120,6 +122,39 @@ void addNode(GltfContext& context, std::size_t sourceIndex, int parent) {
     addLight(context,
              context.model.lights.at(static_cast<std::size_t>(light->second.Get("light").GetNumberAsInt())),
              index);
+}
+
+/// A joint and what it hangs on, as far as that is not there yet: posed and not drawn.
+void addPosedOnly(GltfContext& context, int joint, const std::vector<int>& parents) {
+  std::vector<std::size_t> way; // from the joint up to what is there
+  int at = joint;
+  for (; at >= 0 && context.sceneNode[static_cast<std::size_t>(at)] < 0;
+       at = parents[static_cast<std::size_t>(at)])
+    way.push_back(static_cast<std::size_t>(at));
+  int parent = at < 0 ? -1 : context.sceneNode[static_cast<std::size_t>(at)];
+  for (auto node = way.rbegin(); node != way.rend(); ++node) {
+    context.posedOnly[*node] = true;
+    addNode(context, *node, parent);
+    parent = context.sceneNode[*node];
+  }
+}
+
+/// Joints outside the shown scene that move skins in it.
+void addJointsOutside(GltfContext& context) {
+  const tinygltf::Model& model = context.model;
+  const std::size_t count = model.nodes.size();
+  std::vector<int> parents(count, -1);
+  for (std::size_t i = 0; i < count; ++i)
+    for (const int child : model.nodes[i].children)
+      parents[static_cast<std::size_t>(child)] = static_cast<int>(i);
+  context.posedOnly.assign(count, false);
+  std::set<int> skins;
+  for (std::size_t i = 0; i < count; ++i)
+    if (context.sceneNode[i] >= 0 && model.nodes[i].mesh >= 0 && model.nodes[i].skin >= 0)
+      skins.insert(model.nodes[i].skin);
+  for (const int skin : skins)
+    for (const int joint : model.skins[static_cast<std::size_t>(skin)].joints)
+      addPosedOnly(context, joint, parents);
 }
 
 } // namespace
@@ -141,6 +176,7 @@ void addGltfNodes(GltfContext& context) {
     for (auto child = children.rbegin(); child != children.rend(); ++child)
       open.push_back({*child, context.sceneNode[source]});
   }
+  addJointsOutside(context);
 }
 
 void keepStrongestLights(GltfContext& context) {

@@ -102,6 +102,23 @@ TEST(GltfLoader, PlaysTheAnimationAndFitsTheShotToIt) {
       << "under a mirrored parent";
 }
 
+TEST(GltfLoader, PosesASkinByJointsOutsideTheScene) {
+  GltfSample sample;
+  json& nodes = sample.json["nodes"];
+  nodes[0]["children"] = {1, 2}; // the joint is no child of the scene's any more, but of a root beside it
+  nodes.push_back({{"name", "armature"}, {"translation", {5, 0, 0}}, {"children", {3}}, {"mesh", 0}});
+  const Scene scene = openScene(sample.writeEmbedded("outside").string());
+  EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
+  const auto skinned = std::ranges::find(scene.nodes, 0, &Node::skin);
+  ASSERT_NE(skinned, scene.nodes.end());
+  const Primitive& primitive = scene.meshes[std::size_t(skinned->mesh)].primitives.at(0);
+  const Deformer deformer(scene, static_cast<int>(skinned - scene.nodes.begin()), primitive,
+                          poseAt(scene, 0.0), 0.0);
+  EXPECT_EQ(deformer.position(2), glm::vec3(5, 3, 0)) << "(0, 1, 0) moved by joint and armature";
+  EXPECT_EQ(std::ranges::count_if(scene.nodes, [](const Node& node) { return node.mesh >= 0; }), 2)
+      << "the armature's own mesh is not in the scene";
+}
+
 TEST(GltfLoader, SkinsVerticesByTheirJoints) {
   const Scene scene = openScene(GltfSample().writeEmbedded("skinned").string());
   ASSERT_EQ(scene.skins.size(), 1u);
