@@ -64,8 +64,8 @@ std::vector<std::optional<ObjectClass>> givenClasses(const SceneOutline& outline
 
 std::vector<bool> movingNodes(const Scene& scene) {
   std::vector<bool> moves(scene.nodes.size(), false);
-  if (!scene.animations.empty())
-    for (const AnimationChannel& channel : scene.animations.front().channels)
+  for (const Animation& animation : scene.animations)
+    for (const AnimationChannel& channel : animation.channels)
       if (channel.node >= 0 && channel.path != AnimationPath::Weights)
         moves[static_cast<std::size_t>(channel.node)] = true;
   for (std::size_t index = 0; index < scene.nodes.size(); ++index) { // parents come first

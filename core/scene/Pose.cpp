@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <span>
+#include <vector>
 
 namespace taa {
 
@@ -127,6 +129,21 @@ double loopedTime(double time, double duration) {
   return duration > 0.0 ? std::max(0.0, time - std::floor(time / duration) * duration) : 0.0;
 }
 
+/// At the time of the pose, over what others have written.
+void play(const Scene& scene, const Animation& animation, std::vector<Transform>& transforms, Pose& pose) {
+  const double time = loopedTime(pose.time, animation.duration);
+  for (const AnimationChannel& channel : animation.channels) {
+    const auto node = static_cast<std::size_t>(channel.node);
+    if (channel.path == AnimationPath::Weights)
+      applyWeights(channel, time,
+                   std::span(pose.morphWeights)
+                       .subspan(static_cast<std::size_t>(scene.nodes[node].firstWeight),
+                                static_cast<std::size_t>(channel.weightCount)));
+    else
+      apply(channel, time, transforms.at(node));
+  }
+}
+
 } // namespace
 
 Pose poseAt(const Scene& scene, double time) {
@@ -136,20 +153,7 @@ Pose poseAt(const Scene& scene, double time) {
   Pose pose;
   pose.time = time;
   pose.morphWeights = scene.morphWeights;
-  if (!scene.animations.empty()) {
-    const Animation& animation = scene.animations.front();
-    const double animationTime = loopedTime(time, animation.duration);
-    for (const AnimationChannel& channel : animation.channels) {
-      const auto node = static_cast<std::size_t>(channel.node);
-      if (channel.path == AnimationPath::Weights)
-        applyWeights(channel, animationTime,
-                     std::span(pose.morphWeights)
-                         .subspan(static_cast<std::size_t>(scene.nodes[node].firstWeight),
-                                  static_cast<std::size_t>(channel.weightCount)));
-      else
-        apply(channel, animationTime, transforms.at(node));
-    }
-  }
+  for (const Animation& animation : scene.animations) play(scene, animation, transforms, pose);
   pose.worldFromNode.reserve(scene.nodes.size());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];

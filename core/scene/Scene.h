@@ -111,6 +111,9 @@ struct Shot {
   double framesPerSecond = 60.0;
   std::string camera = "orbit"; ///< camera path it opens with
   std::vector<int> cuts;        ///< frames at which the history starts anew, besides frame 0
+  int loopFrames = 0;           ///< after which camera paths come round; 0: after the shot
+
+  int cameraLoopFrames() const { return loopFrames > 0 ? loopFrames : frames; }
 };
 
 struct Scene {
@@ -120,8 +123,9 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Node> nodes;
   std::vector<Skin> skins;
-  std::vector<float> morphWeights;   ///< at rest, of all nodes one after another
-  std::vector<Animation> animations; ///< the first one plays
+  std::vector<float> morphWeights;         ///< at rest, of all nodes one after another
+  std::vector<Animation> animations;       ///< all of them play, each in a loop; later ones move over earlier
+  std::vector<std::string> animationNames; ///< that could be chosen, those that do not play included
   std::vector<SceneCamera> cameras;
   std::vector<Light> lights;
   std::vector<FogCone> fog; ///< at most kMaxFogCones

@@ -64,11 +64,18 @@ bool isBuiltinScene(const std::string& source) {
   return source.starts_with(kBuiltinPrefix);
 }
 
-Scene openScene(const std::string& source, const Progress& progress) {
-  if (!isBuiltinScene(source)) return loadGltf(source, progress);
-  report(progress, say<"Opening the scene">(), 0, 1);
-  Scene scene = makeBuiltin(source);
-  report(progress, say<"Opening the scene">(), 1, 1);
+Scene openScene(const std::string& source, const Progress& progress, const ShotChoice& choice) {
+  Scene scene;
+  if (isBuiltinScene(source)) {
+    if (!choice.animation.empty())
+      throw Error(say<"%1 has one animation; only of a file's can one be chosen">(source));
+    report(progress, say<"Opening the scene">(), 0, 1);
+    scene = makeBuiltin(source);
+    report(progress, say<"Opening the scene">(), 1, 1);
+  } else {
+    scene = loadGltf(source, progress, choice.animation);
+  }
+  if (choice.frames != 0) chooseLength(scene, choice.frames);
   return scene;
 }
 

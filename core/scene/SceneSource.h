@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/scene/Scene.h"
+#include "core/scene/ShotChoice.h"
 
 #include <string>
 #include <vector>
@@ -22,6 +23,6 @@ bool isBuiltinScene(const std::string& source);
 
 /// Opens "builtin:NAME" or the path of a .gltf or .glb file.
 /// Throws Error with file, place and reason when that is not possible; nothing else escapes.
-Scene openScene(const std::string& source, const Progress& progress = {});
+Scene openScene(const std::string& source, const Progress& progress = {}, const ShotChoice& choice = {});
 
 } // namespace taa

@@ -83,7 +83,7 @@ float orbitDistance(const PathSubject& subject, float aspect) {
 }
 
 double shotSeconds(const Scene& scene) {
-  const double seconds = scene.shot.frames / scene.shot.framesPerSecond;
+  const double seconds = scene.shot.cameraLoopFrames() / scene.shot.framesPerSecond;
   return std::isfinite(seconds) && seconds > 0.0 ? seconds : 4.0;
 }
 

@@ -124,9 +124,6 @@ void addGltfAnimations(GltfContext& context) {
       }
     if (!animation.channels.empty()) context.scene.animations.push_back(std::move(animation));
   }
-  if (context.scene.animations.size() > 1)
-    context.warn(say<"The file has %1 animations; the first, \"%2\", plays.">(
-        context.scene.animations.size(), context.scene.animations.front().name));
 }
 
 } // namespace taa

@@ -3,6 +3,7 @@
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
 #include "core/scene/Geometry.h"
+#include "core/scene/ShotChoice.h"
 #include "core/scene/gltf/GltfAnimation.h"
 #include "core/scene/gltf/GltfContext.h"
 #include "core/scene/gltf/GltfDocument.h"
@@ -18,6 +19,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace taa {
 
@@ -42,20 +44,31 @@ void setBounds(Scene& scene) {
   scene.bounds = bounds;
 }
 
-/// Whole runs of the first animation, four seconds or a little more; without one, a turn of the orbit.
+/// Whole runs of the longest animation, four seconds or a little more; without one, a turn of the orbit.
 Shot shotOf(const Scene& scene) {
   constexpr double kSeconds = 4.0;
   constexpr int kStillFrames = 480, kMaxFrames = 1200;
+  double duration = 0.0;
+  for (const Animation& animation : scene.animations)
+    duration = std::max(duration, double(animation.duration));
   Shot shot;
   shot.frames = kStillFrames;
-  if (scene.animations.empty() || !(scene.animations.front().duration > 0.0f)) return shot;
-  const double duration = scene.animations.front().duration;
+  if (!(duration > 0.0)) return shot;
   const double frames = std::ceil(kSeconds / duration) * duration * shot.framesPerSecond;
   shot.frames = static_cast<int>(std::clamp(std::round(frames), 1.0, double(kMaxFrames)));
   return shot;
 }
 
-Scene build(const std::filesystem::path& file, const Progress& progress) {
+/// Says so where nobody has chosen among several.
+void chooseAmong(GltfContext& context, const std::string& animation) {
+  chooseAnimation(context.scene, animation);
+  const std::vector<std::string>& names = context.scene.animationNames;
+  if (animation.empty() && names.size() > 1)
+    context.warn(
+        say<"The file has %1 animations; the first, \"%2\", plays.">(names.size(), shownText(names.front())));
+}
+
+Scene build(const std::filesystem::path& file, const Progress& progress, const std::string& animation) {
   report(progress, say<"Reading the file">(), 0, 1);
   GltfDocument document = readGltfDocument(file);
   checkGltfTypes(document.json);
@@ -76,6 +89,7 @@ Scene build(const std::filesystem::path& file, const Progress& progress) {
   checkRestTransforms(context);
   addGltfMeshes(context);
   addGltfAnimations(context);
+  chooseAmong(context, animation);
   setBounds(scene);
   scene.shot = shotOf(scene);
   scene.sky.sunEnabled = scene.lights.empty();
@@ -85,9 +99,9 @@ Scene build(const std::filesystem::path& file, const Progress& progress) {
 
 } // namespace
 
-Scene loadGltf(const std::filesystem::path& file, const Progress& progress) {
+Scene loadGltf(const std::filesystem::path& file, const Progress& progress, const std::string& animation) {
   try {
-    return build(file, progress);
+    return build(file, progress, animation);
   } catch (const Cancelled&) {
     throw;
   } catch (const std::bad_alloc&) {

@@ -5,10 +5,13 @@
 #include "core/scene/Scene.h"
 
 #include <filesystem>
+#include <string>
 
 namespace taa {
 
-/// Throws Error "cannot open FILE: PLACE: REASON", Cancelled when `progress` asks for it, and nothing else.
-Scene loadGltf(const std::filesystem::path& file, const Progress& progress = {});
+/// `animation` is as chooseAnimation() takes it. Throws Error "cannot open FILE: PLACE: REASON", Cancelled
+/// when `progress` asks for it, and nothing else.
+Scene loadGltf(const std::filesystem::path& file, const Progress& progress = {},
+               const std::string& animation = {});
 
 } // namespace taa

@@ -3,6 +3,7 @@
 #include "core/scene/Deform.h"
 #include "core/scene/Pose.h"
 #include "core/scene/SceneSource.h"
+#include "tests/support/ErrorOf.h"
 #include "tests/support/Paths.h"
 #include "tests/support/frames/GltfSample.h"
 
@@ -100,6 +101,55 @@ TEST(GltfLoader, PlaysTheAnimationAndFitsTheShotToIt) {
   EXPECT_EQ(scene.shot.frames, 240);
   EXPECT_EQ(glm::vec3(poseAt(scene, 0.25).worldFromNode[1][3]), glm::vec3(0, -1, 0))
       << "under a mirrored parent";
+}
+
+/// With a second animation, which moves the triangle along x by 6 in 3 seconds, and a third without a name.
+GltfSample severalAnimations() {
+  GltfSample sample;
+  const int times = sample.addFloats({0, 3}, "SCALAR"), places = sample.addFloats({0, 0, 0, 6, 0, 0}, "VEC3");
+  json& animations = sample.json["animations"];
+  animations[0]["name"] = "up";
+  animations.push_back(animations[0]);
+  animations[1]["name"] = "along";
+  animations[1]["samplers"][0] = {{"input", times}, {"output", places}};
+  animations.push_back(animations[0]);
+  animations[2].erase("name");
+  animations[2]["channels"][0]["target"]["node"] = 3; // the joint
+  return sample;
+}
+
+TEST(GltfLoader, PlaysTheAnimationThatIsChosen) {
+  const std::string file = severalAnimations().writeEmbedded("several").string();
+  const Scene first = openScene(file), chosen = openScene(file, {}, {.animation = "along"});
+  EXPECT_EQ(first.animationNames, (std::vector<std::string>{"up", "along", "#3"}));
+  EXPECT_EQ(chosen.animationNames, first.animationNames);
+  ASSERT_EQ(first.warnings.size(), 1u);
+  EXPECT_EQ(first.warnings[0], "The file has 3 animations; the first, \"up\", plays.");
+  EXPECT_TRUE(chosen.warnings.empty());
+  EXPECT_EQ(glm::vec3(poseAt(first, 0.5).worldFromNode[1][3]), glm::vec3(0, -2, 0));
+  EXPECT_EQ(glm::vec3(poseAt(chosen, 1.5).worldFromNode[1][3]), glm::vec3(3, 0, 0));
+  EXPECT_EQ(first.shot.frames, 240) << "four runs of a second";
+  EXPECT_EQ(chosen.shot.frames, 360) << "two runs of three seconds";
+  EXPECT_EQ(glm::vec3(poseAt(openScene(file, {}, {.animation = "#3"}), 0.5).worldFromNode[3][3]),
+            glm::vec3(0, -2, 0))
+      << "instead of the joint's own place";
+}
+
+TEST(GltfLoader, PlaysAllAnimationsAtOnceEachInItsLoop) {
+  const std::string file = severalAnimations().writeEmbedded("all").string();
+  const Scene all = openScene(file, {}, {.animation = "all"});
+  EXPECT_EQ(all.shot.frames, 360) << "of the longest";
+  const Pose pose = poseAt(all, 3.5); // half a second into each run
+  EXPECT_EQ(glm::vec3(pose.worldFromNode[1][3]), glm::vec3(1, 0, 0)) << "the later one moves it";
+  EXPECT_EQ(glm::vec3(pose.worldFromNode[3][3]), glm::vec3(0, -2, 0));
+}
+
+TEST(GltfLoader, NamesTheAnimationsThereAre) {
+  const std::string file = severalAnimations().writeEmbedded("none").string();
+  EXPECT_EQ(test::errorOf([&] { openScene(file, {}, {.animation = "walk\n"}); }),
+            "cannot open " + file + ": it has no animation called \"walk?\"; there are up, along, #3, all");
+  EXPECT_EQ(test::errorOf([] { openScene("builtin:fan", {}, {.animation = "all"}); }),
+            "builtin:fan has one animation; only of a file's can one be chosen");
 }
 
 TEST(GltfLoader, PosesASkinByJointsOutsideTheScene) {
