@@ -6,6 +6,7 @@
 #include "core/scene/MotionMode.h"
 #include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
+#include "core/scene/ShotChoice.h"
 #include "core/scene/camera/CameraTrack.h"
 #include "core/settings/Settings.h"
 #include "core/sweep/PointClaim.h"
@@ -43,6 +44,7 @@ struct ShotArguments {
   std::vector<std::string> classes;     ///< "OBJECT=CLASS"
   std::vector<int> restarts;            ///< frames
   int checkpointsMiB = 1024;
+  ShotChoice choice;                  ///< instead of a session's, as far as it is said
   std::string cameraPose, cameraPath; ///< "x,y,z,yaw,pitch[,fov]"; a file
   ObjectFilter filter;
 };

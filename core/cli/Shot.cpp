@@ -42,6 +42,9 @@ ShotPlan planSession(const ShotArguments& arguments) {
   for (const ClassOverride& given : objectClassesOf(arguments)) plan.objectClasses.push_back(given);
   plan.restarts.insert(plan.restarts.end(), arguments.restarts.begin(), arguments.restarts.end());
   plan.notes = session.notes;
+  plan.choice = session.choice;
+  if (!arguments.choice.animation.empty()) plan.choice.animation = arguments.choice.animation;
+  if (arguments.choice.frames > 0) plan.choice.frames = arguments.choice.frames;
   return plan;
 }
 
@@ -80,7 +83,9 @@ ShotPlan planShot(const ShotArguments& arguments) {
           -1,
           objectClassesOf(arguments),
           arguments.restarts,
-          isSizeAsked};
+          isSizeAsked,
+          {},
+          arguments.choice};
 }
 
 namespace {
@@ -112,7 +117,7 @@ void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPl
   inspector.shot().setLanes(settings);
   const bool isCaptured = !isBuiltinScene(plan.source) && capture::isCapture(plan.source);
   if (!isCaptured) setAskedSize(inspector, plan);
-  inspector.shot().open(plan.source, progress);
+  inspector.shot().open(plan.source, progress, plan.choice);
   if (const auto captured = inspector.shot().capture()) checkForCapture(*captured, arguments, plan);
   if (!plan.camera.empty()) inspector.shot().setCamera(plan.camera);
   if (plan.track) inspector.shot().setCameraTrack(*plan.track);

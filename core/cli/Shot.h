@@ -26,6 +26,7 @@ struct ShotPlan {
   std::vector<int> restarts;
   bool isSizeAsked = false;         ///< by the caller, not by a session or as the default
   std::vector<std::string> notes{}; ///< to say of the session
+  ShotChoice choice{};
 };
 ShotPlan planShot(const ShotArguments& arguments);
 

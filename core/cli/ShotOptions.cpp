@@ -24,6 +24,12 @@ CLI::Option* addSceneOptions(CLI::App& command, ShotArguments& shot) {
       ->type_name("FILE")
       ->excludes(camera)
       ->excludes(pose);
+  command.add_option("--animation", shot.choice.animation,
+                     "Of a file with several: the one that plays, by its name, or all; else the first");
+  command
+      .add_option("--length", shot.choice.frames,
+                  "How many frames the shot has, 1 to 100000; else as many as the scene's own")
+      ->check(CLI::Range(1, kMaxShotFrames));
   command
       .add_option("--hide", shot.filter.hidden,
                   "Do not draw the objects of this name and what is below them; repeat it for more")

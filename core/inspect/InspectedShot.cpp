@@ -47,8 +47,8 @@ InspectedShot::InspectedShot(const gl::Driver& driver, ShotPlayer& player, Visua
                              ReferenceOfShot& reference, const ShotProfiler& profiler)
     : driver_(driver), player_(player), visualizer_(visualizer), reference_(reference), profiler_(profiler) {}
 
-void InspectedShot::open(const std::string& source, const Progress& progress) {
-  OpenedSource opened = openSource(source, progress);
+void InspectedShot::open(const std::string& source, const Progress& progress, const ShotChoice& choice) {
+  OpenedSource opened = openSource(source, progress, choice);
   ShotState next = player_.state();
   next.source = source;
   next.scene = std::move(opened.scene);
@@ -67,6 +67,7 @@ void InspectedShot::open(const std::string& source, const Progress& progress) {
   next.restarts.clear();
   next.frames->warmUp(next.request(0), progress);
   player_.open(std::move(next));
+  choice_ = choice;
   scenePx_ = captured ? std::optional(scenePx) : std::nullopt;
   if (isResized) player_.freeTextures();
   reference_.forget();

@@ -8,6 +8,7 @@
 #include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
 #include "core/scene/Scene.h"
+#include "core/scene/ShotChoice.h"
 #include "core/scene/camera/CameraTrack.h"
 #include "core/settings/Lanes.h"
 #include "core/settings/Settings.h"
@@ -53,9 +54,10 @@ class InspectedShot {
   // What is looked at; all but settings, lanes and size expect that something is open
   /// A glTF file, "builtin:NAME", or a capture's folder or capture.json. Goes to frame 0 with the scene's own
   /// camera, of a capture with its size, too.
-  void open(const std::string& source, const Progress& progress = {});
-  const std::string& source() const; ///< empty: nothing is open yet
-  const Scene& scene() const;        ///< of a capture it holds nothing to draw
+  void open(const std::string& source, const Progress& progress = {}, const ShotChoice& choice = {});
+  const ShotChoice& choice() const { return choice_; } ///< it was opened with
+  const std::string& source() const;                   ///< empty: nothing is open yet
+  const Scene& scene() const;                          ///< of a capture it holds nothing to draw
   /// What is the capture's own; null: a scene is open. Whatever changes camera, objects or size of a capture
   /// throws Error.
   std::shared_ptr<const CaptureFacts> capture() const;
@@ -159,7 +161,8 @@ class InspectedShot {
   const ShotProfiler& profiler_;
   BackgroundCompiler compiler_;
   std::vector<Settings> lanes_{Settings{}}; // as they were set
-  std::optional<glm::ivec2> scenePx_;       // while a capture is open: the size of what was open before
+  ShotChoice choice_;
+  std::optional<glm::ivec2> scenePx_; // while a capture is open: the size of what was open before
 };
 
 } // namespace taa

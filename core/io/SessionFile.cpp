@@ -157,13 +157,15 @@ void renameFields(Json& window, Notes& notes) {
 SessionFile sessionFromJson(const Json& object) {
   checkKeys(object, Part::Session,
             {"format", "source", "camera", "frame", "size", "preset", "presetSettings", "settings", "lanes",
-             "track", "hidden", "isolated", "motionModes", "classes", "restarts", "checkpointsMiB",
-             "window"});
+             "track", "animation", "length", "hidden", "isolated", "motionModes", "classes", "restarts",
+             "checkpointsMiB", "window"});
   if (const Json& format = field(object, "format"); format != kSessionFormat)
     throw Error(say<"its format is %1, this program reads %2">(shownText(format.dump()), kSessionFormat));
   SessionFile session;
   session.source = nameFrom(field(object, "source"), "source");
   session.camera = nameFrom(object.value("camera", Json("")), "camera");
+  session.choice.animation = nameFrom(object.value("animation", Json("")), "animation");
+  session.choice.frames = wholeFrom(object.value("length", Json(0)), "length", 0, kMaxShotFrames);
   session.frame = wholeFrom(field(object, "frame"), "frame", 0, kMaxFrame);
   const Json& size = field(object, "size");
   if (!size.is_array() || size.size() != 2) throw Error(say<"\"%1\" wants [width, height]">("size"));
@@ -216,6 +218,8 @@ std::string sessionToText(const SessionFile& session) {
   object["format"] = kSessionFormat;
   object["source"] = session.source;
   object["camera"] = session.camera;
+  if (!session.choice.animation.empty()) object["animation"] = session.choice.animation;
+  if (session.choice.frames > 0) object["length"] = session.choice.frames;
   object["frame"] = session.frame;
   object["size"] = {session.size.x, session.size.y};
   laneToJson(session.settings, object);

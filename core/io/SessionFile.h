@@ -4,6 +4,7 @@
 #include "core/scene/MotionMode.h"
 #include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
+#include "core/scene/ShotChoice.h"
 #include "core/scene/camera/CameraTrack.h"
 #include "core/settings/Settings.h"
 
@@ -27,6 +28,7 @@ struct SessionLane {
 struct SessionFile {
   std::string source; ///< "builtin:NAME" or a path
   std::string camera; ///< empty: the scene's own
+  ShotChoice choice;  ///< of its animations and its length
   int frame = 0;
   glm::ivec2 size{1280, 720}; ///< of the picture
   SessionLane settings;

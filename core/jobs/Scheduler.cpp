@@ -36,7 +36,7 @@ void Scheduler::takeUp(RequestQueue requests) {
 // A source decides what becomes of the requests for the scene; poses and recordings are dealt with together.
 void Scheduler::takeTurn(RequestQueue& requests, Turn turn) {
   if (turn == Turn::Source) {
-    if (const auto open = requests.takeSource()) requests.settleSource(changes_.open(open->source));
+    if (const auto open = requests.takeSource()) requests.settleSource(changes_.open(*open));
     return;
   }
   for (const PostedRequest& posted : requests.take(turn))

@@ -43,6 +43,8 @@ void addShot(Line& line, const SessionFile& session, const CaptureFacts* capture
     line.add("--camera-pose", poseText(session.track->poses.front()));
   else if (!session.camera.empty())
     line.add("--camera", session.camera);
+  if (!session.choice.animation.empty()) line.add("--animation", session.choice.animation);
+  if (session.choice.frames > 0) line.add("--length", std::to_string(session.choice.frames));
   for (const std::string& name : session.filter.hidden) line.add("--hide", name);
   for (const std::string& name : session.filter.isolated) line.add("--isolate", name);
   // A user's own preset is not known elsewhere: then all that differs from the first one is said.

@@ -12,6 +12,7 @@
 #include "core/scene/MotionMode.h"
 #include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
+#include "core/scene/ShotChoice.h"
 #include "core/scene/camera/CameraTrack.h"
 #include "core/scene/camera/FlightRecording.h"
 #include "core/settings/Settings.h"
@@ -57,6 +58,7 @@ namespace request {
 /// What was asked of the scene before counts where this one is refused.
 struct Open {
   std::string source;
+  ShotChoice choice{};
   static constexpr RequestRule kRule{.kind = RequestKind::Source, .turn = Turn::Source, .endsReplay = true};
 };
 

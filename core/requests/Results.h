@@ -8,6 +8,7 @@
 #include "core/requests/Playback.h"
 #include "core/requests/RequestKinds.h"
 #include "core/scene/SceneOutline.h"
+#include "core/scene/ShotChoice.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -56,7 +57,9 @@ inline constexpr std::size_t kMaxObjects = 40;
 struct Status {
   std::string source, camera;
   std::vector<std::string> cameras, warnings;
-  std::vector<std::string> objects; ///< names of what is drawn, at most kMaxObjects
+  std::vector<std::string> animations; ///< that can be chosen
+  ShotChoice choice;                   ///< what was chosen of the scene when it was opened
+  std::vector<std::string> objects;    ///< names of what is drawn, at most kMaxObjects
   std::vector<MotionOverride> motionModes;
   int width = 0, height = 0, frameCount = 0;
   double framesPerSecond = 60.0;

@@ -16,7 +16,7 @@ void openShotOf(Inspector& inspector, const SessionFile& session, const Progress
   InspectedShot& shot = inspector.shot();
   if (isBuiltinScene(session.source) || !capture::isCapture(session.source))
     shot.setSize(session.size.x, session.size.y);
-  shot.open(session.source, progress);
+  shot.open(session.source, progress, session.choice);
   if (!session.camera.empty() && !session.track) shot.setCamera(session.camera);
   if (session.track) shot.setCameraTrack(*session.track);
   shot.setMotionModes(session.motionModes);

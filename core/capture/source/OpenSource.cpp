@@ -1,5 +1,6 @@
 #include "core/capture/source/OpenSource.h"
 
+#include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/capture/source/Capture.h"
 #include "core/capture/source/CaptureScene.h"
@@ -31,9 +32,13 @@ OpenedSource openCaptured(const std::string& source, const Progress& progress) {
 
 } // namespace
 
-OpenedSource openSource(const std::string& source, const Progress& progress) {
-  if (!isBuiltinScene(source) && capture::isCapture(source)) return openCaptured(source, progress);
-  const auto scene = std::make_shared<const Scene>(openScene(source, progress));
+OpenedSource openSource(const std::string& source, const Progress& progress, const ShotChoice& choice) {
+  if (!isBuiltinScene(source) && capture::isCapture(source)) {
+    if (choice != ShotChoice{})
+      throw Error(say<"%1 is a captured sequence, whose animation and length are fixed">(source));
+    return openCaptured(source, progress);
+  }
+  const auto scene = std::make_shared<const Scene>(openScene(source, progress, choice));
   return {scene, std::make_shared<FaultySource>(std::make_unique<SceneRenderer>(scene, progress))};
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/render/FrameSource.h"
 #include "core/scene/Scene.h"
+#include "core/scene/ShotChoice.h"
 
 #include <memory>
 #include <string>
@@ -17,6 +18,7 @@ struct OpenedSource {
 
 /// "builtin:NAME", a .gltf or .glb file, the folder of a capture or its capture.json. Needs the current
 /// context. Throws Error with file, place and reason when that is not possible; Cancelled.
-OpenedSource openSource(const std::string& source, const Progress& progress = {});
+OpenedSource openSource(const std::string& source, const Progress& progress = {},
+                        const ShotChoice& choice = {});
 
 } // namespace taa

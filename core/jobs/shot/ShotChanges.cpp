@@ -8,7 +8,7 @@
 
 namespace taa {
 
-bool ShotChanges::open(const std::string& source) {
+bool ShotChanges::open(const request::Open& open) {
   flight_.end(); // of the old one, which stays where the new one is refused
   goal_.frame.reset();
   InspectedShot& shot = desk_.inspector.shot();
@@ -18,7 +18,7 @@ bool ShotChanges::open(const std::string& source) {
     return true;
   };
   const bool isOpened = desk_.change(RequestKind::Source, [&] {
-    shot.open(source, told);
+    shot.open(open.source, told, open.choice);
     objects_ = objectNames(shot.scene());
     objects_.resize(std::min(objects_.size(), kMaxObjects));
     outline_ = std::make_shared<const SceneOutline>(outlineOf(shot.scene(), shot.source()));

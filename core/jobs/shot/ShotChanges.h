@@ -18,7 +18,7 @@ class ShotChanges {
   ShotChanges(Desk& desk, CameraFlight& flight, Goal& goal) : desk_(desk), flight_(flight), goal_(goal) {}
 
   /// Whether it could be opened.
-  bool open(const std::string& source);
+  bool open(const request::Open& open);
 
   void take(const request::SetSize& size);
   void take(const request::SetFlownCameras& flown);

@@ -37,6 +37,8 @@ void ShownStatus::addShot(Status& status) const {
   status.source = shot.source();
   status.camera = shot.camera();
   status.cameras = shot.cameras();
+  status.animations = shot.scene().animationNames;
+  status.choice = shot.choice();
   status.warnings = shot.scene().warnings;
   status.objects = changes_.objects();
   status.motionModes = shot.motionModes();

@@ -176,6 +176,8 @@ TEST_F(BatchTest, SaysThatTheCallAsksForWhatIsNotThere) {
   expectUsageError(joined({"render", "builtin:nothing", "--frames", "0"}, out), {"nothing", "fan", "fence"});
   const std::vector<std::string> fan = joined({"render", "builtin:fan", "--size", "16x16"}, out);
   expectUsageError(joined(fan, {"--frames", "0..99999"}), {"99999", "frames 0 to"});
+  expectUsageError(joined(fan, {"--frames", "3", "--length", "3"}), {"no frame 3", "frames 0 to 2"});
+  expectUsageError(joined(fan, {"--frames", "0", "--length", "0"}), {"--length", "1", "100000"});
   expectUsageError(joined(fan, {"--frames", "0", "--fps", "nan"}), {"--fps", "nan", "1000"});
   expectUsageError(joined(fan, {"--frames", "0", "--divider", "nan"}), {"--divider", "nan"});
   expectUsageError(joined({"render", "builtin:fan", "--size", "3x3", "--frames", "0"}, out),

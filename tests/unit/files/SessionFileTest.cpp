@@ -148,12 +148,23 @@ TEST(SessionFile, KeepsClassesAndRestarts) {
       << line;
 }
 
+TEST(SessionFile, KeepsTheAnimationAndTheLength) {
+  SessionFile want = sample();
+  want.choice = {"walk", 1000};
+  const SessionFile is = sessionFromText(sessionToText(want), "it");
+  EXPECT_EQ(is.choice, want.choice);
+  EXPECT_EQ(sessionFromText(sessionToText(sample()), "it").choice, ShotChoice{});
+  EXPECT_NE(renderCommand(want, {}).find(" --animation walk --length 1000 "), std::string::npos);
+}
+
 TEST(SessionFile, RefusesByName) {
   const std::pair<std::string, std::string> cases[] = {
       {changed("colour", 1), "\"colour\""},
       {changed("format", 2), "format is 2"},
       {changed("source", nullptr), "\"source\" is missing"},
       {changed("source", 7), "\"source\" is not text"},
+      {changed("animation", 7), "\"animation\" is not text"},
+      {changed("length", 100001), "\"length\" wants a whole number from 0 to 100000"},
       {changed("frame", -1), "\"frame\""},
       {changed("frame", 1.5), "\"frame\""},
       {changed("frame", 1e300), "\"frame\""},
