@@ -138,6 +138,13 @@ void addSceneOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
   app.add_option("--camera-path", texts.cameraPath, "Look through a recorded path")
       ->type_name("FILE")
       ->excludes(pose);
+  app.add_option("--animation", arguments.choice.animation,
+                 "Of a file with several: play this one, by its name, or all; the first without it")
+      ->type_name("NAME");
+  app.add_option("--length", arguments.choice.frames,
+                 "How many frames the shot has; as many as the scene's own without it")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMaxShotFrames));
   app.add_option("--hide", arguments.filter.hidden,
                  "Do not draw the objects of this name and what is below them; repeat it for more")
       ->type_name("NAME")

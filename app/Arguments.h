@@ -6,6 +6,7 @@
 
 #include "core/inspect/Comparison.h"
 #include "core/scene/ObjectFilter.h"
+#include "core/scene/ShotChoice.h"
 #include "core/scene/camera/CameraTrack.h"
 #include "core/taa/rows/Intermediates.h"
 
@@ -37,6 +38,7 @@ struct Arguments {
   std::string panel;                   ///< page of the lower area to show, or "scene"; empty: none
   std::string dialog;                  ///< of dialogNames(), in a picture of the window; empty: none
   std::optional<CameraTrack> track;    ///< looked through
+  ShotChoice choice;                   ///< of a scene's animations and length
   ObjectFilter filter;
   bool coreTexts = false; ///< print the texts of the tables for lupdate, and end
   bool reopens = false;   ///< nothing says what to show: go on from where the program was closed

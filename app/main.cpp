@@ -112,7 +112,8 @@ void openScene(Session& session, const Arguments& arguments) {
   if (arguments.checkpoints)
     session.setCheckpointBudget(static_cast<std::size_t>(*arguments.checkpoints) << 20);
   if (arguments.size) session.setSize(arguments.size->x, arguments.size->y);
-  session.open(QString::fromStdString(arguments.source), arguments.screenshot.empty() && !arguments.frame);
+  session.open(QString::fromStdString(arguments.source), arguments.screenshot.empty() && !arguments.frame,
+               arguments.choice);
 }
 
 /// Whether the render thread may open the scene while the window is still being built. A preset changes what

@@ -41,6 +41,23 @@ void GoToPrompts::askForFrame() {
   prompt->open();
 }
 
+void GoToPrompts::askForLength() {
+  const Status& status = session_.status();
+  auto* prompt = new Prompt(
+      tr("Length of the shot (1 to %1 frames, or nothing for the scene's own)").arg(kMaxShotFrames),
+      QString::number(status.frameCount),
+      [this](const QString& text) {
+        bool isNumber = false;
+        const int frames = text.trimmed().toInt(&isNumber);
+        const bool isOwn = text.trimmed().isEmpty();
+        if (!isOwn && (!isNumber || frames < 1 || frames > kMaxShotFrames)) return false;
+        session_.choose({session_.status().choice.animation, isOwn ? 0 : frames});
+        return true;
+      },
+      window_);
+  prompt->open();
+}
+
 void GoToPrompts::askForSize() {
   const Status& status = session_.status();
   auto* prompt = new Prompt(

@@ -19,6 +19,7 @@ class GoToPrompts : public QObject {
 
   void askForPixel();
   void askForFrame();
+  void askForLength();
   void askForSize();
   void askForMarkName();
 

@@ -38,6 +38,7 @@ FrameMenu::FrameMenu(Commands& commands, Session& session, TimelinePanel& timeli
   })->setIcon(themedIcon(QStringLiteral("stop")));
   addSeparator();
   addCameras();
+  addAnimations();
   addObjects();
   addSizes(prompts);
   addBudgets();
@@ -62,6 +63,8 @@ void FrameMenu::addSteps(GoToPrompts& prompts) {
     session.seek(session.status().frameCount - 1);
   })->setIcon(themedIcon(QStringLiteral("last")));
   add(tr("&Go to frame…"), keys({"G"}), [&prompts] { prompts.askForFrame(); });
+  QAction* length = add(tr("Length of the shot…"), {}, [&prompts] { prompts.askForLength(); });
+  onRefresh([&session, length] { allow(length, session.scene().whyFixed()); });
 }
 
 void FrameMenu::addLooping(TimelinePanel& timeline) {
@@ -130,6 +133,35 @@ void FrameMenu::refreshCameras(QMenu* menu) {
     }
   }
   for (QAction* action : menu->actions()) action->setChecked(action->text().toStdString() == status.camera);
+}
+
+void FrameMenu::addAnimations() {
+  QMenu* menu = addMenu(tr("Anima&tion"));
+  onRefresh([this, menu] { refreshAnimations(menu); });
+}
+
+// One is chosen where there are several.
+void FrameMenu::refreshAnimations(QMenu* menu) {
+  const Status& status = session_.status();
+  if (status.animations != animationNames_) {
+    animationNames_ = status.animations;
+    menu->clear();
+    const auto offer = [&](const QString& text, const std::string& name) {
+      QAction* action = menu->addAction(text, &session_, [this, name] {
+        session_.choose({name, session_.status().choice.frames});
+      });
+      action->setCheckable(true);
+      action->setData(QString::fromStdString(name));
+    };
+    for (const std::string& name : animationNames_)
+      offer(QString::fromStdString(name).replace(u'&', QStringLiteral("&&")), name);
+    offer(tr("All at once"), std::string(kAllAnimations));
+  }
+  const std::string& chosen = status.choice.animation;
+  const std::string playing = chosen.empty() && !animationNames_.empty() ? animationNames_.front() : chosen;
+  for (QAction* action : menu->actions())
+    action->setChecked(action->data().toString().toStdString() == playing);
+  menu->setEnabled(animationNames_.size() > 1);
 }
 
 void FrameMenu::addObjects() {

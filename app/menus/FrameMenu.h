@@ -24,13 +24,15 @@ class FrameMenu : public CommandMenu {
   void addRestarts(TimelinePanel& timeline);
   void addCameras();
   void refreshCameras(QMenu* menu);
+  void addAnimations();
+  void refreshAnimations(QMenu* menu);
   void addObjects();
   void refreshObjects(QMenu* menu);
   void addSizes(GoToPrompts& prompts);
   void addBudgets();
 
   Session& session_;
-  std::vector<std::string> cameraNames_, objectNames_;
+  std::vector<std::string> cameraNames_, animationNames_, objectNames_;
 };
 
 } // namespace taa::app

@@ -2,6 +2,8 @@
 
 #include "core/inspect/MemoryNeed.h"
 
+#include <QJsonObject>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -96,16 +98,28 @@ void Session::useStatus(Status&& status) {
   probes_.keepInPicture();
 }
 
-void Session::open(const QString& source, bool plays) {
+void Session::open(const QString& source, bool plays, const ShotChoice& choice) {
   playsWhenOpen_ = plays;
   beforeOpening_.reset();
-  opening_ = outbox_.post(request::Open{source.toStdString()});
+  opening_ = outbox_.post(request::Open{source.toStdString(), choice});
+}
+
+void Session::choose(const ShotChoice& choice) {
+  if (!isOpen() || choice == status_.choice) return;
+  const bool plays = status_.playing;
+  const QJsonObject cameras = scene_.state();
+  SessionFile next = file();
+  next.choice = choice;
+  restore(next);
+  scene_.setState(cameras);
+  if (plays) setPlaying(true);
 }
 
 SessionFile Session::file() const {
   SessionFile file;
   file.source = status_.source;
   file.camera = scene_.sceneCamera();
+  file.choice = status_.choice;
   for (const CameraTrackHandle& track : status_.tracks)
     if (track->name == status_.camera) file.track = *track;
   file.filter = scene_.objectFilter();
@@ -122,7 +136,7 @@ SessionFile Session::file() const {
 void Session::restore(const SessionFile& file) {
   std::optional<SessionFile> before;
   if (isOpen()) before = this->file();
-  open(QString::fromStdString(file.source), false);
+  open(QString::fromStdString(file.source), false, file.choice);
   beforeOpening_ = std::move(before);
   apply(file);
 }

@@ -60,7 +60,9 @@ class Session : public QObject {
 
   // Requests
   /// Plays once it is open, or waits at frame 0.
-  void open(const QString& source, bool plays = true);
+  void open(const QString& source, bool plays = true, const ShotChoice& choice = {});
+  /// Opens what is open again with another animation or length; all else stays, but what could be undone.
+  void choose(const ShotChoice& choice);
   void setSize(int width, int height);
   void setPlaying(bool playing);
   void togglePlaying();

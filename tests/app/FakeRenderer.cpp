@@ -54,7 +54,7 @@ RequestId FakeRenderer::post(Request request) {
 }
 
 void FakeRenderer::take(const request::Open& asked) {
-  const auto& [source] = asked;
+  const auto& [source, choice] = asked;
   const bool isCapture = source.ends_with(kFakeCapture);
   if (!source.starts_with("builtin:") && !isCapture) {
     tell(Failure{"cannot open " + source + ": there is no such file", RequestKind::Source, requests + 1});
@@ -77,7 +77,10 @@ void FakeRenderer::take(const request::Open& asked) {
   status.restarts.clear();
   status.tracks.clear();
   status.outline = fakeOutline(source);
-  status.frameCount = 240;
+  status.choice = choice;
+  status.animations.clear();
+  if (source == kFakeAnimated) status.animations = {"walk", "run & jump"};
+  status.frameCount = choice.frames > 0 ? choice.frames : 240;
   status.width = 64;
   status.height = 36;
   status.jitterPeriod = 16;

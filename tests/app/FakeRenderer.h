@@ -15,6 +15,9 @@ namespace taa::app::test {
 /// A source that ends so is opened as a capture with the output of its engine, of 64×36 pixels too.
 inline constexpr const char* kFakeCapture = "/captured";
 
+/// Has two animations.
+inline constexpr const char* kFakeAnimated = "builtin:animated";
+
 /// Remembers what was asked of it. The value of every channel at pixel (x, y) of frame n is x + 100·y + n,
 /// and 10,000 more for each lane; stages have rejected n % of its pixels.
 class FakeRenderer final : public Renderer {

@@ -85,9 +85,9 @@ ValueTable::Row lineOf(const WhatIfRow& row, const WhatIfEntry& entry, const Pic
 
 /// The same whatever settings it is drawn with, and whichever frame is on show.
 bool isSameShot(const SessionFile& a, const SessionFile& b) {
-  return a.source == b.source && a.camera == b.camera && a.size == b.size && a.track == b.track &&
-         a.filter == b.filter && a.motionModes == b.motionModes && a.objectClasses == b.objectClasses &&
-         a.restarts == b.restarts;
+  return a.source == b.source && a.camera == b.camera && a.choice == b.choice && a.size == b.size &&
+         a.track == b.track && a.filter == b.filter && a.motionModes == b.motionModes &&
+         a.objectClasses == b.objectClasses && a.restarts == b.restarts;
 }
 
 } // namespace

@@ -17,6 +17,7 @@
 #include "tests/app/WindowFixture.h"
 #include "tests/support/ShaderFolder.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
@@ -83,6 +84,37 @@ TEST_F(SessionFiles, CtrlSAsksOnceAndThenSavesThere) {
   QTest::keyClick(own.get(), Qt::Key_S, Qt::ControlModifier);
   EXPECT_EQ(readSession(path("first.taa.json").toStdString()).frame, 12);
   EXPECT_EQ(own->keeper()->recent().front(), path("first.taa.json"));
+}
+
+TEST_F(SessionFiles, KeepTheAnimationAndTheLengthThatAreChosenInTheMenu) {
+  own->keeper()->openSource(app::test::kFakeAnimated);
+  settle();
+  session.scene().setCamera("pan");
+  session.scene().addCameraTrack({"flown", 0, {CameraPose{}}});
+  session.setSize(96, 54);
+  session.seek(33);
+  settle();
+  const auto action = [&](const QString& text) {
+    for (QAction* each : own->findChildren<QAction*>())
+      if (each->text() == text) return each;
+    return static_cast<QAction*>(nullptr);
+  };
+  ASSERT_TRUE(action("run && jump"));
+  action("run && jump")->trigger();
+  settle();
+  EXPECT_EQ(renderer->status.choice, (ShotChoice{"run & jump", 0}));
+  session.choose({"run & jump", 1000});
+  settle();
+  EXPECT_EQ(renderer->status.frameCount, 1000);
+  EXPECT_EQ(renderer->status.camera, "flown");
+  EXPECT_EQ(renderer->status.width, 96) << "all else stays";
+  EXPECT_EQ(renderer->status.info.frame, 33);
+  own->keeper()->saveTo(path("chosen.taa.json"));
+  session.choose({});
+  settle();
+  EXPECT_EQ(renderer->status.frameCount, 240);
+  drop(path("chosen.taa.json"));
+  EXPECT_EQ(renderer->status.choice, (ShotChoice{"run & jump", 1000}));
 }
 
 TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
