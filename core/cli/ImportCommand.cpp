@@ -1,6 +1,7 @@
 // taa-batch import: what a folder of somebody's frames is, and how sure that is, as a capture.
 #include "core/cli/Commands.h"
 
+#include "core/base/ShownText.h"
 #include "core/capture/import/Guess.h"
 #include "core/capture/import/SavedImport.h"
 #include "core/cli/Table.h"
@@ -43,7 +44,7 @@ void printFinding(std::ostream& out, const capture::Finding& finding) {
 void printSentences(std::ostream& out, const std::string& title, const std::vector<std::string>& sentences) {
   if (sentences.empty()) return;
   out << '\n' << title << '\n';
-  for (const std::string& sentence : sentences) out << "  " << sentence << '\n';
+  for (const std::string& sentence : sentences) out << "  " << shownLine(sentence) << '\n';
 }
 
 void printGuess(std::ostream& out, const capture::Guess& guess) {

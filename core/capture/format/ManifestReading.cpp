@@ -245,14 +245,14 @@ std::map<std::uint32_t, std::string> readObjects(const json& object) {
   requireObject(object, "objects");
   std::map<std::uint32_t, std::string> objects;
   for (const auto& [key, name] : object.items())
-    objects.emplace(readId(key), textOf(name, pathOf("objects", shownText(key))));
+    objects.emplace(readId(key), plainText(textOf(name, pathOf("objects", shownText(key)))));
   return objects;
 }
 
 std::vector<std::string> readNotes(const json& list) {
   requireList(list, "notes", kMaxNotes);
   std::vector<std::string> notes;
-  for (const json& note : list) notes.push_back(textOf(note, "notes"));
+  for (const json& note : list) notes.push_back(shownLine(textOf(note, "notes")));
   return notes;
 }
 
@@ -264,8 +264,9 @@ void requireFormat(const json& object) {
 
 void readAbout(const json& object, Manifest& manifest) {
   if (const json* schema = findField(object, "$schema")) textOf(*schema, "$schema"); // for editors
-  if (const json* name = findField(object, "name")) manifest.name = textOf(*name, "name");
-  if (const json* engine = findField(object, "engine")) manifest.engine = textOf(*engine, "engine");
+  if (const json* name = findField(object, "name")) manifest.name = plainText(textOf(*name, "name"));
+  if (const json* engine = findField(object, "engine"))
+    manifest.engine = plainText(textOf(*engine, "engine"));
   if (const json* like = findField(object, "like")) {
     manifest.like = textOf(*like, "like");
     manifest.conventions = startingPoint(manifest.like).conventions;

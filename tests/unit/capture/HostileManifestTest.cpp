@@ -68,6 +68,15 @@ TEST(HostileManifest, WithNothingWrongIsTaken) {
   EXPECT_NO_THROW(parseManifest(file(""), "it"));
 }
 
+TEST(HostileManifest, WhatMovesACursorIsTakenOutOfNames) {
+  const Manifest read = parseManifest(
+      file(R"("name": "a\nb", "engine": "\u001b[2J", "notes": ["x\ny"], "objects": {"1": "c\td"}, )"), "it");
+  EXPECT_EQ(read.name, "a?b");
+  EXPECT_EQ(read.engine, "?[2J");
+  EXPECT_EQ(read.notes, std::vector<std::string>{"x y"});
+  EXPECT_EQ(read.objects.at(1), "c?d");
+}
+
 TEST(HostileManifest, WhatIsNotJson) {
   EXPECT_EQ(refusalOf(""), "it is empty");
   EXPECT_EQ(refusalOf("{\n \"format\": 1,\n}"), "it is not JSON from line 3, column 1 on");
