@@ -89,25 +89,20 @@ TEST_F(ProfileTest, OfAReplayIsThatOfTheLastFrame) {
   EXPECT_EQ(resolve->runs, 1);
 }
 
-TEST_F(ProfileTest, StagesAddUpToTheResolve) {
+TEST_F(ProfileTest, EveryStageIsMeasuredAndNothingIsChangedByIt) {
   const taa::Image before = inspector->views().image(IntermediateId::resolved);
   const taa::StageCosts costs = inspector->profiler().measureStages();
   EXPECT_EQ(costs.frame, 3);
   EXPECT_EQ(costs.width, kWidth);
   std::set<Stage> stages;
-  double sum = costs.store.median;
   for (const taa::StageCost& cost : costs.stages) {
     stages.insert(cost.stage);
-    sum += cost.ms.median;
     EXPECT_LE(cost.ms.low, cost.ms.median);
     EXPECT_GE(cost.ms.high, cost.ms.median);
     EXPECT_LT(cost.ms.spread(), 1e9) << "enough rounds for a range";
   }
   EXPECT_EQ(stages.size(), 10u) << "all but jitter and output";
   EXPECT_GT(costs.whole.median, 0.0);
-  EXPECT_GT(costs.whole.median, costs.store.median) << "the whole resolve against nothing but its stores";
-  EXPECT_NEAR(sum, costs.whole.median, 0.5 * costs.whole.median)
-      << "medians of differences, not differences of medians";
   EXPECT_EQ(taa::test::difference(inspector->views().image(IntermediateId::resolved), before), "");
 }
 

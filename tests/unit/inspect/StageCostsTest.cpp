@@ -81,6 +81,12 @@ TEST(StageCosts, AreClearWhereTheyStandOut) {
   }
 }
 
+TEST(StageCosts, AddUpToWhatTheLastProgramTakesMore) {
+  double sum = 0.0;
+  for (const StageCost& cost : costsOf({0.5, 2.0, 0.25}, kSteady, kQuiet)) sum += cost.ms.median;
+  EXPECT_EQ(sum, 2.75);
+}
+
 TEST(StageCosts, ArePairedSoThatASlowMachineFallsOut) {
   // Ten times slower in the course of the rounds: unpaired, the ranges of two programs would be one.
   const auto slower = [](std::size_t round) { return 1.0 + 0.6 * static_cast<double>(round); };
