@@ -1,5 +1,6 @@
 #include "core/report/ReferencePage.h"
 
+#include "core/base/HtmlText.h"
 #include "core/base/Say.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/rows/ChannelNames.h"
@@ -12,26 +13,6 @@
 namespace taa {
 
 namespace {
-
-std::string htmlText(std::string_view text) {
-  std::string out;
-  for (char letter : text) {
-    switch (letter) {
-    case '&':
-      out += "&amp;";
-      break;
-    case '<':
-      out += "&lt;";
-      break;
-    case '>':
-      out += "&gt;";
-      break;
-    default:
-      out += letter;
-    }
-  }
-  return out;
-}
 
 /// A text of the tables, in the user's language.
 std::string htmlLabel(std::string_view text) {
