@@ -82,7 +82,7 @@ const std::vector<std::vector<std::string>>& floors() {
       {"taa"},
       {"probe", "replay", "story", "io"},
       {"measure"},
-      {"verdict"},
+      {"verdict", "doctor"},
       {"picture"},
       {"inspect"},
       {"report", "sweep"},

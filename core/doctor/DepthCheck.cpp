@@ -1,0 +1,211 @@
+#include "core/doctor/DepthCheck.h"
+
+#include "core/base/Median.h"
+#include "core/base/Say.h"
+#include "core/doctor/NumberText.h"
+#include "core/settings/Faults.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace taa::doctor {
+
+namespace {
+
+constexpr double kSamplesPerFrame = 4000.0;
+constexpr std::size_t kEnoughDepths = 500;
+// px: a depth that moves a pixel by less is not measured by it; what is farther from any depth's motion moves
+// by itself.
+constexpr double kLeastParallaxPx = 1.0, kOffLinePx = 0.05;
+// Of median |log|: what fits, and what is clearly something else.
+constexpr double kFittingLog = 0.05, kMissingLog = 0.15, kBetterRelation = 3.0;
+/// Of |log| of what is stated over the projection's distances.
+constexpr double kWrongNearLog = 0.05;
+/// Largest by smallest tenth of depths: with less the relations are alike.
+constexpr double kLeastRange = 1.5;
+
+/// The depth with which a pixel's motion is that of something at rest: its place before is linear in depth
+/// before it is divided by w.
+std::optional<double> depthOfMotion(const DoctorFrame& frame, const glm::ivec2& pixel) {
+  const glm::vec2 motionPx = frame.motionAt(pixel.x, pixel.y);
+  if (!isMotion(motionPx)) return {};
+  const glm::dvec2 pxPerNdc = glm::dvec2(0.5, -0.5) * glm::dvec2(frame.sizePx());
+  const glm::dvec2 ndc =
+      (glm::dvec2(pixel) + 0.5 - glm::dvec2(frame.depthJitterPx)) / pxPerNdc + glm::dvec2(-1.0, 1.0);
+  const glm::dvec2 before = ndc - glm::dvec2(motionPx) / pxPerNdc;
+  const glm::dmat4 matrix(*frame.previousClipFromClip);
+  const glm::dvec4 far = matrix * glm::dvec4(ndc, 0.0, 1.0), perDepth = matrix[2];
+  const glm::dvec2 miss = (glm::dvec2(far) - before * far.w) * pxPerNdc;
+  const glm::dvec2 slope = (glm::dvec2(perDepth) - before * perDepth.w) * pxPerNdc;
+  const double square = glm::dot(slope, slope);
+  if (!(square > 0.0)) return {};
+  const double depth = -glm::dot(miss, slope) / square;
+  const bool isMeasured = depth > 0.0 && depth * std::sqrt(square) >= kLeastParallaxPx * std::abs(far.w);
+  const bool isAtRest = glm::length(miss + depth * slope) <= kOffLinePx * std::abs(far.w);
+  if (!isMeasured || !isAtRest) return {};
+  return depth;
+}
+
+/// f(stored) of a relation; nothing where it has no depth.
+std::optional<double> related(RelationKind kind, double stored) {
+  switch (kind) {
+  case RelationKind::AsStated:
+  case RelationKind::NearPlane:
+    return stored > 0.0 ? std::optional(stored) : std::nullopt;
+  case RelationKind::Reversed:
+    return stored < 1.0 ? std::optional(1.0 - stored) : std::nullopt;
+  case RelationKind::Linear:
+    return stored > 0.0 ? std::optional(1.0 / stored) : std::nullopt;
+  }
+  return {};
+}
+
+DepthRelation relationOf(RelationKind kind, const std::vector<DepthSample>& samples) {
+  std::vector<double> logs;
+  for (const DepthSample& sample : samples)
+    if (const auto depth = related(kind, sample.stored)) logs.push_back(std::log(sample.byMotion / *depth));
+  const bool isScaled = kind == RelationKind::NearPlane || kind == RelationKind::Linear;
+  const double center = isScaled ? median(logs) : 0.0;
+  for (double& value : logs) value = std::abs(value - center);
+  return {kind, std::exp(center), logs.empty() ? 1e9 : median(logs)};
+}
+
+constexpr std::array<std::string_view, 4> kRelationIds = {"asStated", "nearPlane", "reversed", "linear"};
+
+std::string relationText(const DepthRelation& relation) {
+  switch (relation.kind) {
+  case RelationKind::AsStated:
+    return say<"as stated">();
+  case RelationKind::NearPlane:
+    return say<"times %1">(shortNumber(relation.factor));
+  case RelationKind::Reversed:
+    return say<"the other way around">();
+  case RelationKind::Linear:
+    return say<"linear in the distance">();
+  }
+  return {};
+}
+
+Fault depthFault(RelationKind kind) {
+  if (kind == RelationKind::Reversed) return Fault::DepthReversed;
+  return kind == RelationKind::Linear ? Fault::DepthLinear : Fault::NearPlaneWrong;
+}
+
+std::string depthChange(const DepthRelation& relation) {
+  if (relation.kind == RelationKind::Reversed)
+    return say<"State that depth is reversed, or that it is not: it is the other way than is stated.">();
+  if (relation.kind == RelationKind::Linear)
+    return say<"State that depth is a distance, or write what the projection leaves: it grows with the "
+               "distance.">();
+  return say<
+      "State a near plane that is %1 times as far: with the matrices, only that depth makes the motion "
+      "of what rests.">(shortNumber(1.0 / relation.factor));
+}
+
+Finding depthFinding(const std::vector<DepthRelation>& relations, const DepthRelation& best,
+                     std::size_t samples) {
+  const FaultInfo& row = faultInfo(depthFault(best.kind));
+  Finding out;
+  out.id = row.id;
+  out.name = sayLabel(row.label);
+  out.symptom = sayLabel(row.symptom);
+  out.isWholePicture = true;
+  out.change = depthChange(best);
+  out.reason = say<"At %1 pixels the motion given is that of something at rest at another depth than the one "
+                   "stored; the two are related like this: %2.">(samples, relationText(best));
+  out.measure = say<"median of |log| of depth by its motion over depth as stored">();
+  for (const DepthRelation& relation : relations)
+    out.residuals.push_back({std::string(kRelationIds[static_cast<std::size_t>(relation.kind)]),
+                             relationText(relation), relation.residual,
+                             relation.kind == RelationKind::AsStated, &relation == &best});
+  std::ranges::stable_sort(out.residuals, {}, &Residual::value);
+  return out;
+}
+
+/// The near plane that is stated is not that of the matrices.
+Finding statedNearFinding(double factor) {
+  const FaultInfo& row = faultInfo(Fault::NearPlaneWrong);
+  Finding out;
+  out.id = row.id;
+  out.name = sayLabel(row.label);
+  out.symptom = sayLabel(row.symptom);
+  out.isWholePicture = true;
+  out.reason =
+      say<"By the planes that are stated everything is %1 times as far away as by the projection that "
+          "frames are drawn with.">(shortNumber(factor));
+  out.change =
+      say<"State the near plane of the projection: %1 times what is stated.">(shortNumber(1.0 / factor));
+  return out;
+}
+
+/// Whether depths differ enough that relations do.
+bool haveRange(const std::vector<DepthSample>& samples) {
+  std::vector<double> depths;
+  for (const DepthSample& sample : samples) depths.push_back(sample.byMotion);
+  std::ranges::sort(depths);
+  return depths[depths.size() * 9 / 10] >= kLeastRange * depths[depths.size() / 10];
+}
+
+} // namespace
+
+void DepthEvidence::add(const DoctorFrame& frame) {
+  if (frame.distanceFactor > 0.0f) factors.push_back(static_cast<double>(frame.distanceFactor));
+  if (!frame.previousClipFromClip || frame.depth.empty() || frame.motionPx.empty()) return;
+  const glm::ivec2 size = frame.sizePx();
+  const double pixels = static_cast<double>(size.x) * size.y;
+  const int step = std::max(1, static_cast<int>(std::sqrt(pixels / kSamplesPerFrame)));
+  for (int y = step / 2; y < size.y; y += step)
+    for (int x = step / 2; x < size.x; x += step)
+      if (const auto depth = depthOfMotion(frame, {x, y}))
+        samples.push_back({static_cast<double>(*frame.depth.at(x, y)), *depth});
+}
+
+std::vector<DepthRelation> depthRelations(const std::vector<DepthSample>& samples) {
+  std::vector<DepthRelation> out;
+  for (const RelationKind kind :
+       {RelationKind::AsStated, RelationKind::NearPlane, RelationKind::Reversed, RelationKind::Linear})
+    out.push_back(relationOf(kind, samples));
+  return out;
+}
+
+void tellDepth(const DepthEvidence& evidence, Diagnosis& out) {
+  if (const double factor = median(evidence.factors);
+      factor > 0.0 && std::abs(std::log(factor)) >= kWrongNearLog) {
+    out.findings.push_back(statedNearFinding(factor));
+    return;
+  }
+  const std::string capture = say<"Let the camera move sideways past things near and far that rest.">();
+  if (evidence.samples.size() < kEnoughDepths) {
+    out.undecided.push_back(
+        {say<"Depth">(), say<"too few pixels move with the camera's way past them">(), capture});
+    return;
+  }
+  const std::vector<DepthRelation> relations = depthRelations(evidence.samples);
+  const DepthRelation& stated = relations.front();
+  if (stated.residual <= kFittingLog) {
+    out.healthy.push_back(say<"Depth and matrices make the motion of what rests.">());
+    return;
+  }
+  const DepthRelation& best = *std::ranges::min_element(relations, {}, &DepthRelation::residual);
+  const bool isClear = std::ranges::all_of(relations, [&](const DepthRelation& other) {
+    return &other == &best || other.residual >= kBetterRelation * best.residual;
+  });
+  if (best.residual > kFittingLog || stated.residual < kMissingLog || !isClear ||
+      !haveRange(evidence.samples))
+    out.undecided.push_back({say<"Depth">(),
+                             say<"the depths that the motion given would have do not follow from those "
+                                 "stored: motion or matrices may be wrong">(),
+                             capture});
+  else
+    out.findings.push_back(depthFinding(relations, best, evidence.samples.size()));
+}
+
+} // namespace taa::doctor

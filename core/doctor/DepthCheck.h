@@ -1,0 +1,47 @@
+// Whether depth is what it is said to be: with the matrices it makes the motion of what rests, or it does
+// not.
+#pragma once
+
+#include "core/doctor/Diagnosis.h"
+#include "core/doctor/frames/DoctorFrame.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace taa::doctor {
+
+/// How the depth that is stored follows from the true one, which is reversed with its far plane at infinity.
+enum class RelationKind : std::uint8_t {
+  AsStated,
+  NearPlane, ///< by a factor: the near plane is another one
+  Reversed,  ///< 1 − depth
+  Linear,    ///< it grows with the distance
+};
+
+/// A pixel's depth as stored, and the one with which the cameras make the motion given.
+struct DepthSample {
+  double stored = 0.0, byMotion = 0.0;
+};
+
+struct DepthRelation {
+  RelationKind kind = RelationKind::AsStated;
+  double factor = 1.0;   ///< byMotion = factor · f(stored)
+  double residual = 0.0; ///< median of |log| of what both sides differ by
+};
+
+/// Over all frames: pixels that the camera's way past them moves, and whose motion some depth explains.
+struct DepthEvidence {
+  std::vector<DepthSample> samples;
+  std::vector<double> factors; ///< DoctorFrame::distanceFactor, where it is known
+
+  void add(const DoctorFrame& frame);
+};
+
+/// All relations, AsStated first. Expects samples.
+std::vector<DepthRelation> depthRelations(const std::vector<DepthSample>& samples);
+
+/// Adds what is wrong, right or not decided about depth.
+void tellDepth(const DepthEvidence& evidence, Diagnosis& out);
+
+} // namespace taa::doctor

@@ -1,0 +1,66 @@
+// What the doctor says: findings with their evidence, what could not be decided and why, and what was looked
+// at.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace taa::doctor {
+
+inline constexpr int kDoctorFrames = 32; ///< that are examined, unless somebody says otherwise
+inline constexpr int kLeastDoctorFrames = 2, kMaxDoctorFrames = 1024;
+
+/// A region by what people call it, and where it was largest.
+struct RegionPlace {
+  std::string name;    ///< "the sky", "object 7 (wheel)"
+  int frame = 0;       ///< where it was largest …
+  glm::ivec4 box{0};   ///< … what it lies in: left, top, first beyond right and bottom, px …
+  glm::ivec2 pixel{0}; ///< … and one of its pixels
+  double share = 0.0;  ///< of all pixels of all frames
+};
+
+/// What one explanation leaves.
+struct Residual {
+  std::string id, text; ///< for files, for people
+  double value = 0.0;
+  bool isGiven = false, isBest = false;
+};
+
+enum class Sureness : std::uint8_t { Sure, Likely };
+
+struct Finding {
+  std::string id;   ///< of the table of faults where that has it: "motionNegatedY"
+  std::string name; ///< as a heading
+  Sureness sureness = Sureness::Sure;
+  bool isWholePicture = false; ///< `regions` are those it was measured in
+  std::vector<RegionPlace> regions;
+  std::string reason;              ///< a sentence: what it rests on
+  std::string measure;             ///< what residuals are: "mean difference of luma, × 1000"
+  std::vector<Residual> residuals; ///< by rising value
+  std::string symptom;             ///< a sentence: what one sees because of it
+  std::string change;              ///< sentences: what to change, in the engine's own convention
+};
+
+/// A question that these frames do not answer.
+struct Undecided {
+  std::string question; ///< "Motion of the sky"
+  std::string reason;   ///< a sentence
+  std::string capture;  ///< a sentence: what to capture instead; may be empty
+};
+
+struct Diagnosis {
+  int frames = 0, pairs = 0;
+  std::vector<Finding> findings;
+  std::vector<Undecided> undecided;
+  std::vector<std::string> healthy; ///< sentences: what was examined and is right
+  std::vector<std::string> notes;   ///< sentences: what is worth knowing and no fault
+
+  bool isHealthy() const { return findings.empty(); }
+};
+
+} // namespace taa::doctor

@@ -1,0 +1,153 @@
+#include "core/doctor/Doctor.h"
+
+#include "core/base/Error.h"
+#include "core/base/Say.h"
+#include "core/doctor/DepthCheck.h"
+#include "core/doctor/frames/Regions.h"
+#include "core/doctor/jitter/JitterCheck.h"
+#include "core/doctor/motion/MotionEvidence.h"
+#include "core/doctor/motion/MotionFindings.h"
+#include "core/doctor/motion/MotionRims.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace taa::doctor {
+
+namespace {
+
+/// What is gathered while frames go by, once.
+class Examiner {
+ public:
+  Examiner(const Examination& examination, const Patient& patient, const Progress& progress)
+      : examination_(examination), patient_(patient), progress_(progress) {}
+
+  /// `out`: counts frames and pairs.
+  void look(const FrameReader& read, Diagnosis& out) {
+    const int count = examination_.frames;
+    out.frames = out.pairs = 0;
+    std::optional<DoctorFrame> before, now = readNext(read, 0), after;
+    for (int frame = 0; frame < count; ++frame) {
+      if (frame + 1 < count) after = readNext(read, frame + 1);
+      add(before ? &*before : nullptr, *now, after ? &*after : nullptr, out);
+      before = std::exchange(now, std::exchange(after, {}));
+    }
+    report(progress_, say<"Examining frames">(), count, count);
+  }
+
+  const JitterEvidence& jitter() const { return jitter_; }
+  const DepthEvidence& depth() const { return depth_; }
+  const RimEvidence& rims() const { return rims_; }
+  void tellMotion(Diagnosis& out) const { doctor::tellMotion(motion_, tracker_.regions(), patient_, out); }
+
+ private:
+  DoctorFrame readNext(const FrameReader& read, int frame) const {
+    report(progress_, say<"Examining frames">(), frame, examination_.frames);
+    return read(frame);
+  }
+
+  void add(const DoctorFrame* before, const DoctorFrame& now, const DoctorFrame* after, Diagnosis& out) {
+    ++out.frames;
+    rims_.add(now);
+    const std::vector<RegionIndex> labels = tracker_.label(now);
+    const std::vector<RegionIndex> labelsBefore = std::exchange(labels_, labels);
+    jitter_.stated[now.frame] = now.jitterPx;
+    if (!before || now.startsHistory) return;
+    ++out.pairs;
+    const FrameNeighbors frames{now, *before, after};
+    jitter_.add(frames);
+    depth_.add(now);
+    if (examination_.known.motion) motion_.add(frames, labels, labelsBefore);
+  }
+
+  const Examination& examination_;
+  const Patient& patient_;
+  const Progress& progress_;
+  RegionTracker tracker_;
+  std::vector<RegionIndex> labels_; ///< of the frame that was added last
+  MotionEvidence motion_{patient_.sizePx};
+  JitterEvidence jitter_;
+  DepthEvidence depth_;
+  RimEvidence rims_;
+};
+
+/// Frames with the jitter that their pictures hold. A frame whose own jitter, or that of the one before, is
+/// not known is compared with nothing.
+FrameReader mendedReader(const Examination& examination, const JitterMender& mender) {
+  return [&examination, mender](int frame) {
+    DoctorFrame out = examination.read(frame);
+    const auto jitter = mender(frame);
+    if (!jitter || (frame > 0 && !mender(frame - 1))) out.startsHistory = true;
+    if (!jitter) return out;
+    out.jitterPx = *jitter;
+    if (examination.known.depthJittered) out.depthJitterPx = *jitter;
+    return out;
+  };
+}
+
+Patient sizedPatient(const Examination& examination) {
+  Patient patient = examination.patient;
+  if (patient.sizePx.x == 0) patient.sizePx = examination.read(0).sizePx();
+  if (patient.outputPx.x == 0) patient.outputPx = patient.sizePx;
+  return patient;
+}
+
+/// Motion, and depth as far as motion is a witness of it.
+void tellPlanes(const Examiner& examiner, const Examination& examination, Diagnosis& out) {
+  const std::size_t before = out.findings.size();
+  examiner.tellMotion(out);
+  const bool isMotionRight = out.findings.size() == before;
+  const bool isMotionWrong =
+      std::any_of(out.findings.begin() + static_cast<std::ptrdiff_t>(before), out.findings.end(),
+                  [](const Finding& finding) { return finding.isWholePicture; });
+  if (examination.known.camera && isMotionWrong)
+    out.undecided.push_back({say<"Depth">(), say<"motion is wrong, which says at which depth things rest">(),
+                             say<"Mend motion first.">()});
+  else if (examination.known.camera)
+    tellDepth(examiner.depth(), out);
+  tellRims(examiner.rims(), isMotionRight, out);
+}
+
+} // namespace
+
+Examination examinationOf(const DoctorSource& source, int frames) {
+  if (source.frameCount < kLeastDoctorFrames)
+    throw Error(say<"there are %1 frames, and the doctor compares each with the one before it: capture at "
+                    "least 8, better 32">(source.frameCount));
+  Examination out;
+  out.read = readerOf(source);
+  out.frames = std::min(frames, source.frameCount);
+  out.known = source.known;
+  out.patient.outputPx = {source.request.width, source.request.height};
+  out.patient.objectNames = source.objectNames;
+  out.patient.conventions = source.conventions;
+  return out;
+}
+
+Diagnosis examine(const Examination& examination, const Progress& progress) {
+  const Patient patient = sizedPatient(examination);
+  Diagnosis out;
+  Examiner first(examination, patient, progress);
+  first.look(examination.read, out);
+  const JitterMender mender = tellJitter(first.jitter(), examination.known.camera, patient, out);
+  if (!examination.known.motion) {
+    out.undecided.push_back(
+        {say<"Motion">(), say<"the capture has none">(), say<"Capture the plane of motion vectors, too.">()});
+    tellRims(first.rims(), false, out);
+    return out;
+  }
+  if (!mender) {
+    tellPlanes(first, examination, out);
+    return out;
+  }
+  // Wrong jitter makes motion look wrong: it is looked at again with the jitter that pictures hold.
+  Examiner second(examination, patient, progress);
+  second.look(mendedReader(examination, mender), out);
+  tellPlanes(second, examination, out);
+  return out;
+}
+
+} // namespace taa::doctor

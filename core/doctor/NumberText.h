@@ -1,0 +1,15 @@
+// Measured numbers in sentences: as many digits as they are good for.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include <string>
+
+namespace taa::doctor {
+
+/// Three significant digits, and not more than four after the point: "0.25", "13.2", "1280".
+std::string shortNumber(double value);
+/// "(0.25, -0.167)"
+std::string shortVector(const glm::dvec2& value);
+
+} // namespace taa::doctor

@@ -1,0 +1,75 @@
+#include "core/doctor/frames/DoctorFrame.h"
+
+#include "core/capture/import/FrameSamples.h"
+#include "core/taa/twin/stages/SampleStages.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace taa::doctor {
+
+namespace {
+
+/// Of something 10 m away, in the middle of the picture.
+float distanceFactor(const shared::FrameBlock& block) {
+  constexpr double kDistance = 10.0;
+  const glm::dmat4 clipFromView =
+      glm::dmat4(block.clipFromWorld) * glm::inverse(glm::dmat4(block.viewFromWorld));
+  const glm::dvec4 clip = clipFromView * glm::dvec4(0.0, 0.0, -kDistance, 1.0);
+  if (!(clip.w > 0.0) || !(clip.z > 0.0)) return 0.0f;
+  const auto depth = static_cast<float>(clip.z / clip.w);
+  return twin::viewDepth(depth, block.depthTerms) / static_cast<float>(kDistance);
+}
+
+} // namespace
+
+bool isMotion(const glm::vec2& motionPx) {
+  // Comparisons are written so that NaN fails them.
+  return std::abs(motionPx.x) < kNoPreviousPosition && std::abs(motionPx.y) < kNoPreviousPosition;
+}
+
+DoctorFrame readFrame(FrameSource& source, const FrameRequest& request, const KnownPlanes& known, int frame) {
+  FrameInputs drawn;
+  source.draw(request, frame, drawn);
+  DoctorFrame out;
+  out.frame = frame;
+  out.startsHistory = drawn.info.startsHistory;
+  out.jitterPx = drawn.info.jitterPx;
+  out.luma = capture::comparedLuma(drawn.color.download());
+  if (known.motion) out.motionPx = drawn.motion.download();
+  if (known.depth) {
+    out.depth = drawn.depth.download();
+    out.depthView = out.depth;
+    for (float& depth : out.depthView.pixels)
+      depth = depth > 0.0f ? twin::viewDepth(depth, drawn.block.depthTerms) : 0.0f;
+    out.previousDepthView = drawn.previousDepth.download();
+  }
+  if (drawn.mask) out.mask = drawn.mask.download();
+  if (known.ids) out.objectId = drawn.objectId.downloadIntegers();
+  if (known.camera && known.depth) out.previousClipFromClip = drawn.block.previousClipFromClip;
+  if (known.depthJittered) out.depthJitterPx = out.jitterPx;
+  if (known.camera && known.depth) out.distanceFactor = distanceFactor(drawn.block);
+  return out;
+}
+
+std::optional<glm::vec2> cameraMotionPx(const DoctorFrame& frame, const glm::ivec2& pixel) {
+  if (frame.depth.empty()) return {};
+  return cameraMotionPx(frame, pixel, *frame.depth.at(pixel.x, pixel.y));
+}
+
+std::optional<glm::vec2> cameraMotionPx(const DoctorFrame& frame, const glm::ivec2& pixel, float depth) {
+  if (!frame.previousClipFromClip) return {};
+  const glm::vec2 pxPerNdc = glm::vec2(0.5f, -0.5f) * glm::vec2(frame.sizePx());
+  const glm::vec2 ndc = (glm::vec2(pixel) + 0.5f - frame.depthJitterPx) / pxPerNdc + glm::vec2(-1.0f, 1.0f);
+  const glm::vec4 previous = *frame.previousClipFromClip * glm::vec4(ndc, depth, 1.0f);
+  if (!(previous.w > 0.0f)) return {};
+  const glm::vec2 motionPx = (ndc - glm::vec2(previous) / previous.w) * pxPerNdc;
+  if (!isMotion(motionPx)) return {};
+  return motionPx;
+}
+
+} // namespace taa::doctor

@@ -1,0 +1,61 @@
+// A frame as the doctor reads it: planes in main memory, in this program's conventions, whoever drew them.
+#pragma once
+
+#include "core/base/Image.h"
+#include "core/render/FrameRequest.h"
+#include "core/render/FrameSource.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace taa::doctor {
+
+/// What frames of a source hold; what they do not is made up by it or 0, and no witness.
+struct KnownPlanes {
+  bool motion = true, depth = true, ids = true;
+  bool camera = true;        ///< matrices of all frames
+  bool depthJittered = true; ///< depth was drawn with the jitter of its frame
+};
+
+/// Row 0 is the top. All planes have the size of what was drawn; those that are not known are empty.
+struct DoctorFrame {
+  int frame = 0;
+  bool startsHistory = false;
+  glm::vec2 jitterPx{0.0f}; ///< as stated: displacement of image content, x right, y down
+  Image luma;               ///< light that is compared, 0 to 1; see comparedLuma()
+  Image motionPx;           ///< two channels, current − previous, without jitter; see kNoPreviousPosition
+  Image depth;              ///< reversed, 0: sky
+  Image depthView;          ///< m, 0: sky
+  Image previousDepthView;  ///< m, of the same surface a frame ago; 0: sky or none
+  Image mask;               ///< two channels: reactive, responsive; 0 to 1
+  std::vector<std::uint32_t> objectId;           ///< 0: nothing
+  std::optional<glm::mat4> previousClipFromClip; ///< both without jitter; none: cameras are not known
+  glm::vec2 depthJitterPx{0.0f};                 ///< displacement of what depth shows
+  /// View depth as stated over that by the matrices, which is 1; 0: one of them is not known.
+  float distanceFactor = 0.0f;
+
+  glm::ivec2 sizePx() const { return {luma.width, luma.height}; }
+  glm::vec2 motionAt(int x, int y) const { return {motionPx.at(x, y)[0], motionPx.at(x, y)[1]}; }
+};
+
+/// Frame n; a function of n alone. Throws Error.
+using FrameReader = std::function<DoctorFrame(int frame)>;
+
+/// Draws and downloads a frame. Needs the current context. Throws Error.
+DoctorFrame readFrame(FrameSource& source, const FrameRequest& request, const KnownPlanes& known, int frame);
+
+/// Whether a motion is one: not the mark of no previous position, not NaN.
+bool isMotion(const glm::vec2& motionPx);
+
+/// What a pixel's surface moves by where it rests in the world, px, current − previous, by the frame's depth
+/// and cameras (manual §3.1). Nothing where these are not known or it was behind the previous camera.
+std::optional<glm::vec2> cameraMotionPx(const DoctorFrame& frame, const glm::ivec2& pixel);
+/// The same if the depth there was another one; 0: infinitely far away.
+std::optional<glm::vec2> cameraMotionPx(const DoctorFrame& frame, const glm::ivec2& pixel, float depth);
+
+} // namespace taa::doctor

@@ -1,0 +1,88 @@
+#include "core/doctor/frames/DoctorSource.h"
+
+#include "core/base/Error.h"
+#include "core/base/Say.h"
+#include "core/capture/source/Capture.h"
+#include "core/capture/source/CaptureSource.h"
+#include "core/capture/source/OpenSource.h"
+#include "core/render/CaptureFacts.h"
+#include "core/render/faults/FaultySource.h"
+#include "core/scene/SceneOutline.h"
+#include "core/scene/SceneSource.h"
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+namespace taa::doctor {
+
+namespace {
+
+DoctorSource openCaptureForDoctor(const SourceRequest& request, const Progress& progress) {
+  const auto opened = capture::openCapture(request.source, progress);
+  capture::Manifest manifest = opened->manifest();
+  DoctorSource out;
+  out.conventions = manifest.conventions;
+  // What an import adds where the engine wrote nothing would hide that it did not.
+  manifest.conventions.motion.whereNothing.reset();
+  out.frameCount = static_cast<int>(manifest.frames.size());
+  out.objectNames = manifest.objects;
+  out.known.motion = manifest.framesWith(capture::PlaneKind::Motion) > 0;
+  out.known.depth = manifest.framesWith(capture::PlaneKind::Depth) > 0;
+  out.known.ids = manifest.framesWith(capture::PlaneKind::ObjectId) > 0;
+  out.known.depthJittered = manifest.conventions.depth.jittered;
+  out.frames = std::make_shared<FaultySource>(std::make_unique<capture::CaptureSource>(
+      std::make_shared<const capture::Capture>(opened->folder(), std::move(manifest))));
+  const auto facts = out.frames->capture();
+  out.known.camera = facts->hasCameraMotion;
+  const Settings settings = settingsOn(*facts, request.settings);
+  out.request.camera = kCaptureCamera;
+  out.request.width = facts->outputPx.x;
+  out.request.height = facts->outputPx.y;
+  out.request.jitter = settings.jitter;
+  out.request.inputs = settings.inputs;
+  out.request.faults = settings.fault;
+  return out;
+}
+
+DoctorSource openSceneForDoctor(const SourceRequest& request, const Progress& progress) {
+  OpenedSource opened = openSource(request.source, progress, request.choice);
+  DoctorSource out;
+  out.frames = std::move(opened.frames);
+  out.frameCount = opened.scene->shot.frames;
+  const SceneOutline outline = outlineOf(*opened.scene, request.source);
+  for (std::size_t object = 1; object < outline.nodeOfObject.size(); ++object)
+    if (const int node = outline.nodeOfObject[object]; node >= 0)
+      out.objectNames[static_cast<std::uint32_t>(object)] =
+          opened.scene->nodes[static_cast<std::size_t>(node)].name;
+  out.request.camera = request.camera.empty() ? opened.scene->shot.camera : request.camera;
+  out.request.width = request.sizePx.x;
+  out.request.height = request.sizePx.y;
+  out.request.jitter = request.settings.jitter;
+  out.request.inputs = request.settings.inputs;
+  out.request.faults = request.settings.fault;
+  // What is blended over a surface, and what changes without motion, is no witness of it.
+  out.request.inputs.mask = MaskSource::Opacity;
+  return out;
+}
+
+} // namespace
+
+DoctorSource openForDoctor(const SourceRequest& request, const Progress& progress) {
+  if (isBuiltinScene(request.source) || !capture::isCapture(request.source))
+    return openSceneForDoctor(request, progress);
+  if (request.choice != ShotChoice{})
+    throw Error(say<"%1 is a captured sequence, whose animation and length are fixed">(request.source));
+  return openCaptureForDoctor(request, progress);
+}
+
+FrameReader readerOf(const DoctorSource& source) {
+  return [frames = source.frames, request = source.request, known = source.known,
+          count = source.frameCount](int frame) {
+    if (frame < 0 || frame >= count)
+      throw Error(say<"there is no frame %1: there are %2, from 0">(frame, count));
+    return readFrame(*frames, request, known, frame);
+  };
+}
+
+} // namespace taa::doctor

@@ -1,0 +1,46 @@
+// What the doctor examines: a scene as it is drawn, or a capture as its engine wrote it.
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/capture/format/Conventions.h"
+#include "core/doctor/frames/DoctorFrame.h"
+#include "core/scene/ShotChoice.h"
+#include "core/settings/Settings.h"
+
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace taa::doctor {
+
+/// Of a capture only the source counts, and what settings do not leave to it.
+struct SourceRequest {
+  std::string source;          ///< "builtin:NAME", a glTF file, a capture
+  std::string camera;          ///< empty: the scene's own
+  glm::ivec2 sizePx{640, 360}; ///< of the picture
+  Settings settings;           ///< its jitter, inputs and faults
+  ShotChoice choice{};         ///< of a scene: its animation and length
+};
+
+struct DoctorSource {
+  std::shared_ptr<FrameSource> frames; // also owned by who reads them
+  FrameRequest request;
+  KnownPlanes known;
+  int frameCount = 0;
+  std::map<std::uint32_t, std::string> objectNames;
+  /// The engine's own; none: this program's.
+  std::optional<capture::Conventions> conventions;
+};
+
+/// A capture keeps the conventions that are stated or guessed, but for motion of the sky: that is examined as
+/// it was stored. Needs the current context. Throws Error, Cancelled.
+DoctorSource openForDoctor(const SourceRequest& request, const Progress& progress = {});
+
+/// Frames of the source, which lives as long as the reader.
+FrameReader readerOf(const DoctorSource& source);
+
+} // namespace taa::doctor

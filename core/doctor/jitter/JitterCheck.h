@@ -1,0 +1,23 @@
+// Whether pictures hold the jitter that is stated for them: sign, axes, length, unit, frame, or none at all.
+#pragma once
+
+#include "core/doctor/Diagnosis.h"
+#include "core/doctor/Patient.h"
+#include "core/doctor/jitter/JitterTrials.h"
+
+#include <glm/vec2.hpp>
+
+#include <functional>
+#include <optional>
+
+namespace taa::doctor {
+
+/// What pictures hold at a frame, px, where that is not what is stated.
+using JitterMender = std::function<std::optional<glm::vec2>(int frame)>;
+
+/// Adds what is wrong, right, or not decided about jitter. `isCameraKnown`: shifts do not rest on motion
+/// vectors. Returns what mends it; empty where nothing is to be mended.
+JitterMender tellJitter(const JitterEvidence& evidence, bool isCameraKnown, const Patient& patient,
+                        Diagnosis& out);
+
+} // namespace taa::doctor

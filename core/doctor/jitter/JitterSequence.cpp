@@ -1,0 +1,113 @@
+#include "core/doctor/jitter/JitterSequence.h"
+
+#include "core/base/Say.h"
+#include "core/doctor/NumberText.h"
+#include "core/settings/Faults.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace taa::doctor {
+
+namespace {
+
+constexpr float kSameJitterPx = 1e-4f;
+constexpr double kHalfPixel = 0.505; ///< with room for rounding
+/// Frames after which a mean is one, also where nothing repeats.
+constexpr int kEnoughForMean = 16;
+// px: of a mean that is clearly not 0, and of one that is worth knowing.
+constexpr double kOffMeanPx = 0.12;
+/// A normal distribution that suits a wide filter goes beyond half a pixel in half of all frames.
+constexpr double kBeyondShare = 0.65;
+constexpr int kTooShort = 2, kShort = 4; ///< frames of a period
+
+bool repeatsAfter(const std::vector<glm::vec2>& jitters, std::size_t period) {
+  for (std::size_t i = period; i < jitters.size(); ++i)
+    if (glm::distance(jitters[i], jitters[i - period]) > kSameJitterPx) return false;
+  return true;
+}
+
+Finding sequenceFinding(Fault fault, std::string reason, std::string change) {
+  const FaultInfo& row = faultInfo(fault);
+  Finding out;
+  out.id = row.id;
+  out.name = sayLabel(row.label);
+  out.symptom = sayLabel(row.symptom);
+  out.isWholePicture = true;
+  out.reason = std::move(reason);
+  out.change = std::move(change);
+  return out;
+}
+
+void tellMean(const SequenceFacts& facts, Diagnosis& out) {
+  const bool isKnown = facts.period || facts.frames >= kEnoughForMean;
+  if (!isKnown || glm::length(facts.meanPx) < kOffMeanPx) return;
+  out.findings.push_back(sequenceFinding(
+      Fault::JitterMean,
+      say<"The mean of the jitter of %1 frames is %2 px, and 0 leaves the picture where it is.">(
+          facts.frames, shortVector(facts.meanPx)),
+      say<"Take the mean off each value: draw with jitter − %1 px (x right, y down), and pass that.">(
+          shortVector(facts.meanPx))));
+}
+
+void tellRange(const SequenceFacts& facts, Diagnosis& out) {
+  if (facts.beyondShare >= kBeyondShare)
+    out.findings.push_back(sequenceFinding(
+        Fault::JitterOutside,
+        say<"Jitter is more than half a pixel in %1 % of the frames, and reaches %2 px.">(
+            std::lround(100.0 * facts.beyondShare), shortNumber(facts.longestPx)),
+        say<"Multiply the jitter that you draw with, and pass, by %1.">(shortNumber(0.5 / facts.longestPx))));
+  else if (facts.longestPx > kHalfPixel)
+    out.notes.push_back(say<"Jitter reaches %1 px: beyond half a pixel it blurs, unless a wide filter is "
+                            "meant.">(shortNumber(facts.longestPx)));
+}
+
+void tellPeriod(const SequenceFacts& facts, Diagnosis& out) {
+  if (!facts.period || *facts.period > kShort) return;
+  if (*facts.period <= kTooShort)
+    out.findings.push_back(sequenceFinding(
+        Fault::JitterShort, say<"The jitter repeats after %1 frames.">(*facts.period),
+        say<"Take a longer sequence: 8 places or more, times the share of pixels that is drawn; Halton's of "
+            "the bases 2 and 3 is one.">()));
+  else
+    out.notes.push_back(
+        say<"The jitter repeats after %1 frames: edges have no more steps than that.">(*facts.period));
+}
+
+} // namespace
+
+SequenceFacts sequenceFacts(const std::map<int, glm::vec2>& jitterPx) {
+  SequenceFacts out;
+  std::vector<glm::vec2> jitters;
+  for (const auto& [frame, jitter] : jitterPx) jitters.push_back(jitter);
+  out.frames = static_cast<int>(jitters.size());
+  for (std::size_t period = 1; 2 * period <= jitters.size() && !out.period; ++period)
+    if (repeatsAfter(jitters, period)) out.period = static_cast<int>(period);
+  const std::size_t whole = out.period ? static_cast<std::size_t>(*out.period) : 1;
+  const std::size_t counted = jitters.size() / whole * whole;
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < jitters.size(); ++i) {
+    const double longest = static_cast<double>(std::max(std::abs(jitters[i].x), std::abs(jitters[i].y)));
+    if (i < counted) out.meanPx += glm::dvec2(jitters[i]) / static_cast<double>(counted);
+    if (longest > kHalfPixel) ++beyond;
+    out.longestPx = std::max(out.longestPx, longest);
+  }
+  if (!jitters.empty()) out.beyondShare = static_cast<double>(beyond) / static_cast<double>(jitters.size());
+  return out;
+}
+
+void tellSequence(const std::map<int, glm::vec2>& jitterPx, Diagnosis& out) {
+  const SequenceFacts facts = sequenceFacts(jitterPx);
+  if (facts.period == 1) return;
+  tellRange(facts, out);
+  tellMean(facts, out);
+  tellPeriod(facts, out);
+}
+
+} // namespace taa::doctor

@@ -1,0 +1,142 @@
+#include "core/doctor/jitter/JitterShift.h"
+
+#include "core/capture/import/FrameSamples.h"
+#include "core/doctor/frames/Detail.h"
+#include "core/doctor/motion/MotionSearch.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace taa::doctor {
+
+namespace {
+
+constexpr double kShiftSamples = 6000.0;
+constexpr std::size_t kLeastShiftSamples = 200;
+constexpr int kShiftReachPx = 2;
+constexpr int kShiftSteps = 8;
+constexpr double kConvergedPx = 1e-3, kFarthestStepPx = 0.5;
+/// Differences of so many times the median are outliers (Tukey's biweight, with 1.48 · median for σ).
+constexpr double kTukey = 4.685 * 1.48;
+/// Of luma per px, squared, in the mean: with less detail along some direction there is nothing to measure.
+constexpr double kLeastDetail = 2e-6;
+/// Of what one place leaves: another one is told only where it leaves less than this share.
+constexpr double kClearlyLess = 0.9;
+
+std::optional<glm::vec2> restingMotion(const DoctorFrame& frame, const glm::ivec2& pixel) {
+  if (frame.previousClipFromClip) return cameraMotionPx(frame, pixel);
+  if (frame.motionPx.empty()) return {};
+  const glm::vec2 given = frame.motionAt(pixel.x, pixel.y);
+  if (!isMotion(given)) return {};
+  return given;
+}
+
+std::vector<SearchedPixel> shiftSamples(const FrameNeighbors& frames) {
+  const glm::ivec2 size = frames.now.sizePx();
+  const double pixels = static_cast<double>(size.x) * size.y;
+  const int step = std::max(1, static_cast<int>(std::sqrt(pixels / kShiftSamples)));
+  const glm::vec2 margin(3.0f), last = glm::vec2(size) - margin;
+  std::vector<SearchedPixel> out;
+  for (int y = step / 2; y < size.y; y += step)
+    for (int x = step / 2; x < size.x; x += step) {
+      const auto motionPx = restingMotion(frames.now, {x, y});
+      if (!motionPx || !hasDetail(frames.now.luma, x, y)) continue;
+      const glm::vec2 place = glm::vec2(x, y) + 0.5f - *motionPx;
+      // Nothing that is searched around it may lie outside.
+      if (place.x < margin.x || place.y < margin.y || place.x > last.x || place.y > last.y) continue;
+      out.push_back({place, *frames.now.luma.at(x, y)});
+    }
+  return out;
+}
+
+double medianDifference(const std::vector<SearchedPixel>& samples, const Image& luma,
+                        const glm::vec2& shift) {
+  std::vector<double> differences;
+  for (const SearchedPixel& sample : samples)
+    differences.push_back(
+        std::abs(static_cast<double>(sample.luma - capture::betweenPixels(luma, sample.place + shift))));
+  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
+  std::ranges::nth_element(differences, middle);
+  return *middle;
+}
+
+/// Sums of weighted least squares for the step that the shift lacks: A · step = b.
+struct NormalEquations {
+  double xx = 0.0, xy = 0.0, yy = 0.0, bx = 0.0, by = 0.0, weight = 0.0;
+
+  void add(const glm::dvec2& slope, double difference, double w) {
+    xx += w * slope.x * slope.x;
+    xy += w * slope.x * slope.y;
+    yy += w * slope.y * slope.y;
+    bx += w * slope.x * difference;
+    by += w * slope.y * difference;
+    weight += w;
+  }
+  double determinant() const { return xx * yy - xy * xy; }
+  /// Mean detail along the direction that has least.
+  double leastDetail() const {
+    const double half = 0.5 * (xx + yy);
+    return weight > 0.0 ? (half - std::sqrt(std::max(0.0, half * half - determinant()))) / weight : 0.0;
+  }
+  glm::dvec2 step() const { return glm::dvec2(bx * yy - by * xy, by * xx - bx * xy) / determinant(); }
+};
+
+NormalEquations equationsAt(const std::vector<SearchedPixel>& samples, const Image& luma,
+                            const glm::vec2& shift) {
+  const double scale = std::max(1e-4, kTukey * medianDifference(samples, luma, shift));
+  NormalEquations out;
+  for (const SearchedPixel& sample : samples) {
+    const glm::vec2 place = sample.place + shift;
+    const auto at = [&](float x, float y) {
+      return static_cast<double>(capture::betweenPixels(luma, place + glm::vec2(x, y)));
+    };
+    const double difference = static_cast<double>(sample.luma) - at(0.0f, 0.0f);
+    const double share = difference / scale;
+    if (std::abs(share) >= 1.0) continue;
+    const double weight = (1.0 - share * share) * (1.0 - share * share);
+    out.add({at(0.5f, 0.0f) - at(-0.5f, 0.0f), at(0.0f, 0.5f) - at(0.0f, -0.5f)}, difference, weight);
+  }
+  return out;
+}
+
+/// The shift near `shift` that fits best; nothing where there is too little detail, or it runs away.
+std::optional<glm::vec2> refinedShift(const std::vector<SearchedPixel>& samples, const Image& luma,
+                                      glm::vec2 shift) {
+  for (int i = 0; i < kShiftSteps; ++i) {
+    const NormalEquations equations = equationsAt(samples, luma, shift);
+    if (!(equations.leastDetail() >= kLeastDetail)) return {};
+    const glm::dvec2 step = equations.step();
+    const double length = glm::length(step);
+    if (!(length <= kFarthestStepPx)) return {};
+    shift += glm::vec2(step);
+    if (length < kConvergedPx) break;
+  }
+  return shift;
+}
+
+} // namespace
+
+std::optional<glm::vec2> measureShift(const FrameNeighbors& frames) {
+  const std::vector<SearchedPixel> samples = shiftSamples(frames);
+  if (samples.size() < kLeastShiftSamples) return {};
+  const auto rough = searchMotion(samples, frames.before.luma, glm::vec2(0.0f), kShiftReachPx);
+  if (!rough) return {};
+  // What repeats fits at many places: then the one that is stated, or none, is as good as any other.
+  std::optional<glm::vec2> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const glm::vec2& start : {frames.jitterStep(), glm::vec2(0.0f), -*rough}) {
+    const auto shift = refinedShift(samples, frames.before.luma, start);
+    const double left = shift ? medianDifference(samples, frames.before.luma, *shift) : least;
+    if (!(left < kClearlyLess * least)) continue;
+    best = shift;
+    least = left;
+  }
+  return best;
+}
+
+} // namespace taa::doctor

@@ -1,0 +1,118 @@
+#include "core/doctor/jitter/JitterTrials.h"
+
+#include "core/base/Median.h"
+#include "core/base/Say.h"
+#include "core/doctor/NumberText.h"
+
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+namespace taa::doctor {
+
+namespace {
+
+struct JitterTrialWords {
+  std::string_view id;
+  std::string (*text)();
+};
+
+/// In the order of the enumerators; those with a factor say it.
+constexpr std::array<JitterTrialWords, 10> kJitterWords = {{
+    {"asStated", [] { return say<"as stated">(); }},
+    {"notApplied", [] { return say<"none in the pictures">(); }},
+    {"mirroredX", [] { return say<"x negated">(); }},
+    {"mirroredY", [] { return say<"y negated">(); }},
+    {"opposite", [] { return say<"both negated">(); }},
+    {"swappedAxes", [] { return say<"x and y exchanged">(); }},
+    {"scaled", nullptr},
+    {"otherUnit", nullptr},
+    {"frameLate", [] { return say<"that stated with the frame after">(); }},
+    {"frameEarly", [] { return say<"that stated with the frame before">(); }},
+}};
+
+std::optional<glm::vec2> statedAt(const std::map<int, glm::vec2>& stated, int frame) {
+  const auto found = stated.find(frame);
+  if (found == stated.end()) return {};
+  return found->second;
+}
+
+} // namespace
+
+void JitterEvidence::add(const FrameNeighbors& frames) {
+  ++pairs;
+  if (const auto shift = measureShift(frames)) shifts.push_back({frames.now.frame, *shift});
+}
+
+std::vector<JitterTrial> jitterTrials(const glm::ivec2& sizePx) {
+  std::vector<JitterTrial> trials;
+  for (const JitterKind kind :
+       {JitterKind::AsStated, JitterKind::NotApplied, JitterKind::MirroredX, JitterKind::MirroredY,
+        JitterKind::Opposite, JitterKind::SwappedAxes, JitterKind::FrameLate, JitterKind::FrameEarly})
+    trials.push_back({kind});
+  for (const float factor : {0.5f, 2.0f}) trials.push_back({JitterKind::Scaled, glm::vec2(factor)});
+  // Texture or device coordinates taken for pixels; y of the latter may point up.
+  const glm::vec2 uv(sizePx), ndc = 0.5f * uv, yUp(1.0f, -1.0f);
+  for (const glm::vec2& unit : {uv, ndc})
+    for (const glm::vec2& factor : {unit, unit * yUp}) trials.push_back({JitterKind::OtherUnit, factor});
+  return trials;
+}
+
+std::string jitterTrialId(const JitterTrial& trial) {
+  const std::string id(kJitterWords[static_cast<std::size_t>(trial.kind)].id);
+  if (trial.kind == JitterKind::Scaled) return id + ":" + shortNumber(static_cast<double>(trial.factor.x));
+  if (trial.kind != JitterKind::OtherUnit) return id;
+  return id + ":" + shortVector(glm::dvec2(trial.factor));
+}
+
+std::string jitterTrialText(const JitterTrial& trial) {
+  if (trial.kind == JitterKind::Scaled)
+    return say<"times %1">(shortNumber(static_cast<double>(trial.factor.x)));
+  if (trial.kind == JitterKind::OtherUnit)
+    return say<"times %1: another unit">(shortVector(glm::dvec2(trial.factor)));
+  return kJitterWords[static_cast<std::size_t>(trial.kind)].text();
+}
+
+std::optional<glm::vec2> trueJitter(const JitterTrial& trial, const std::map<int, glm::vec2>& stated,
+                                    int frame) {
+  const int delay = trial.kind == JitterKind::FrameLate ? 1 : trial.kind == JitterKind::FrameEarly ? -1 : 0;
+  const std::optional<glm::vec2> jitter = statedAt(stated, frame + delay);
+  if (!jitter) return {};
+  switch (trial.kind) {
+  case JitterKind::AsStated:
+  case JitterKind::FrameLate:
+  case JitterKind::FrameEarly:
+    break;
+  case JitterKind::NotApplied:
+    return glm::vec2(0.0f);
+  case JitterKind::MirroredX:
+    return *jitter * glm::vec2(-1.0f, 1.0f);
+  case JitterKind::MirroredY:
+    return *jitter * glm::vec2(1.0f, -1.0f);
+  case JitterKind::Opposite:
+    return -*jitter;
+  case JitterKind::SwappedAxes:
+    return glm::vec2(jitter->y, jitter->x);
+  case JitterKind::Scaled:
+  case JitterKind::OtherUnit:
+    return *jitter * trial.factor;
+  }
+  return jitter;
+}
+
+double shiftResidual(const JitterTrial& trial, const JitterEvidence& evidence) {
+  std::vector<double> misses;
+  for (const JitterEvidence::Shift& shift : evidence.shifts) {
+    const auto now = trueJitter(trial, evidence.stated, shift.frame);
+    const auto before = trueJitter(trial, evidence.stated, shift.frame - 1);
+    if (!now || !before) continue;
+    misses.push_back(static_cast<double>(glm::distance(shift.px, *before - *now)));
+  }
+  return misses.empty() ? std::numeric_limits<double>::infinity() : median(std::move(misses));
+}
+
+} // namespace taa::doctor

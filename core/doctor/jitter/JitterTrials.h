@@ -1,0 +1,61 @@
+// Explanations of what the stated jitter is instead of what it is said to be, and how well pictures fit each.
+#pragma once
+
+#include "core/doctor/jitter/JitterShift.h"
+#include "core/doctor/motion/MotionTrials.h"
+
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace taa::doctor {
+
+/// What the stated jitter is, beside what pictures hold.
+enum class JitterKind : std::uint8_t {
+  AsStated,
+  NotApplied, ///< pictures hold none
+  MirroredX,
+  MirroredY,
+  Opposite,
+  SwappedAxes,
+  Scaled,     ///< too long or too short by one factor
+  OtherUnit,  ///< by a factor that the picture's size explains
+  FrameLate,  ///< it is that of the frame before
+  FrameEarly, ///< it is that of the frame after
+};
+
+struct JitterTrial {
+  JitterKind kind = JitterKind::AsStated;
+  glm::vec2 factor{1.0f}; ///< of Scaled, OtherUnit: pictures hold the stated jitter times it
+};
+
+/// What was gathered over all frames.
+struct JitterEvidence {
+  struct Shift {
+    int frame = 0; ///< that of the later frame of a pair
+    glm::vec2 px{0.0f};
+  };
+  std::map<int, glm::vec2> stated; ///< px, displacement of content, by frame
+  std::vector<Shift> shifts;       ///< measureShift()
+  int pairs = 0;                   ///< that were tried to measure
+
+  void add(const FrameNeighbors& frames);
+};
+
+/// AsStated first, then all others for pictures of a size.
+std::vector<JitterTrial> jitterTrials(const glm::ivec2& sizePx);
+std::string jitterTrialId(const JitterTrial& trial);
+std::string jitterTrialText(const JitterTrial& trial);
+
+/// What pictures hold at a frame if the trial is right, px; nothing where no frame states it.
+std::optional<glm::vec2> trueJitter(const JitterTrial& trial, const std::map<int, glm::vec2>& stated,
+                                    int frame);
+/// How far the measured shifts are from those that the trial makes, px: half of the pairs are nearer, since
+/// some are measured wrong where much moves; infinite where it says nothing.
+double shiftResidual(const JitterTrial& trial, const JitterEvidence& evidence);
+
+} // namespace taa::doctor

@@ -1,0 +1,38 @@
+// What the pixels of a region say of its motion, with a rule that rather says nothing than something wrong.
+#pragma once
+
+#include "core/doctor/motion/MotionEvidence.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace taa::doctor {
+
+enum class MotionVerdict : std::uint8_t {
+  Right,        ///< motion given fits, and another would not
+  Wrong,        ///< an explanation fits, and motion given does not
+  TooSmall,     ///< undecided, as all below: too few pixels or frames
+  Still,        ///< no explanation leads elsewhere
+  NoTexture,    ///< no detail
+  Contradicted, ///< neither motion given nor an explanation fits
+};
+
+struct MotionDecision {
+  MotionVerdict verdict = MotionVerdict::TooSmall;
+  /// Of Wrong: indices of the explanations that these frames cannot tell apart, simple ones first; none: what
+  /// searchMotion() found fits, and no trial.
+  std::vector<std::size_t> explanations;
+};
+
+/// A trial has to leave much less than motion given does, in nearly all squares of the picture and pairs of
+/// frames in which the two differ. Where depth and cameras make the motion given, only rest on the screen and
+/// what searchMotion() found can contradict it. `trials`: those of the evidence.
+MotionDecision decideMotion(const RegionEvidence& evidence, const std::vector<MotionTrial>& trials);
+
+/// Whether motion given is 0 nearly everywhere.
+bool isUnwritten(const RegionEvidence& evidence);
+/// Whether it is that of the camera, which is known and moves.
+bool isConfirmed(const RegionEvidence& evidence);
+
+} // namespace taa::doctor

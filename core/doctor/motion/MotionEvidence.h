@@ -1,0 +1,120 @@
+// How well each explanation of a region's motion fits the region's own pixels: the frame before, read where
+// the explanation says that a pixel was, against the pixel now.
+#pragma once
+
+#include "core/doctor/frames/Regions.h"
+#include "core/doctor/motion/MotionTrials.h"
+
+#include <glm/vec2.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace taa::doctor {
+
+/// An explanation against the motion given, at the pixels where the two lead to different places.
+struct TrialEvidence {
+  std::size_t pixels = 0;              ///< of all pairs of frames
+  std::size_t asked = 0, said = 0;     ///< pixels with detail, and those of which it says where they were
+  double given = 0.0, tried = 0.0;     ///< sums of |luma − luma of the frame before| there
+  std::size_t cells = 0, cellsWon = 0; ///< squares of the picture in which pixels differ; won: by the trial
+  std::size_t pairs = 0, pairsWon = 0; ///< likewise pairs of frames
+
+  /// By how much the trial leaves less, over the region's pixels; comparable between trials: what it says
+  /// nothing of counts as what it does.
+  double gain() const {
+    return said == 0 ? given - tried
+                     : (given - tried) * static_cast<double>(asked) / static_cast<double>(said);
+  }
+};
+
+/// The pixel of a region that moves most, and what it would move by under each trial.
+struct MotionExample {
+  int frame = 0;
+  glm::ivec2 pixel{0};
+  float lengthPx =
+      -1.0f; ///< of the motion given or the camera's, whichever is longer; below 0: there is none
+  glm::vec2 given{0.0f};
+  std::vector<std::optional<glm::vec2>> byTrial; ///< as motionTrials()
+};
+
+/// Vectors of which it is asked whether all are alike.
+struct EvenVectors {
+  std::size_t count = 0;
+  glm::dvec2 sum{0.0};
+  double squares = 0.0;
+
+  void add(const glm::dvec2& vector) {
+    ++count;
+    sum += vector;
+    squares += vector.x * vector.x + vector.y * vector.y;
+  }
+  /// Root of the mean squared distance from their mean, as a share of its length; infinite where that is 0.
+  double spread() const;
+};
+
+/// One pair of frames of a region.
+struct PairTrace {
+  int frame = 0;          ///< the later one
+  std::size_t pixels = 0; ///< with a motion that leads into the picture
+  double lengthPx = 0.0;  ///< sum of their motions' lengths
+  /// Pixels at which the motion of the frame before, or after, is another one, and what it and the motion
+  /// given leave there: of the two, which leaves less.
+  std::size_t compared = 0;
+  double given = 0.0, tried = 0.0;
+
+  double meanPx() const { return pixels == 0 ? 0.0 : lengthPx / static_cast<double>(pixels); }
+};
+
+/// Of one region, over all pairs of frames.
+struct RegionEvidence {
+  std::size_t pixels = 0;   ///< well inside the region, with a motion that leads into the picture
+  std::size_t textured = 0; ///< of these: with detail that tells one place from another. The rest is of them:
+  std::size_t pairs = 0;    ///< of frames
+  double texturedError = 0.0; ///< sum of |luma − luma of the frame before| over `textured`, as given
+  double givenPx = 0.0, cameraPx = 0.0; ///< sums of lengths of motion as given, of the camera
+  std::size_t zero = 0;                 ///< motion given is exactly 0
+  std::size_t ofCamera = 0; ///< it is that of the camera, which also rests there: see kSameMotionPx
+  /// Pixels at the region's rim, where motion is searched for, that lay elsewhere in the frame before: as
+  /// given, and by what was found. A light that moves over a surface takes no rim with it.
+  std::size_t rimGiven = 0, rimFound = 0;
+  std::size_t cameraKnown = 0;
+  /// Motion given less the camera's, px, and times the distance of what is seen, px m.
+  EvenVectors offCamera, offCameraByDistance;
+  std::size_t seen = 0;           ///< pixels well inside the region, whatever their motion
+  std::size_t outside = 0;        ///< of these: with a motion that is longer than the picture
+  std::size_t marked = 0;         ///< likewise: with the mark of no previous position; the rest is of these:
+  std::size_t markedTextured = 0; ///< with detail
+  double markedError = 0.0;       ///< sum of |luma − luma of the frame before| there, at rest in the world
+  std::size_t markedPairs = 0;    ///< of frames
+  std::vector<TrialEvidence> trials; ///< as motionTrials()
+  /// What squares of the region truly move by, by searchMotion(), where motion given is 0 or the camera's.
+  TrialEvidence found;
+  glm::dvec2 foundPx{0.0}; ///< sum over the pixels of `found`
+  MotionExample example;
+  std::vector<PairTrace> traces;
+};
+
+/// px: a motion is the camera's where it differs by less, or by less than a thousandth; half floats do.
+inline constexpr float kSameMotionPx = 0.05f;
+bool isSameMotion(const glm::vec2& a, const glm::vec2& b);
+
+class MotionEvidence {
+ public:
+  explicit MotionEvidence(const glm::ivec2& sizePx);
+
+  /// Adds a pair of frames that is not cut. `labels`: regions of `frames.now`; likewise of `frames.before`.
+  void add(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels,
+           const std::vector<RegionIndex>& labelsBefore);
+
+  const std::vector<MotionTrial>& trials() const { return trials_; }
+  /// By region; those never seen have no pixels.
+  const std::vector<RegionEvidence>& regions() const { return regions_; }
+
+ private:
+  std::vector<MotionTrial> trials_;
+  std::vector<RegionEvidence> regions_;
+};
+
+} // namespace taa::doctor

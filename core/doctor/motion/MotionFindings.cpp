@@ -1,0 +1,343 @@
+#include "core/doctor/motion/MotionFindings.h"
+
+#include "core/base/Say.h"
+#include "core/doctor/NumberText.h"
+#include "core/doctor/motion/MotionJumps.h"
+#include "core/doctor/motion/MotionMarks.h"
+#include "core/doctor/motion/MotionWords.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace taa::doctor {
+
+namespace {
+
+/// Of the pixels of regions that are decided: a fault of so many is one of the whole picture.
+constexpr double kWholeShare = 0.95;
+constexpr std::size_t kShownResiduals = 12;
+// The sky's motion by depth and cameras alone, where it has no detail: px, and the share of all other
+// surfaces whose motion has to be that of the camera, so that cameras are known to be right.
+constexpr double kSkyMovesPx = 0.1;
+constexpr double kTrustedShare = 0.3;
+
+/// A region with what was measured and decided.
+struct JudgedRegion {
+  const Region* region;
+  const RegionEvidence* evidence;
+  MotionDecision decision;
+  std::optional<std::size_t> trial; ///< of a wrong one: what it is told by; none: what was searched for
+};
+
+using Judged = std::vector<JudgedRegion>;
+
+Judged judgedRegions(const MotionEvidence& evidence, const std::vector<Region>& regions) {
+  Judged out;
+  for (std::size_t i = 0; i < regions.size() && i < evidence.regions().size(); ++i) {
+    const RegionEvidence& measured = evidence.regions()[i];
+    if (measured.pixels == 0 || isUnwrittenMark(measured) || isKeptAsMissing(measured)) continue;
+    JudgedRegion region{&regions[i], &measured, decideMotion(measured, evidence.trials()), {}};
+    // Clouds may drift; nobody writes motion for them.
+    const bool isDrifting = regions[i].isSky && region.decision.verdict == MotionVerdict::Wrong &&
+                            region.decision.explanations.empty();
+    if (isDrifting) region.decision.verdict = MotionVerdict::Contradicted;
+    out.push_back(std::move(region));
+  }
+  return out;
+}
+
+/// The explanation that fits the most pixels of regions that are still open; of those that fit as many, the
+/// first that gains nearly as much as any.
+std::size_t broadestTrial(const std::vector<JudgedRegion*>& open, std::size_t trialCount) {
+  constexpr double kAsMuch = 0.99;
+  std::vector<double> pixels(trialCount, 0.0), gains(trialCount, 0.0);
+  for (const JudgedRegion* region : open)
+    for (const std::size_t trial : region->decision.explanations) {
+      pixels[trial] += region->region->pixels;
+      gains[trial] += region->evidence->trials[trial].gain();
+    }
+  const double most = *std::ranges::max_element(pixels);
+  double gain = 0.0;
+  for (std::size_t t = 0; t < trialCount; ++t)
+    if (pixels[t] == most) gain = std::max(gain, gains[t]);
+  std::size_t best = 0;
+  while (pixels[best] < most || gains[best] < kAsMuch * gain) ++best;
+  return best;
+}
+
+/// Tells the most with the fewest: the explanation that fits the most pixels is that of all regions that it
+/// fits, then the next one.
+void explainByFewest(Judged& judged, std::size_t trialCount) {
+  std::vector<JudgedRegion*> open;
+  for (JudgedRegion& region : judged)
+    if (region.decision.verdict == MotionVerdict::Wrong && !region.decision.explanations.empty())
+      open.push_back(&region);
+  while (!open.empty()) {
+    const std::size_t best = broadestTrial(open, trialCount);
+    std::erase_if(open, [&](JudgedRegion* region) {
+      if (std::ranges::count(region->decision.explanations, best) == 0) return false;
+      region->trial = best;
+      return true;
+    });
+  }
+}
+
+/// Explanations that fit a region as well and lead elsewhere.
+std::vector<std::size_t> rivalsOf(const JudgedRegion& region) {
+  constexpr float kSamePx = 0.25f;
+  std::vector<std::size_t> out;
+  if (!region.trial) return out;
+  const auto& moved = region.evidence->example.byTrial;
+  for (const std::size_t other : region.decision.explanations) {
+    const auto &told = moved[*region.trial], &rival = moved[other];
+    if (other == *region.trial || (told && rival && glm::distance(*told, *rival) <= kSamePx)) continue;
+    out.push_back(other);
+  }
+  return out;
+}
+
+/// One fault and the regions that it shows in.
+struct FaultGroup {
+  MotionFault fault;
+  std::optional<std::size_t> trial;
+  std::vector<const JudgedRegion*> regions;
+  double pixels = 0.0;
+};
+
+/// The region that says what a fault is called: of those that one explanation fits, one that motion was
+/// written for tells more than one that has none.
+const JudgedRegion& namedBy(const JudgedRegion& region, const Judged& judged) {
+  if (!region.trial || !isUnwritten(*region.evidence)) return region;
+  const auto written = std::ranges::find_if(judged, [&](const JudgedRegion& other) {
+    return other.trial == region.trial && !isUnwritten(*other.evidence);
+  });
+  return written == judged.end() ? region : *written;
+}
+
+std::vector<FaultGroup> groupsOf(const Judged& judged, const std::vector<MotionTrial>& trials) {
+  std::vector<FaultGroup> groups;
+  for (const JudgedRegion& region : judged) {
+    if (region.decision.verdict != MotionVerdict::Wrong) continue;
+    const MotionTrial* trial = region.trial ? &trials[*region.trial] : nullptr;
+    const JudgedRegion& named = namedBy(region, judged);
+    MotionFault fault = motionFault(trial, *named.region, *named.evidence);
+    auto found = std::ranges::find_if(groups, [&](const FaultGroup& group) {
+      return group.fault.id == fault.id && group.trial == region.trial;
+    });
+    if (found == groups.end()) {
+      groups.push_back({std::move(fault), region.trial, {}, 0.0});
+      found = groups.end() - 1;
+    }
+    found->regions.push_back(&region);
+    found->pixels += region.region->pixels;
+  }
+  std::ranges::stable_sort(groups, std::greater(), &FaultGroup::pixels);
+  return groups;
+}
+
+/// What each explanation leaves of the pixels with detail of all regions of a group, × 1000. Where it says
+/// the same as the motion given, it leaves the same.
+std::vector<Residual> residualsOf(const FaultGroup& group, const std::vector<MotionTrial>& trials) {
+  double given = 0.0, foundGain = 0.0;
+  std::size_t pixels = 0;
+  std::vector<double> gains(trials.size(), 0.0);
+  for (const JudgedRegion* region : group.regions) {
+    given += region->evidence->texturedError;
+    pixels += region->evidence->textured;
+    foundGain += region->evidence->found.gain();
+    for (std::size_t t = 0; t < trials.size(); ++t) gains[t] += region->evidence->trials[t].gain();
+  }
+  const auto left = [&](double gain) {
+    return 1000.0 * (given - gain) / static_cast<double>(std::max<std::size_t>(1, pixels));
+  };
+  std::vector<Residual> out;
+  for (std::size_t t = 0; t < trials.size(); ++t)
+    out.push_back({trialId(trials[t]), trialText(trials[t]), left(gains[t]), t == 0, t == group.trial});
+  if (!group.trial) out.push_back({"found", say<"found by search">(), left(foundGain), false, true});
+  std::ranges::stable_sort(out, {}, &Residual::value);
+  std::size_t kept = 0;
+  std::erase_if(out, [&](const Residual& residual) {
+    return ++kept > kShownResiduals && !residual.isGiven && !residual.isBest;
+  });
+  return out;
+}
+
+double percentOf(std::size_t part, std::size_t whole) {
+  return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+/// Whether one region leaves no other explanation: it decides for all that the fault shows in.
+bool isTold(const FaultGroup& group) {
+  return std::ranges::any_of(group.regions,
+                             [](const JudgedRegion* region) { return rivalsOf(*region).empty(); });
+}
+
+std::string reasonOf(const FaultGroup& group, const std::vector<MotionTrial>& trials) {
+  TrialEvidence sum;
+  std::vector<std::size_t> rivals;
+  for (const JudgedRegion* region : group.regions) {
+    const TrialEvidence& trial =
+        group.trial ? region->evidence->trials[*group.trial] : region->evidence->found;
+    sum.given += trial.given;
+    sum.tried += trial.tried;
+    sum.cells += trial.cells;
+    sum.cellsWon += trial.cellsWon;
+    for (const std::size_t rival : rivalsOf(*region))
+      if (std::ranges::count(rivals, rival) == 0) rivals.push_back(rival);
+  }
+  const std::string what =
+      group.trial ? trialText(trials[*group.trial]) : say<"what a search finds in the frame before">();
+  std::string text =
+      say<"The motion given leaves %1 times as much of the pixels as this: %2; more in %3 % of %4 squares.">(
+          shortNumber(sum.given / std::max(sum.tried, 1e-9)), what,
+          std::lround(percentOf(sum.cellsWon, sum.cells)), sum.cells);
+  if (isTold(group)) return text;
+  std::string names;
+  for (const std::size_t rival : rivals) names += (names.empty() ? "" : "; ") + trialText(trials[rival]);
+  return text + " " + say<"These frames do not tell it from: %1.">(names);
+}
+
+/// Pixels of regions that are right or wrong.
+double decidedPixels(const Judged& judged) {
+  double pixels = 0.0;
+  for (const JudgedRegion& region : judged)
+    if (region.decision.verdict == MotionVerdict::Right || region.decision.verdict == MotionVerdict::Wrong)
+      pixels += region.region->pixels;
+  return pixels;
+}
+
+Finding findingOf(const FaultGroup& group, const Judged& judged, const MotionEvidence& evidence,
+                  const Patient& patient, double allPixels) {
+  Finding out;
+  out.id = group.fault.id;
+  out.name = group.fault.name;
+  out.sureness = isTold(group) ? Sureness::Sure : Sureness::Likely;
+  out.isWholePicture = group.pixels >= kWholeShare * decidedPixels(judged);
+  for (const JudgedRegion* region : group.regions)
+    out.regions.push_back(placeOf(*region->region, patient, allPixels));
+  std::ranges::stable_sort(out.regions, std::greater(), &RegionPlace::share);
+  out.reason = reasonOf(group, evidence.trials());
+  out.measure = say<"mean difference of luma, × 1000">();
+  out.residuals = residualsOf(group, evidence.trials());
+  out.symptom = group.fault.symptom;
+  out.change = group.fault.change;
+  if (!group.trial) return out;
+  const auto largest = std::ranges::max_element(
+      group.regions, {}, [](const JudgedRegion* region) { return region->evidence->example.lengthPx; });
+  const std::string example = motionExample(patient, *(*largest)->evidence, *group.trial);
+  if (!example.empty()) out.change += " " + example;
+  return out;
+}
+
+/// Whether the motion of surfaces is that of the cameras at so many pixels that these are right.
+bool areCamerasTrusted(const Judged& judged) {
+  std::size_t known = 0, ofCamera = 0;
+  for (const JudgedRegion& region : judged) {
+    if (region.region->isSky || region.evidence->cameraPx == 0.0) continue;
+    known += region.evidence->cameraKnown;
+    ofCamera += region.evidence->ofCamera;
+  }
+  return known > 0 && static_cast<double>(ofCamera) >= kTrustedShare * static_cast<double>(known);
+}
+
+/// The sky cannot move by itself: where the cameras are right, they decide, whatever its detail.
+bool isSkyUnwritten(const JudgedRegion& sky, bool isTrusted) {
+  const RegionEvidence& evidence = *sky.evidence;
+  const auto pixels = static_cast<double>(evidence.pixels);
+  return sky.region->isSky && isTrusted && isUnwritten(evidence) && evidence.cameraPx >= kSkyMovesPx * pixels;
+}
+
+Finding skyFinding(const JudgedRegion& sky, const Patient& patient, double allPixels) {
+  const MotionFault fault = motionFault(nullptr, *sky.region, *sky.evidence);
+  const double meanPx = sky.evidence->cameraPx / static_cast<double>(sky.evidence->pixels);
+  Finding out;
+  out.id = fault.id;
+  out.name = fault.name;
+  out.regions = {placeOf(*sky.region, patient, allPixels)};
+  out.reason =
+      say<"Motion is 0 wherever nothing is drawn, though depth and matrices, which make the motion of other "
+          "surfaces, move the sky by %1 px a frame in the mean.">(shortNumber(meanPx));
+  out.measure = say<"mean distance from the camera's motion, px">();
+  out.residuals = {{"ofCamera", say<"that of the camera">(), 0.0, false, true},
+                   {"asGiven", say<"as given">(), meanPx, true, false}};
+  out.symptom = fault.symptom;
+  out.change = fault.change;
+  const std::vector<MotionTrial> trials = motionTrials(patient.sizePx);
+  for (std::size_t t = 0; t < trials.size(); ++t)
+    if (trials[t].kind == MotionKind::OfCamera) out.change += " " + motionExample(patient, *sky.evidence, t);
+  return out;
+}
+
+/// Sentences of what is right and of what is not known.
+void tellOthers(const Judged& judged, const Patient& patient, double allPixels, Diagnosis& out) {
+  // A hundred small things are not worth a hundred sentences.
+  constexpr double kWorthNaming = 0.002;
+  std::size_t small = 0, right = 0;
+  for (const JudgedRegion& region : judged) {
+    const MotionVerdict verdict = region.decision.verdict;
+    const RegionPlace place = placeOf(*region.region, patient, allPixels);
+    if (verdict == MotionVerdict::Wrong) continue;
+    if (verdict == MotionVerdict::Right)
+      ++right;
+    else if (place.share < kWorthNaming || verdict == MotionVerdict::TooSmall)
+      ++small;
+    else
+      out.undecided.push_back(undecidedMotion(verdict, place, *region.evidence));
+  }
+  if (right > 0)
+    out.healthy.push_back(
+        say<"Motion of %1 regions fits their own pixels, and other explanations do not.">(right));
+  if (small > 0)
+    out.undecided.push_back(
+        {say<"Motion of %1 small regions">(small),
+         say<"they have too few pixels that can be followed, or move and change too little">(),
+         say<"Bring the camera nearer to them, or capture more and larger frames.">()});
+}
+
+} // namespace
+
+RegionPlace placeOf(const Region& region, const Patient& patient, double allPixels) {
+  RegionPlace out;
+  const auto named = patient.objectNames.find(region.objectId);
+  if (region.isSky)
+    out.name = say<"the sky">();
+  else if (region.objectId != 0 && named != patient.objectNames.end())
+    out.name = say<"object %1 (%2)">(region.objectId, named->second);
+  else if (region.objectId != 0)
+    out.name = say<"object %1">(region.objectId);
+  else
+    out.name = say<"the part around pixel %1, %2 of frame %3">(region.pixel.x, region.pixel.y, region.frame);
+  out.frame = region.frame;
+  out.box = region.box;
+  out.pixel = region.pixel;
+  out.share = region.pixels / std::max(1.0, allPixels);
+  return out;
+}
+
+void tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
+                Diagnosis& out) {
+  const double allPixels = static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
+  tellMarks(evidence, regions, patient, allPixels, out);
+  Judged judged = judgedRegions(evidence, regions);
+  const bool isTrusted = areCamerasTrusted(judged);
+  for (JudgedRegion& region : judged)
+    if (isSkyUnwritten(region, isTrusted)) {
+      out.findings.push_back(skyFinding(region, patient, allPixels));
+      std::erase_if(judged, [](const JudgedRegion& other) { return other.region->isSky; });
+      break;
+    }
+  explainByFewest(judged, evidence.trials().size());
+  for (const FaultGroup& group : groupsOf(judged, evidence.trials()))
+    out.findings.push_back(findingOf(group, judged, evidence, patient, allPixels));
+  tellJumps(evidence, regions, patient, allPixels, out);
+  tellOthers(judged, patient, allPixels, out);
+}
+
+} // namespace taa::doctor

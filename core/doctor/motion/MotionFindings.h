@@ -1,0 +1,21 @@
+// What the doctor says of the motion of all regions: one finding for one fault, wherever it shows.
+#pragma once
+
+#include "core/doctor/Diagnosis.h"
+#include "core/doctor/Patient.h"
+#include "core/doctor/frames/Regions.h"
+#include "core/doctor/motion/MotionEvidence.h"
+
+#include <vector>
+
+namespace taa::doctor {
+
+/// `allPixels`: of all frames that were looked at.
+RegionPlace placeOf(const Region& region, const Patient& patient, double allPixels);
+
+/// Adds findings, what is undecided and what is right about the motion of all regions. Expects that motion
+/// is known.
+void tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
+                Diagnosis& out);
+
+} // namespace taa::doctor

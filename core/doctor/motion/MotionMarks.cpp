@@ -1,0 +1,69 @@
+#include "core/doctor/motion/MotionMarks.h"
+
+#include "core/base/Say.h"
+#include "core/doctor/motion/MotionFindings.h"
+#include "core/settings/Faults.h"
+
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace taa::doctor {
+
+namespace {
+
+constexpr std::size_t kEnoughMarks = 150, kEnoughMarkedPairs = 3;
+constexpr double kNearlyAllMarks = 0.9;
+/// Of luma, in the mean: what rests fits to so much.
+constexpr double kRestingError = 0.008;
+
+bool isNearlyAll(std::size_t part, std::size_t whole) {
+  return static_cast<double>(part) >= kNearlyAllMarks * static_cast<double>(whole);
+}
+
+Finding markFinding(Fault fault, std::string reason, std::string change) {
+  const FaultInfo& row = faultInfo(fault);
+  Finding out;
+  out.id = row.id;
+  out.name = sayLabel(row.label);
+  out.symptom = sayLabel(row.symptom);
+  out.reason = std::move(reason);
+  out.change = std::move(change);
+  return out;
+}
+
+} // namespace
+
+bool isUnwrittenMark(const RegionEvidence& evidence) {
+  return evidence.seen >= kEnoughMarks * kEnoughMarkedPairs && isNearlyAll(evidence.outside, evidence.seen);
+}
+
+bool isKeptAsMissing(const RegionEvidence& evidence) {
+  return evidence.markedPairs >= kEnoughMarkedPairs && evidence.markedTextured >= kEnoughMarks &&
+         isNearlyAll(evidence.marked, evidence.seen) &&
+         evidence.markedError <= kRestingError * static_cast<double>(evidence.markedTextured);
+}
+
+void tellMarks(const MotionEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
+               double allPixels, Diagnosis& out) {
+  Finding unwritten = markFinding(
+      Fault::MotionUnwritten,
+      say<"Motion there is longer than the picture in every frame: it is a mark, and no motion.">(),
+      say<"State the value that means \"not written\", and what it stands for: rebuild motion from depth and "
+          "matrices there, or write it.">());
+  Finding missing = markFinding(
+      Fault::ZeroTakenAsMissing,
+      say<"It is said to have no previous position in every frame, and what was there before fits it.">(),
+      say<"Take motion of 0 for motion: mark what has no previous position by another value.">());
+  for (std::size_t i = 0; i < regions.size() && i < evidence.regions().size(); ++i) {
+    const RegionEvidence& region = evidence.regions()[i];
+    if (isUnwrittenMark(region))
+      unwritten.regions.push_back(placeOf(regions[i], patient, allPixels));
+    else if (isKeptAsMissing(region))
+      missing.regions.push_back(placeOf(regions[i], patient, allPixels));
+  }
+  for (Finding* finding : {&unwritten, &missing})
+    if (!finding->regions.empty()) out.findings.push_back(std::move(*finding));
+}
+
+} // namespace taa::doctor

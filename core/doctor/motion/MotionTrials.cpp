@@ -1,0 +1,145 @@
+#include "core/doctor/motion/MotionTrials.h"
+
+#include "core/base/Say.h"
+#include "core/doctor/NumberText.h"
+
+#include <glm/common.hpp>
+
+#include <array>
+#include <cstddef>
+
+namespace taa::doctor {
+
+namespace {
+
+struct TrialWords {
+  std::string_view id;
+  std::string (*text)();
+};
+
+/// In the order of the enumerators; those with a factor say it.
+constexpr std::array<TrialWords, 19> kTrialWords = {{
+    {"asGiven", [] { return say<"as given">(); }},
+    {"resting", [] { return say<"at rest on the screen">(); }},
+    {"ofCamera", [] { return say<"that of the camera">(); }},
+    {"lacksCamera", [] { return say<"with the camera's motion added">(); }},
+    {"cameraTwice", [] { return say<"with the camera's motion taken off once">(); }},
+    {"scaled", nullptr},
+    {"otherUnit", nullptr},
+    {"mirroredX", [] { return say<"x negated">(); }},
+    {"mirroredY", [] { return say<"y negated">(); }},
+    {"opposite", [] { return say<"both negated">(); }},
+    {"swappedAxes", [] { return say<"x and y exchanged">(); }},
+    {"jitterOfThis", [] { return say<"without this frame's jitter">(); }},
+    {"jitterOfPrevious", [] { return say<"without the jitter of the frame before">(); }},
+    {"jitterOfBoth", [] { return say<"without the difference of both jitters">(); }},
+    {"jitterTakenOff", [] { return say<"with the difference of both jitters added">(); }},
+    {"frameLate", [] { return say<"that of the frame after">(); }},
+    {"frameEarly", [] { return say<"that of the frame before">(); }},
+    {"encoded", [] { return say<"decoded from 0 to 1">(); }},
+    {"root", [] { return say<"squared, in shares of the picture">(); }},
+}};
+
+const TrialWords& wordsOf(const MotionTrial& trial) {
+  return kTrialWords[static_cast<std::size_t>(trial.kind)];
+}
+
+std::optional<glm::vec2> knownMotion(const glm::vec2& motionPx) {
+  if (!isMotion(motionPx)) return {};
+  return motionPx;
+}
+
+std::optional<glm::vec2> withOther(const glm::vec2& motionPx, const std::optional<glm::vec2>& other,
+                                   float factor) {
+  if (!other) return {};
+  return motionPx + factor * *other;
+}
+
+} // namespace
+
+std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx) {
+  std::vector<MotionTrial> trials;
+  for (const MotionKind kind :
+       {MotionKind::AsGiven, MotionKind::Resting, MotionKind::MirroredX, MotionKind::MirroredY,
+        MotionKind::Opposite, MotionKind::SwappedAxes, MotionKind::JitterOfThis, MotionKind::JitterOfPrevious,
+        MotionKind::JitterOfBoth, MotionKind::JitterTakenOff, MotionKind::FrameLate, MotionKind::FrameEarly})
+    trials.push_back({kind});
+  for (const float factor :
+       {0.5f, 2.0f, 0.25f, 1.0f / 3.0f, 2.0f / 3.0f, 0.75f, 4.0f / 3.0f, 1.5f, 3.0f, 4.0f})
+    trials.push_back({MotionKind::Scaled, glm::vec2(factor)});
+  for (const MotionKind kind : {MotionKind::LacksCamera, MotionKind::CameraTwice}) trials.push_back({kind});
+  for (const MotionKind kind : {MotionKind::Encoded, MotionKind::Root}) trials.push_back({kind});
+  // Texture or device coordinates taken for pixels, and the other way; y of the latter may point up.
+  const glm::vec2 uv(sizePx), ndc = 0.5f * uv, yUp(1.0f, -1.0f);
+  for (const glm::vec2& unit : {uv, ndc})
+    for (const glm::vec2& factor : {unit, unit * yUp, 1.0f / unit, yUp / unit})
+      trials.push_back({MotionKind::OtherUnit, factor});
+  // Last: whatever is wrong with what rests in the world, this fits it, and says the least.
+  trials.push_back({MotionKind::OfCamera});
+  return trials;
+}
+
+std::string trialId(const MotionTrial& trial) {
+  const std::string id(wordsOf(trial).id), x = shortNumber(static_cast<double>(trial.factor.x));
+  if (trial.kind == MotionKind::Scaled) return id + ":" + x;
+  if (trial.kind != MotionKind::OtherUnit) return id;
+  return id + ":" + x + "," + shortNumber(static_cast<double>(trial.factor.y));
+}
+
+std::string trialText(const MotionTrial& trial) {
+  if (trial.kind == MotionKind::Scaled)
+    return say<"times %1">(shortNumber(static_cast<double>(trial.factor.x)));
+  if (trial.kind == MotionKind::OtherUnit)
+    return say<"times %1: another unit">(shortVector(glm::dvec2(trial.factor)));
+  return wordsOf(trial).text();
+}
+
+std::optional<glm::vec2> trueMotion(const MotionTrial& trial, const FrameNeighbors& frames,
+                                    const glm::ivec2& pixel) {
+  const glm::vec2 given = frames.now.motionAt(pixel.x, pixel.y);
+  const glm::vec2 jitter = frames.now.jitterPx, previousJitter = frames.before.jitterPx;
+  switch (trial.kind) {
+  case MotionKind::AsGiven:
+    return given;
+  case MotionKind::Resting:
+    return glm::vec2(0.0f);
+  case MotionKind::OfCamera:
+    return cameraMotionPx(frames.now, pixel);
+  case MotionKind::LacksCamera:
+    return withOther(given, cameraMotionPx(frames.now, pixel), 1.0f);
+  case MotionKind::CameraTwice:
+    return withOther(given, cameraMotionPx(frames.now, pixel), -1.0f);
+  case MotionKind::Scaled:
+  case MotionKind::OtherUnit:
+    return given * trial.factor;
+  case MotionKind::MirroredX:
+    return given * glm::vec2(-1.0f, 1.0f);
+  case MotionKind::MirroredY:
+    return given * glm::vec2(1.0f, -1.0f);
+  case MotionKind::Opposite:
+    return -given;
+  case MotionKind::SwappedAxes:
+    return glm::vec2(given.y, given.x);
+  case MotionKind::JitterOfThis:
+    return given - jitter;
+  case MotionKind::JitterOfPrevious:
+    return given + previousJitter;
+  case MotionKind::JitterOfBoth:
+    return given - (jitter - previousJitter);
+  case MotionKind::JitterTakenOff:
+    return given + (jitter - previousJitter);
+  case MotionKind::FrameLate:
+    if (!frames.after || frames.after->startsHistory || frames.after->motionPx.empty()) return {};
+    return knownMotion(frames.after->motionAt(pixel.x, pixel.y));
+  case MotionKind::FrameEarly:
+    if (frames.before.startsHistory || frames.before.motionPx.empty()) return {};
+    return knownMotion(frames.before.motionAt(pixel.x, pixel.y));
+  case MotionKind::Encoded:
+    return 2.0f * given - glm::vec2(frames.now.sizePx());
+  case MotionKind::Root:
+    return glm::abs(given) * given / glm::vec2(frames.now.sizePx());
+  }
+  return {};
+}
+
+} // namespace taa::doctor

@@ -1,0 +1,67 @@
+// Explanations of what motion vectors are instead of what they are said to be, each with the motion that
+// pixels would have if it were right.
+#pragma once
+
+#include "core/doctor/frames/DoctorFrame.h"
+
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace taa::doctor {
+
+/// What is stored as motion m of a pixel, beside what it truly moves by.
+enum class MotionKind : std::uint8_t {
+  AsGiven,
+  Resting,     ///< the pixels do not move over the screen
+  OfCamera,    ///< the pixels move as what rests in the world does
+  LacksCamera, ///< m is without the camera's motion
+  CameraTwice, ///< m holds the camera's motion twice
+  Scaled,      ///< m is too long or too short by one factor for both axes
+  OtherUnit,   ///< by a factor that the picture's size explains
+  MirroredX,   ///< x has the other sign; likewise y, both
+  MirroredY,
+  Opposite,
+  SwappedAxes,
+  JitterOfThis, ///< m holds the jitter of this frame; of the frame before; the difference of both
+  JitterOfPrevious,
+  JitterOfBoth,
+  JitterTakenOff, ///< the difference was taken off though m had none
+  FrameLate,      ///< m is that of the frame before
+  FrameEarly,     ///< m is that of the frame after
+  Encoded,        ///< m is ½ + ½ of what it should be, in shares of the picture
+  Root,           ///< m is the root of what it should be, in shares of the picture
+};
+
+struct MotionTrial {
+  MotionKind kind = MotionKind::AsGiven;
+  glm::vec2 factor{1.0f}; ///< of Scaled, OtherUnit: the true motion is m times it
+};
+
+/// AsGiven first, then all others for pictures of a size: those that say most before those that say little.
+std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx);
+
+/// "jitterOfThis", for files; of Scaled with its factor, "scaled:0.5".
+std::string trialId(const MotionTrial& trial);
+/// For people: "y negated".
+std::string trialText(const MotionTrial& trial);
+
+/// A frame, the one before it, and the one after it where there is one.
+struct FrameNeighbors {
+  const DoctorFrame& now;
+  const DoctorFrame& before;
+  const DoctorFrame* after = nullptr;
+
+  /// What is added to a place of now to find the same place before, besides −motion, px.
+  glm::vec2 jitterStep() const { return before.jitterPx - now.jitterPx; }
+};
+
+/// What a pixel moves by if the trial is right, px; nothing where it says nothing.
+std::optional<glm::vec2> trueMotion(const MotionTrial& trial, const FrameNeighbors& frames,
+                                    const glm::ivec2& pixel);
+
+} // namespace taa::doctor

@@ -1,0 +1,235 @@
+#include "core/doctor/motion/MotionWords.h"
+
+#include "core/base/Say.h"
+#include "core/capture/decode/ScreenUnits.h"
+#include "core/doctor/NumberText.h"
+#include "core/settings/Faults.h"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace taa::doctor {
+
+namespace {
+
+/// One that the table of faults has.
+MotionFault ofTable(Fault fault, std::string change) {
+  const FaultInfo& row = faultInfo(fault);
+  return {std::string(row.id), sayLabel(row.label), sayLabel(row.symptom), std::move(change)};
+}
+
+MotionFault unwrittenFault(const Region& region) {
+  if (region.isSky)
+    return ofTable(Fault::SkyWithoutMotion,
+                   say<"Write motion where nothing is drawn, too: that of the camera for points infinitely "
+                       "far away. Or let the resolve rebuild it from depth and matrices there.">());
+  return ofTable(Fault::MotionZero,
+                 say<"Write motion for it: draw it in the pass that writes motion, with the transforms of "
+                     "this frame and of the one before.">());
+}
+
+MotionFault scaledFault(const MotionTrial& trial) {
+  const std::string change =
+      say<"Multiply the motion that you write by %1.">(shortNumber(static_cast<double>(trial.factor.x)));
+  if (trial.factor.x == 0.5f)
+    return ofTable(Fault::MotionDoubled,
+                   change + " " +
+                       say<"Where it is so for one object alone, its previous transform may be two frames "
+                           "old: keep that of the frame before.">());
+  if (trial.factor.x == 2.0f) return ofTable(Fault::MotionHalved, change);
+  return {"motionScaled", say<"Motion of another length">(), say<"Ghosts grow with speed.">(), change};
+}
+
+MotionFault unitFault(const MotionTrial& trial) {
+  const std::string change = say<"Multiply the motion that you write by %1, or state the unit that it has.">(
+      shortVector(glm::dvec2(trial.factor)));
+  if (std::abs(trial.factor.x) <= 1.0f)
+    return {"motionUnit", say<"Motion of another unit">(),
+            say<"History comes from outside of the picture: nothing accumulates while anything moves.">(),
+            change};
+  return ofTable(trial.factor.y < 0.0f ? Fault::MotionInNdc : Fault::MotionInUv, change);
+}
+
+/// Which camera makes motion that is not the camera's: of one that is turned everything moves by the same
+/// besides, of one beside it by what is in inverse ratio to the distance.
+std::optional<MotionFault> wrongCamera(const RegionEvidence& evidence) {
+  constexpr double kEven = 0.35, kLessEven = 2.0;
+  const double turned = evidence.offCamera.spread(), beside = evidence.offCameraByDistance.spread();
+  if (turned <= kEven && beside >= kLessEven * turned)
+    return ofTable(Fault::CameraTurned,
+                   say<"It rests in the world, and its motion is the camera's and the same amount more: make "
+                       "it with the view of the frame before, unchanged.">());
+  if (beside <= kEven && turned >= kLessEven * beside)
+    return ofTable(Fault::CameraOfSecondView,
+                   say<"It rests in the world, and its motion is that of a camera beside this one: make it "
+                       "with the matrices of the frame before of the same view.">());
+  return {};
+}
+
+MotionFault cameraFault(const Region& region, const RegionEvidence& evidence) {
+  if (isUnwritten(evidence)) return unwrittenFault(region);
+  if (const auto fault = wrongCamera(evidence)) return *fault;
+  return {"motionNotCameras", say<"Motion of what rests is not the camera's">(),
+          say<"A double image of what rests.">(),
+          say<"It rests in the world, and its motion is not that of the camera: make it with the matrices of "
+              "the frame before, of the same camera and pass.">()};
+}
+
+MotionFault jitterLeftFault(MotionKind kind) {
+  if (kind == MotionKind::JitterTakenOff)
+    return {"motionJitterTakenOff", say<"Jitter taken off motion that had none">(),
+            say<"The whole picture trembles, at rest too.">(),
+            say<"Take no jitter off: the matrices that motion is made with have none.">()};
+  const std::string change = say<"Make motion with both frames' projections without jitter, or state which "
+                                 "jitter is in it.">();
+  if (kind == MotionKind::JitterOfThis) return ofTable(Fault::MotionJitterThis, change);
+  return ofTable(kind == MotionKind::JitterOfPrevious ? Fault::MotionJitterLast : Fault::MotionJitterBoth,
+                 change);
+}
+
+MotionFault axesFault(MotionKind kind) {
+  if (kind == MotionKind::MirroredX)
+    return ofTable(Fault::MotionNegatedX, say<"Negate x of the motion that you write.">());
+  if (kind == MotionKind::MirroredY)
+    return ofTable(Fault::MotionNegatedY,
+                   say<"Negate y of the motion that you write, or state that it points the other way.">());
+  if (kind == MotionKind::Opposite)
+    return ofTable(Fault::MotionNegated,
+                   say<"Negate the motion that you write, or state the other direction.">());
+  return ofTable(Fault::MotionSwapped, say<"Exchange x and y of motion.">());
+}
+
+MotionFault frameFault(MotionKind kind) {
+  if (kind == MotionKind::FrameLate)
+    return ofTable(Fault::MotionLingers,
+                   say<"Give each frame its own motion: what you write is that of the frame before.">());
+  return {"motionFrameEarly", say<"Motion a frame early">(),
+          say<"Edges break for a frame when something stops or starts.">(),
+          say<"Give each frame its own motion: what you write is that of the frame after.">()};
+}
+
+MotionFault decodedFault(MotionKind kind) {
+  if (kind == MotionKind::Encoded)
+    return ofTable(Fault::MotionEncoded,
+                   say<"Decode motion before it is used: what is stored is ½ + ½ of it, in shares of the "
+                       "picture. Or state that encoding.">());
+  return ofTable(Fault::MotionRoot,
+                 say<"Decode motion before it is used: what is stored is its root, in shares of the picture. "
+                     "Or state that encoding.">());
+}
+
+MotionFault lacksCameraFault(const Region& region, const RegionEvidence& evidence) {
+  if (isUnwritten(evidence)) return unwrittenFault(region);
+  return ofTable(Fault::MotionWithoutCamera,
+                 say<"Add the camera's motion: the previous matrix has to be that of the frame before, not "
+                     "this frame's.">());
+}
+
+MotionFault searchedFault(const Region& region, const RegionEvidence& evidence) {
+  if (isUnwritten(evidence)) return unwrittenFault(region);
+  return ofTable(Fault::MotionCameraOnly,
+                 say<"Its motion is the camera's alone, and it moves by itself: write motion with its own "
+                     "previous transform, skin or vertex animation.">());
+}
+
+} // namespace
+
+MotionFault motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence) {
+  if (!trial) return searchedFault(region, evidence);
+  switch (trial->kind) {
+  case MotionKind::AsGiven:
+    break;
+  case MotionKind::Resting:
+    return ofTable(Fault::InterfaceBefore,
+                   say<"It rests on the screen, and its motion is that of what is behind: draw it after TAA, "
+                       "or write 0 for it.">());
+  case MotionKind::OfCamera:
+    return cameraFault(region, evidence);
+  case MotionKind::LacksCamera:
+    return lacksCameraFault(region, evidence);
+  case MotionKind::CameraTwice:
+    return {"motionCameraTwice", say<"The camera's motion twice">(), say<"Ghosts grow with speed.">(),
+            say<"Take the camera's motion off once: motion holds it already.">()};
+  case MotionKind::Scaled:
+    return scaledFault(*trial);
+  case MotionKind::OtherUnit:
+    return unitFault(*trial);
+  case MotionKind::MirroredX:
+  case MotionKind::MirroredY:
+  case MotionKind::Opposite:
+  case MotionKind::SwappedAxes:
+    return axesFault(trial->kind);
+  case MotionKind::JitterOfThis:
+  case MotionKind::JitterOfPrevious:
+  case MotionKind::JitterOfBoth:
+  case MotionKind::JitterTakenOff:
+    return jitterLeftFault(trial->kind);
+  case MotionKind::FrameLate:
+  case MotionKind::FrameEarly:
+    return frameFault(trial->kind);
+  case MotionKind::Encoded:
+  case MotionKind::Root:
+    return decodedFault(trial->kind);
+  }
+  return {};
+}
+
+glm::dvec2 storedMotion(const Patient& patient, const glm::dvec2& motionPx) {
+  if (!patient.conventions) return motionPx;
+  const capture::MotionConventions& motion = patient.conventions->motion;
+  glm::dvec2 perValue = motion.scale * capture::pxPerUnit(motion.unit, motion.yAxis, patient.sizePx);
+  if (motion.unit == capture::ScreenUnit::Pixels && motion.pixelOf == capture::PixelOf::Output)
+    perValue *= glm::dvec2(patient.sizePx) / glm::dvec2(patient.outputPx);
+  if (motion.direction == capture::MotionDirection::PreviousMinusCurrent) perValue = -perValue;
+  const bool hasOffset = motion.encoding == capture::MotionEncoding::Offset;
+  return motionPx / perValue + (hasOffset ? motion.offset : glm::dvec2(0.0));
+}
+
+std::string motionExample(const Patient& patient, const RegionEvidence& evidence, std::size_t trial) {
+  const MotionExample& example = evidence.example;
+  if (trial >= example.byTrial.size() || !example.byTrial[trial]) return {};
+  const glm::dvec2 given = storedMotion(patient, glm::dvec2(example.given));
+  const glm::dvec2 should = storedMotion(patient, glm::dvec2(*example.byTrial[trial]));
+  const bool isEncoded =
+      patient.conventions && patient.conventions->motion.encoding == capture::MotionEncoding::Unreal;
+  const std::string place =
+      say<"at pixel %1, %2 of frame %3">(example.pixel.x, example.pixel.y, example.frame);
+  if (isEncoded)
+    return say<"For example %1 you write what decodes to %2; the pictures show %3.">(
+        place, shortVector(given), shortVector(should));
+  return say<"For example %1 you write %2; the pictures show %3.">(place, shortVector(given),
+                                                                   shortVector(should));
+}
+
+Undecided undecidedMotion(MotionVerdict verdict, const RegionPlace& place, const RegionEvidence& evidence) {
+  Undecided out{say<"Motion of %1">(place.name), {}, {}};
+  const double movedPx = evidence.pixels == 0 ? 0.0 : evidence.givenPx / static_cast<double>(evidence.pixels);
+  switch (verdict) {
+  case MotionVerdict::Right:
+  case MotionVerdict::Wrong:
+    break;
+  case MotionVerdict::TooSmall:
+    out.reason =
+        say<"only %1 of its pixels can be followed, in %2 pairs of frames">(evidence.pixels, evidence.pairs);
+    out.capture = say<"Bring the camera nearer to it, or capture more and larger frames.">();
+    break;
+  case MotionVerdict::Still:
+    out.reason =
+        say<"it moves by %1 px a frame in the mean: all explanations say the same">(shortNumber(movedPx));
+    out.capture = say<"Let it, or the camera, move by some pixels a frame.">();
+    break;
+  case MotionVerdict::NoTexture:
+    out.reason = say<"it has too little detail to tell one place from another">();
+    out.capture = say<"Put a texture with fine detail on it.">();
+    break;
+  case MotionVerdict::Contradicted:
+    out.reason = say<"neither the motion given nor another explanation fits: its light, its material or what "
+                     "lies over it changes more than motion can tell">();
+    out.capture = say<"Keep lights and materials as they are, and nothing transparent before it.">();
+    break;
+  }
+  return out;
+}
+
+} // namespace taa::doctor

@@ -1,0 +1,33 @@
+// The sentences of findings about motion: what is wrong, what one sees, and what to change.
+#pragma once
+
+#include "core/doctor/Diagnosis.h"
+#include "core/doctor/motion/MotionDecision.h"
+#include "core/doctor/motion/MotionFindings.h"
+
+#include <glm/vec2.hpp>
+
+#include <string>
+
+namespace taa::doctor {
+
+/// A fault of motion in words.
+struct MotionFault {
+  std::string id;              ///< of the table of faults where that has it
+  std::string name;            ///< as a heading
+  std::string symptom, change; ///< sentences
+};
+
+/// `trial`: what explains it; null: the pixels move as no explanation says.
+MotionFault motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence);
+
+/// What the engine stores for a motion in px, current − previous, by its conventions.
+glm::dvec2 storedMotion(const Patient& patient, const glm::dvec2& motionPx);
+/// A sentence with numbers: what is stored at a pixel and what it should be, as the engine writes motion.
+/// Empty where the trial says nothing there.
+std::string motionExample(const Patient& patient, const RegionEvidence& evidence, std::size_t trial);
+
+/// A sentence why a region's motion is not decided, and what to capture instead.
+Undecided undecidedMotion(MotionVerdict verdict, const RegionPlace& place, const RegionEvidence& evidence);
+
+} // namespace taa::doctor

@@ -1,0 +1,101 @@
+// Depth against the motion that it makes, of a ground that a camera passes sideways: made by hand.
+#include "core/doctor/DepthCheck.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace taa::doctor {
+namespace {
+
+using DepthChange = std::function<double(double depth)>;
+
+/// Depths from 0.05 at the top to 0.35 at the bottom. The camera's way moves a picture by 40 px at depth 1.
+DoctorFrame passingFrame(const DepthChange& stored, double slope = 0.003) {
+  constexpr int kWidth = 160, kHeight = 100;
+  constexpr float kShear = 0.5f; // of device coordinates: 40 px of 160
+  DoctorFrame out;
+  out.luma = out.depth = Image(kWidth, kHeight, 1);
+  out.motionPx = Image(kWidth, kHeight, 2);
+  glm::mat4 matrix(1.0f);
+  matrix[2][0] = kShear;
+  out.previousClipFromClip = matrix;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const double depth = 0.05 + slope * y;
+      *out.depth.at(x, y) = static_cast<float>(stored(depth));
+      out.motionPx.at(x, y)[0] = static_cast<float>(-40.0 * depth);
+    }
+  return out;
+}
+
+Diagnosis diagnosisOf(const DoctorFrame& frame) {
+  DepthEvidence evidence;
+  evidence.add(frame);
+  Diagnosis out;
+  tellDepth(evidence, out);
+  return out;
+}
+
+std::string foundIn(const DepthChange& stored) {
+  const Diagnosis diagnosis = diagnosisOf(passingFrame(stored));
+  return diagnosis.findings.empty() ? "" : diagnosis.findings[0].id;
+}
+
+} // namespace
+
+TEST(DepthCheck, TakesTheDepthOfEachPixelFromItsMotion) {
+  DepthEvidence evidence;
+  evidence.add(passingFrame([](double depth) { return depth; }));
+  ASSERT_GT(evidence.samples.size(), 1000u);
+  for (const DepthSample& sample : evidence.samples) EXPECT_NEAR(sample.byMotion, sample.stored, 1e-6);
+}
+
+TEST(DepthCheck, NamesWhatIsWrong) {
+  EXPECT_EQ(foundIn([](double depth) { return depth; }), "");
+  EXPECT_EQ(foundIn([](double depth) { return 1.0 - depth; }), "depthReversed");
+  EXPECT_EQ(foundIn([](double depth) { return 0.001 / depth; }), "depthLinear");
+  EXPECT_EQ(foundIn([](double depth) { return 0.5 * depth; }), "nearPlaneWrong");
+}
+
+TEST(DepthCheck, SaysByHowMuchTheNearPlaneIsWrong) {
+  const Diagnosis diagnosis = diagnosisOf(passingFrame([](double depth) { return 0.5 * depth; }));
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  EXPECT_NE(diagnosis.findings[0].change.find("0.5 times as far"), std::string::npos)
+      << diagnosis.findings[0].change;
+}
+
+TEST(DepthCheck, DoesNotDecideWhereDepthsAreAlike) {
+  const Diagnosis diagnosis = diagnosisOf(passingFrame([](double depth) { return 0.5 * depth; }, 0.0));
+  EXPECT_TRUE(diagnosis.isHealthy());
+  EXPECT_EQ(diagnosis.undecided.size(), 1u);
+}
+
+TEST(DepthCheck, LeavesOutWhatMovesByItself) {
+  DoctorFrame frame = passingFrame([](double depth) { return depth; });
+  for (std::size_t i = 1; i < frame.motionPx.pixels.size(); i += 2) frame.motionPx.pixels[i] = 0.5f;
+  DepthEvidence evidence;
+  evidence.add(frame);
+  EXPECT_TRUE(evidence.samples.empty());
+  EXPECT_EQ(diagnosisOf(frame).undecided.size(), 1u);
+}
+
+TEST(DepthCheck, NamesANearPlaneThatIsNotTheProjections) {
+  DepthEvidence evidence;
+  evidence.factors = {2.0, 2.0, 2.0};
+  Diagnosis out;
+  tellDepth(evidence, out);
+  ASSERT_EQ(out.findings.size(), 1u);
+  EXPECT_EQ(out.findings[0].id, "nearPlaneWrong");
+  EXPECT_NE(out.findings[0].change.find("0.5 times what is stated"), std::string::npos);
+  evidence.factors = {1.0, 1.04, 1.0}; // rounding
+  Diagnosis right;
+  tellDepth(evidence, right);
+  EXPECT_TRUE(right.isHealthy());
+}
+
+} // namespace taa::doctor

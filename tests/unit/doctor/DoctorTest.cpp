@@ -1,0 +1,179 @@
+// The doctor on painted frames: nothing where nothing is wrong, and each fault by its name, in its region.
+#include "core/doctor/Doctor.h"
+
+#include "core/base/Error.h"
+#include "tests/support/doctor/PaintedFrames.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace taa::doctor {
+namespace {
+
+using test::changeMotion;
+using test::kBoardId;
+using test::kGroundId;
+using test::paintedExamination;
+using test::PaintedShot;
+
+constexpr int kFrames = 8;
+constexpr std::uint32_t kSky = 0;
+
+Diagnosis diagnosisOf(const PaintedShot& shot, const test::FrameFault& fault = {}) {
+  return examine(paintedExamination(shot, kFrames, fault));
+}
+
+/// "motionNegatedY in object 2 (board)", by commas; "" where nothing was found.
+std::string told(const Diagnosis& diagnosis) {
+  std::string text;
+  for (const Finding& finding : diagnosis.findings) {
+    text += (text.empty() ? "" : ", ") + finding.id + " in ";
+    if (finding.isWholePicture)
+      text += "all";
+    else
+      for (const RegionPlace& region : finding.regions) text += region.name;
+  }
+  return text;
+}
+
+test::FrameFault onObject(std::uint32_t id, const std::function<glm::vec2(const glm::vec2&)>& change) {
+  return [id, change](DoctorFrame& frame) { changeMotion(frame, id, change); };
+}
+
+/// Of ground and board; the sky has no detail.
+test::FrameFault onAll(const std::function<glm::vec2(const glm::vec2&)>& change) {
+  return [change](DoctorFrame& frame) {
+    for (const std::uint32_t id : {kSky, kGroundId, kBoardId}) changeMotion(frame, id, change);
+  };
+}
+
+} // namespace
+
+TEST(Doctor, FindsNothingWhereNothingIsWrong) {
+  for (const bool isJittered : {false, true})
+    for (const glm::dvec2& camera : {glm::dvec2(0.0), glm::dvec2(2.25, -1.5), glm::dvec2(-5.0, 0.5)}) {
+      PaintedShot shot;
+      shot.isJittered = isJittered;
+      shot.cameraPx = camera;
+      const Diagnosis diagnosis = diagnosisOf(shot);
+      EXPECT_EQ(told(diagnosis), "");
+      EXPECT_EQ(diagnosis.frames, kFrames);
+      EXPECT_EQ(diagnosis.pairs, kFrames - 1);
+    }
+}
+
+TEST(Doctor, NamesAFaultOfTheWholePicture) {
+  const PaintedShot shot;
+  EXPECT_EQ(told(diagnosisOf(shot, onAll([](const glm::vec2& m) { return glm::vec2(m.x, -m.y); }))),
+            "motionNegatedY in all");
+  EXPECT_EQ(told(diagnosisOf(shot, onAll([](const glm::vec2& m) { return glm::vec2(-m.x, m.y); }))),
+            "motionNegatedX in all");
+  EXPECT_EQ(told(diagnosisOf(shot, onAll([](const glm::vec2& m) { return -m; }))), "motionNegated in all");
+  EXPECT_EQ(told(diagnosisOf(shot, onAll([](const glm::vec2& m) { return glm::vec2(m.y, m.x); }))),
+            "motionSwapped in all");
+  EXPECT_EQ(told(diagnosisOf(shot, onAll([](const glm::vec2& m) { return 2.0f * m; }))),
+            "motionDoubled in all");
+  EXPECT_EQ(told(diagnosisOf(shot, onAll([](const glm::vec2& m) { return 0.5f * m; }))),
+            "motionHalved in all");
+}
+
+TEST(Doctor, NamesAFaultOfOneObjectAlone) {
+  const PaintedShot shot;
+  EXPECT_EQ(
+      told(diagnosisOf(shot, onObject(kBoardId, [](const glm::vec2& m) { return glm::vec2(m.x, -m.y); }))),
+      "motionNegatedY in object 2 (board)");
+  EXPECT_EQ(told(diagnosisOf(shot, onObject(kGroundId, [](const glm::vec2& m) { return 2.0f * m; }))),
+            "motionDoubled in object 1 (ground)");
+}
+
+TEST(Doctor, FindsWhatAnObjectMovesByWhereNothingWasWritten) {
+  const PaintedShot shot;
+  EXPECT_EQ(told(diagnosisOf(shot, onObject(kBoardId, [](const glm::vec2&) { return glm::vec2(0.0f); }))),
+            "motionZero in object 2 (board)");
+  const glm::vec2 camera(shot.cameraPx);
+  EXPECT_EQ(told(diagnosisOf(shot, onObject(kBoardId, [camera](const glm::vec2&) { return camera; }))),
+            "motionCameraOnly in object 2 (board)");
+  EXPECT_EQ(told(diagnosisOf(shot, onObject(kGroundId, [](const glm::vec2&) { return glm::vec2(0.0f); }))),
+            "motionZero in object 1 (ground)");
+}
+
+TEST(Doctor, NamesASkyWithoutMotionThoughItHasNoDetail) {
+  const PaintedShot shot;
+  const auto fault = onObject(kSky, [](const glm::vec2&) { return glm::vec2(0.0f); });
+  const Diagnosis turning = diagnosisOf(shot, fault);
+  EXPECT_EQ(told(turning), "skyWithoutMotion in the sky");
+  ASSERT_EQ(turning.findings.size(), 1u);
+  EXPECT_EQ(turning.findings[0].sureness, Sureness::Sure);
+  PaintedShot still;
+  still.cameraPx = glm::dvec2(0.0);
+  EXPECT_EQ(told(diagnosisOf(still, fault)), "");
+}
+
+TEST(Doctor, NamesJitterThatIsLeftInMotion) {
+  const PaintedShot shot;
+  const auto jittered = [](float ofThis, float ofPrevious) {
+    return [ofThis, ofPrevious](DoctorFrame& frame) {
+      if (frame.frame == 0) return;
+      const glm::vec2 previous = test::paintedFrame({}, frame.frame - 1).jitterPx;
+      const glm::vec2 left = ofThis * frame.jitterPx - ofPrevious * previous;
+      for (const std::uint32_t id : {kSky, kGroundId, kBoardId})
+        changeMotion(frame, id, [left](const glm::vec2& m) { return m + left; });
+    };
+  };
+  EXPECT_EQ(told(diagnosisOf(shot, jittered(1.0f, 0.0f))), "motionJitterThis in all");
+  EXPECT_EQ(told(diagnosisOf(shot, jittered(0.0f, 1.0f))), "motionJitterLast in all");
+  EXPECT_EQ(told(diagnosisOf(shot, jittered(1.0f, 1.0f))), "motionJitterBoth in all");
+}
+
+TEST(Doctor, NamesMotionOfTheFrameBeforeWhereSpeedsChange) {
+  PaintedShot shot;
+  shot.change = 0.75;
+  const Diagnosis late = diagnosisOf(shot, [shot](DoctorFrame& frame) {
+    if (frame.frame > 0) frame.motionPx = test::paintedFrame(shot, frame.frame - 1).motionPx;
+  });
+  EXPECT_EQ(told(late), "motionLingers in all");
+  // At even speed it is the same motion but at the rims of what moves, which were elsewhere.
+  const Diagnosis even = diagnosisOf({}, [](DoctorFrame& frame) {
+    if (frame.frame > 0) frame.motionPx = test::paintedFrame({}, frame.frame - 1).motionPx;
+  });
+  EXPECT_EQ(told(even), "motionLingers in object 2 (board)");
+}
+
+TEST(Doctor, SaysWhatItCannotDecideAndWhatToCaptureInstead) {
+  PaintedShot shot;
+  shot.isBoardTextured = false;
+  const Diagnosis diagnosis =
+      diagnosisOf(shot, onObject(kBoardId, [](const glm::vec2&) { return glm::vec2(0.0f); }));
+  EXPECT_EQ(told(diagnosis), "");
+  bool isSaid = false;
+  for (const Undecided& undecided : diagnosis.undecided)
+    isSaid = isSaid || (undecided.question == "Motion of object 2 (board)" &&
+                        undecided.reason.find("too little detail") != std::string::npos &&
+                        undecided.capture.find("texture") != std::string::npos);
+  EXPECT_TRUE(isSaid);
+}
+
+TEST(Doctor, SaysWhatToChangeInTheEnginesOwnConvention) {
+  Examination examination = paintedExamination({}, kFrames, onAll([](const glm::vec2& m) { return -m; }));
+  examination.patient.conventions = capture::startingPoint("three").conventions; // NDC, y up
+  const Diagnosis diagnosis = examine(examination);
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  // The board moves most, by (3.75, 1.5) px: (7.5/160, −3/96) in device coordinates, y up.
+  EXPECT_NE(
+      diagnosis.findings[0].change.find("you write (-0.0469, 0.0313); the pictures show (0.0469, -0.0313)"),
+      std::string::npos)
+      << diagnosis.findings[0].change;
+}
+
+TEST(Doctor, LeavesItWhereItIsCancelled) {
+  int reported = 0;
+  const Progress progress = [&reported](std::string_view, int, int) { return ++reported < 3; };
+  EXPECT_THROW(examine(paintedExamination({}, kFrames), progress), Cancelled);
+  EXPECT_EQ(reported, 3);
+}
+
+} // namespace taa::doctor

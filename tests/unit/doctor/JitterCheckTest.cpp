@@ -1,0 +1,108 @@
+// Faults of jitter are named, in painted frames whose pictures keep theirs while what is stated changes.
+#include "core/doctor/jitter/JitterCheck.h"
+
+#include "tests/support/doctor/PaintedFrames.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+namespace taa::doctor {
+namespace {
+
+constexpr int kFrames = 8;
+
+/// What is stated at a frame.
+using Stated = std::function<glm::vec2(int frame)>;
+
+glm::vec2 trueJitterAt(int frame) {
+  return test::paintedFrame({}, frame).jitterPx;
+}
+
+Diagnosis diagnosisOf(const Stated& stated, const test::PaintedShot& shot = {}) {
+  return examine(test::paintedExamination(
+      shot, kFrames, [stated](DoctorFrame& frame) { frame.jitterPx = stated(frame.frame); }));
+}
+
+/// All that is found.
+std::string told(const Diagnosis& diagnosis) {
+  std::string text;
+  for (const Finding& finding : diagnosis.findings) text += (text.empty() ? "" : ", ") + finding.id;
+  return text;
+}
+
+} // namespace
+
+// Wrong jitter makes all motion look wrong; nothing is said of motion, which is right.
+TEST(JitterCheck, NamesWhatIsStatedAndNothingElse) {
+  const auto of = [](const std::function<glm::vec2(const glm::vec2&)>& change) {
+    return told(diagnosisOf([change](int frame) { return change(trueJitterAt(frame)); }));
+  };
+  EXPECT_EQ(of([](const glm::vec2& j) { return j; }), "");
+  EXPECT_EQ(of([](const glm::vec2& j) { return glm::vec2(-j.x, j.y); }), "jitterNegatedX");
+  EXPECT_EQ(of([](const glm::vec2& j) { return glm::vec2(j.x, -j.y); }), "jitterNegatedY");
+  EXPECT_EQ(of([](const glm::vec2& j) { return -j; }), "jitterNegated");
+  EXPECT_EQ(of([](const glm::vec2& j) { return glm::vec2(j.y, j.x); }), "jitterSwapped");
+  EXPECT_EQ(of([](const glm::vec2& j) { return 2.0f * j; }), "jitterDoubled");
+  EXPECT_EQ(of([](const glm::vec2& j) { return 0.5f * j; }), "jitterHalved");
+  EXPECT_EQ(of([](const glm::vec2&) { return glm::vec2(0.0f); }), "jitterNotReported");
+}
+
+TEST(JitterCheck, NamesAFrameLateOrEarly) {
+  EXPECT_EQ(told(diagnosisOf([](int frame) { return trueJitterAt(frame == 0 ? 7 : frame - 1); })),
+            "jitterLate");
+  EXPECT_EQ(told(diagnosisOf([](int frame) { return trueJitterAt(frame + 1); })), "jitterEarly");
+}
+
+TEST(JitterCheck, NamesJitterThatIsNotApplied) {
+  test::PaintedShot still;
+  still.isJittered = false;
+  EXPECT_EQ(told(diagnosisOf(trueJitterAt, still)), "jitterNotApplied");
+}
+
+TEST(JitterCheck, NamesJitterThatIsAlwaysTheSame) {
+  test::PaintedShot still;
+  still.isJittered = false;
+  EXPECT_EQ(told(diagnosisOf([](int) { return glm::vec2(0.25f, 0.0f); }, still)), "jitterFrozen");
+  EXPECT_EQ(told(diagnosisOf([](int) { return glm::vec2(0.0f); }, still)), ""); // there is none
+}
+
+TEST(JitterCheck, SaysWhatPicturesShow) {
+  const Diagnosis diagnosis = diagnosisOf([](int frame) { return -trueJitterAt(frame); });
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  const Finding& finding = diagnosis.findings[0];
+  EXPECT_EQ(finding.sureness, Sureness::Sure);
+  // The longest jitter of the eight is that of frame 7, Halton (1/16, 8/9) less a half.
+  EXPECT_NE(finding.change.find("you pass (0.438, -0.389); the pictures show (-0.438, 0.389)"),
+            std::string::npos)
+      << finding.change;
+  EXPECT_EQ(finding.residuals.front().id, "opposite");
+  EXPECT_TRUE(finding.residuals.front().isBest);
+}
+
+TEST(JitterCheck, IsUnsureWithoutCameras) {
+  Examination examination = test::paintedExamination({}, kFrames, [](DoctorFrame& frame) {
+    frame.jitterPx = -frame.jitterPx;
+    frame.previousClipFromClip.reset();
+  });
+  examination.known.camera = false;
+  const Diagnosis diagnosis = examine(examination);
+  ASSERT_FALSE(diagnosis.findings.empty());
+  EXPECT_EQ(diagnosis.findings[0].id, "jitterNegated");
+  EXPECT_EQ(diagnosis.findings[0].sureness, Sureness::Likely);
+}
+
+TEST(JitterCheck, NotesAFirstFrameWithoutJitter) {
+  const Diagnosis diagnosis = examine(test::paintedExamination({}, kFrames, [](DoctorFrame& frame) {
+    if (frame.frame > 0) return;
+    test::PaintedShot still;
+    still.isJittered = false;
+    frame = test::paintedFrame(still, 0);
+  }));
+  EXPECT_TRUE(diagnosis.isHealthy());
+  ASSERT_FALSE(diagnosis.notes.empty());
+  EXPECT_NE(diagnosis.notes[0].find("first frame is not jittered"), std::string::npos);
+}
+
+} // namespace taa::doctor

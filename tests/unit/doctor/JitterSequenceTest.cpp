@@ -1,0 +1,80 @@
+// What is wrong with a sequence of jitter by itself: on sequences whose mean, range and period are plain.
+#include "core/doctor/jitter/JitterSequence.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <string>
+
+namespace taa::doctor {
+namespace {
+
+using Jitters = std::map<int, glm::vec2>;
+
+Jitters jittersOf(int frames, const std::function<glm::vec2(int)>& at) {
+  Jitters out;
+  for (int frame = 0; frame < frames; ++frame) out[frame] = at(frame);
+  return out;
+}
+
+/// Four places at the centers of a pixel's quarters, scaled and moved.
+glm::vec2 quarter(int frame, float scale = 1.0f, const glm::vec2& offset = glm::vec2(0.0f)) {
+  const int place = frame % 4;
+  return scale * glm::vec2(place % 2 == 0 ? -0.25f : 0.25f, place < 2 ? -0.25f : 0.25f) + offset;
+}
+
+std::string sequenceTold(const Jitters& jitters) {
+  Diagnosis out;
+  tellSequence(jitters, out);
+  std::string text;
+  for (const Finding& finding : out.findings) text += (text.empty() ? "" : ", ") + finding.id;
+  return text;
+}
+
+} // namespace
+
+TEST(JitterSequence, RepeatsAfterItsPeriod) {
+  EXPECT_EQ(sequenceFacts(jittersOf(8, [](int f) { return quarter(f); })).period, 4);
+  EXPECT_FALSE(sequenceFacts(jittersOf(7, [](int f) { return quarter(f); })).period); // not twice whole
+  EXPECT_FALSE(sequenceFacts({}).period);
+}
+
+TEST(JitterSequence, HasItsMeanOverWholePeriods) {
+  const SequenceFacts facts = sequenceFacts(jittersOf(10, [](int f) {
+    return quarter(f, 1.0f, {0.25f, -0.125f});
+  }));
+  EXPECT_NEAR(facts.meanPx.x, 0.25, 1e-6);
+  EXPECT_NEAR(facts.meanPx.y, -0.125, 1e-6);
+}
+
+TEST(JitterSequence, GoesBeyondHalfAPixelInAShareOfItsFrames) {
+  // Doubled, x and y are exactly half a pixel, which is none too many; at 2.5 times all are beyond.
+  EXPECT_EQ(sequenceFacts(jittersOf(8, [](int f) { return quarter(f, 2.0f); })).beyondShare, 0.0);
+  const SequenceFacts far = sequenceFacts(jittersOf(8, [](int f) { return quarter(f, 2.5f); }));
+  EXPECT_EQ(far.beyondShare, 1.0);
+  EXPECT_NEAR(far.longestPx, 0.625, 1e-6);
+}
+
+TEST(JitterSequence, IsFaultyByItsMeanRangeOrPeriodAlone) {
+  EXPECT_EQ(sequenceTold(jittersOf(16, [](int f) { return quarter(f); })), "");
+  EXPECT_EQ(sequenceTold(jittersOf(16,
+                                   [](int f) {
+                                     return quarter(f, 0.5f, {0.25f, 0.125f});
+                                   })),
+            "jitterMean");
+  EXPECT_EQ(sequenceTold(jittersOf(16, [](int f) { return quarter(f, 3.0f); })), "jitterOutside");
+  EXPECT_EQ(sequenceTold(jittersOf(16, [](int f) { return quarter(f % 2 == 0 ? 0 : 3); })), "jitterShort");
+}
+
+TEST(JitterSequence, HasNoMeanInAFewFramesThatDoNotRepeat) {
+  const auto offset = [](int f) { return quarter(f, 0.1f + 0.01f * static_cast<float>(f), {0.25f, 0.125f}); };
+  EXPECT_EQ(sequenceTold(jittersOf(15, offset)), "");
+  EXPECT_EQ(sequenceTold(jittersOf(16, offset)), "jitterMean");
+}
+
+TEST(JitterSequence, IsNoneWhereItIsAlwaysTheSame) {
+  EXPECT_EQ(sequenceTold(jittersOf(16, [](int) { return glm::vec2(0.4f, 0.0f); })), "");
+}
+
+} // namespace taa::doctor

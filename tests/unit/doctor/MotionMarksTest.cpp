@@ -1,0 +1,36 @@
+// Marks that are taken for motion, and motion that is taken for a mark: on evidence made by hand.
+#include "core/doctor/motion/MotionMarks.h"
+
+#include <gtest/gtest.h>
+
+namespace taa::doctor {
+
+TEST(MotionMarks, AreLongerThanThePictureNearlyEverywhere) {
+  RegionEvidence region;
+  region.seen = 1000;
+  region.outside = 900;
+  EXPECT_TRUE(isUnwrittenMark(region));
+  region.outside = 899;
+  EXPECT_FALSE(isUnwrittenMark(region));
+  region.seen = region.outside = 449; // too few
+  EXPECT_FALSE(isUnwrittenMark(region));
+}
+
+TEST(MotionMarks, StandWhereWhatWasThereFits) {
+  RegionEvidence region;
+  region.seen = region.marked = 1000;
+  region.markedTextured = 500;
+  region.markedError = 500 * 0.007;
+  region.markedPairs = 3;
+  EXPECT_TRUE(isKeptAsMissing(region));
+  region.markedError = 500 * 0.009; // something else was there
+  EXPECT_FALSE(isKeptAsMissing(region));
+  region.markedError = 0.0;
+  region.markedPairs = 2; // first seen, and once more
+  EXPECT_FALSE(isKeptAsMissing(region));
+  region.markedPairs = 3;
+  region.marked = 899;
+  EXPECT_FALSE(isKeptAsMissing(region));
+}
+
+} // namespace taa::doctor

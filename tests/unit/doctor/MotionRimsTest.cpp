@@ -1,0 +1,104 @@
+// Motion and depth at the rims of a square that moves over what rests, read rightly, beside, and coarsely.
+#include "core/doctor/motion/MotionRims.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+
+namespace taa::doctor {
+namespace {
+
+constexpr int kWidth = 96, kHeight = 96, kFrom = 24, kTo = 72;
+
+/// `moved`: by so many px to the right and down.
+bool isSquare(int x, int y, int moved) {
+  return x - moved >= kFrom && x - moved < kTo && y - moved >= kFrom && y - moved < kTo;
+}
+
+/// `shift`, `coarse`: of the texels that motion and depth are read at, as the table of faults reads them.
+DoctorFrame squareFrame(int shift, int coarse, int moved = 0) {
+  DoctorFrame out;
+  out.luma = Image(kWidth, kHeight, 1);
+  out.motionPx = Image(kWidth, kHeight, 2);
+  out.depth = Image(kWidth, kHeight, 1);
+  out.objectId.assign(std::size_t(kWidth) * kHeight, 0);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      out.objectId[static_cast<std::size_t>(y) * kWidth + x] = isSquare(x, y, moved) ? 2 : 1;
+      const bool isRead =
+          isSquare(x / coarse * coarse + coarse / 2 - shift, y / coarse * coarse + coarse / 2 - shift, moved);
+      out.motionPx.at(x, y)[0] = isRead ? 3.0f : 0.0f;
+      *out.depth.at(x, y) = isRead ? 0.02f : 0.01f;
+    }
+  return out;
+}
+
+RimEvidence rimsOf(int shift, int coarse, int moved = 0) {
+  RimEvidence out;
+  for (int frame = 0; frame < 2; ++frame) out.add(squareFrame(shift, coarse, frame * moved));
+  return out;
+}
+
+} // namespace
+
+TEST(MotionRims, AreThoseOfTheirObjects) {
+  const RimEvidence rims = rimsOf(0, 1);
+  // Both sides of four rims of 48 pixels, in two frames.
+  EXPECT_EQ(rims.motion.pixels, 2u * 4u * 2u * (kTo - kFrom));
+  EXPECT_EQ(rims.motion.foreign, 0u);
+  EXPECT_EQ(rims.motion.verdict(), RimVerdict::Right);
+  EXPECT_EQ(rims.depth.verdict(), RimVerdict::Right);
+}
+
+TEST(MotionRims, AreOfWhatIsBesideWhereMotionIsReadBeside) {
+  const RimEvidence rims = rimsOf(1, 1);
+  EXPECT_EQ(rims.motion.verdict(), RimVerdict::Shifted);
+  Diagnosis out;
+  tellRims(rims, true, out);
+  ASSERT_EQ(out.findings.size(), 1u);
+  EXPECT_EQ(out.findings[0].id, "motionShifted");
+}
+
+TEST(MotionRims, ArePartlyOfWhatIsBesideWhereValuesAreCoarse) {
+  // In the second frame the rims are at odd places, which squares of two do not have.
+  const RimEvidence rims = rimsOf(0, 2, 1);
+  EXPECT_EQ(rims.motion.verdict(), RimVerdict::Coarse);
+  Diagnosis out;
+  tellRims(rims, true, out);
+  ASSERT_EQ(out.findings.size(), 2u);
+  EXPECT_EQ(out.findings[0].id, "depthCoarse");
+  EXPECT_EQ(out.findings[1].id, "motionCoarse");
+}
+
+// A square whose rims jitter moves by a whole pixel to the right and down, in every second frame back.
+TEST(MotionRims, AreElsewhereWhereDepthHasNoJitter) {
+  RimEvidence rims, stated;
+  for (const int moved : {1, -1}) {
+    DoctorFrame frame = squareFrame(0, 1, moved);
+    frame.depth = squareFrame(0, 1).depth;
+    frame.motionPx = squareFrame(0, 1, moved).motionPx;
+    frame.jitterPx = frame.depthJitterPx = glm::vec2(static_cast<float>(moved));
+    rims.add(frame);
+    frame.depthJitterPx = glm::vec2(0.0f);
+    stated.add(frame);
+  }
+  EXPECT_EQ(rims.depth.verdict(), RimVerdict::Unjittered);
+  EXPECT_EQ(rims.motion.verdict(), RimVerdict::Right);
+  EXPECT_EQ(stated.depth.verdict(), RimVerdict::TooFew); // it is said so
+}
+
+TEST(MotionRims, SayNothingOfMotionThatIsWrongElsewhere) {
+  Diagnosis out;
+  tellRims(rimsOf(1, 1), false, out);
+  EXPECT_TRUE(out.isHealthy());
+}
+
+TEST(MotionRims, AreNotCountedWithoutNumbers) {
+  DoctorFrame frame = squareFrame(0, 1);
+  frame.objectId.clear();
+  RimEvidence rims;
+  rims.add(frame);
+  EXPECT_EQ(rims.motion.verdict(), RimVerdict::TooFew);
+}
+
+} // namespace taa::doctor

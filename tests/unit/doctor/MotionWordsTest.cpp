@@ -1,0 +1,65 @@
+// Motion as an engine writes it, and what findings are called.
+#include "core/doctor/motion/MotionWords.h"
+
+#include "core/settings/Faults.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+namespace taa::doctor {
+
+TEST(MotionWords, WriteMotionAsTheEngineDoes) {
+  Patient patient;
+  patient.sizePx = {160, 96};
+  patient.outputPx = {320, 192};
+  EXPECT_EQ(storedMotion(patient, {3.0, -1.5}), glm::dvec2(3.0, -1.5));
+  patient.conventions.emplace();
+  patient.conventions->motion.unit = capture::ScreenUnit::Uv;
+  patient.conventions->motion.yAxis = capture::VerticalAxis::Up;
+  EXPECT_EQ(storedMotion(patient, {3.0, -1.5}), glm::dvec2(3.0 / 160.0, 1.5 / 96.0));
+  patient.conventions->motion = {};
+  patient.conventions->motion.direction = capture::MotionDirection::PreviousMinusCurrent;
+  patient.conventions->motion.pixelOf = capture::PixelOf::Output;
+  EXPECT_EQ(storedMotion(patient, {3.0, -1.5}), glm::dvec2(-6.0, 3.0));
+  patient.conventions->motion = {};
+  patient.conventions->motion.encoding = capture::MotionEncoding::Offset;
+  patient.conventions->motion.scale = {2.0, 2.0};
+  patient.conventions->motion.offset = {0.5, 0.5};
+  EXPECT_EQ(storedMotion(patient, {3.0, -1.5}), glm::dvec2(2.0, -0.25));
+}
+
+// Of each explanation but that all is right; ids of the table of faults are the table's.
+TEST(MotionWords, NameEachExplanation) {
+  std::set<std::string> ids;
+  RegionEvidence evidence;
+  evidence.pixels = 100;
+  for (const MotionTrial& trial : motionTrials({160, 96})) {
+    if (trial.kind == MotionKind::AsGiven) continue;
+    const MotionFault fault = motionFault(&trial, Region(), evidence);
+    EXPECT_FALSE(fault.name.empty() || fault.symptom.empty() || fault.change.empty()) << trialId(trial);
+    ids.insert(fault.id);
+  }
+  for (const Fault fault :
+       {Fault::MotionNegatedX, Fault::MotionNegatedY, Fault::MotionNegated, Fault::MotionSwapped,
+        Fault::MotionDoubled, Fault::MotionHalved, Fault::MotionInUv, Fault::MotionInNdc,
+        Fault::MotionJitterThis, Fault::MotionJitterLast, Fault::MotionJitterBoth, Fault::MotionWithoutCamera,
+        Fault::MotionLingers})
+    EXPECT_TRUE(ids.contains(std::string(faultInfo(fault).id))) << faultInfo(fault).id;
+}
+
+TEST(MotionWords, CallWhatIsZeroUnwritten) {
+  RegionEvidence evidence;
+  evidence.pixels = evidence.zero = 100;
+  Region sky;
+  sky.isSky = true;
+  EXPECT_EQ(motionFault(nullptr, sky, evidence).id, "skyWithoutMotion");
+  EXPECT_EQ(motionFault(nullptr, Region(), evidence).id, "motionZero");
+  const MotionTrial ofCamera{MotionKind::OfCamera};
+  EXPECT_EQ(motionFault(&ofCamera, Region(), evidence).id, "motionZero");
+  evidence.zero = 0;
+  EXPECT_EQ(motionFault(nullptr, Region(), evidence).id, "motionCameraOnly");
+}
+
+} // namespace taa::doctor
