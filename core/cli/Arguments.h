@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/ShownText.h"
+#include "core/doctor/Diagnosis.h"
 #include "core/inspect/verdicts/VerdictOfShot.h"
 #include "core/scene/MotionMode.h"
 #include "core/scene/ObjectClass.h"
@@ -98,6 +99,13 @@ struct VerdictArguments {
   int worst = 5;                 ///< pixels of each category and error of the whole picture
   bool remedies = false;         ///< also what mends it
   bool json = false;
+};
+
+struct DoctorArguments {
+  ShotArguments shot;
+  int frames = doctor::kDoctorFrames;
+  std::string html; ///< a file; empty: none is written
+  bool json = false, force = false;
 };
 
 struct TraceArguments {

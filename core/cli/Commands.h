@@ -25,6 +25,11 @@ void runLineage(const LineageArguments& arguments, std::ostream& out, const Prog
 /// Error, Cancelled.
 void runVerdict(const VerdictArguments& arguments, std::ostream& out, const Progress& progress);
 
+/// Prints what is wrong with the frames of a scene or a capture, because of what, and what to change, and
+/// writes it as a page where that is asked for. Returns whether nothing is wrong. Throws UsageError, Error,
+/// Cancelled.
+bool runDoctor(const DoctorArguments& arguments, std::ostream& out, const Progress& progress);
+
 /// Prints intermediates at pixels over a range of frames. Throws UsageError, Error, Cancelled.
 void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress& progress);
 

@@ -6,6 +6,7 @@
 #include "core/cli/ShotOptions.h"
 #include "core/cli/Terminal.h"
 #include "core/cli/sweep/SweepOptions.h"
+#include "core/doctor/Diagnosis.h"
 #include "core/inspect/Comparison.h"
 #include "core/measure/Flicker.h"
 #include "core/measure/Metrics.h"
@@ -30,6 +31,7 @@ using namespace taa::cli;
 constexpr int kWorldsFault = 1;
 constexpr int kUsage = 2;
 constexpr int kContradicted = 3; // import --check: pixels say something else than what is stated
+constexpr int kUnhealthy = 3;    // doctor: something is wrong
 constexpr int kSignalled = 128;  // and the number of SIGINT or SIGTERM, as a shell reports it
 
 volatile std::sig_atomic_t interrupted = 0; // the signal; 0: none came
@@ -193,6 +195,22 @@ void addVerdict(CLI::App& app, VerdictArguments& verdict, const taa::Progress& p
   command->callback([&verdict, &progress] { runVerdict(verdict, std::cout, progress); });
 }
 
+void addDoctor(CLI::App& app, DoctorArguments& doctor, const taa::Progress& progress, bool& isUnhealthy) {
+  CLI::App* command = app.add_subcommand("doctor", "Say what is wrong with jitter, depth and motion vectors "
+                                                   "of an engine's frames, region by region, and what "
+                                                   "to change; ends with 3 where something is");
+  addShotOptions(*command, doctor.shot);
+  command->add_option("--frames", doctor.frames, "How many frames are examined, from frame 0 on")
+      ->check(CLI::Range(taa::doctor::kLeastDoctorFrames, taa::doctor::kMaxDoctorFrames))
+      ->capture_default_str();
+  command->add_option("--html", doctor.html,
+                      "Also write all of it as one page of HTML, without scripts, to put into a bug tracker");
+  addForce(*command, doctor.force);
+  command->add_flag("--json", doctor.json, "Print JSON");
+  command->callback(
+      [&doctor, &progress, &isUnhealthy] { isUnhealthy = !runDoctor(doctor, std::cout, progress); });
+}
+
 void addTrace(CLI::App& app, TraceArguments& trace, const taa::Progress& progress) {
   CLI::App* command = app.add_subcommand("trace", "Print intermediates at pixels over frames, as CSV");
   addShotOptions(*command, trace.shot);
@@ -310,7 +328,7 @@ void requireCommand(const CLI::App& app, int argc, char** argv) {
   if (!app.get_subcommands(isMeant).empty()) return;
   throw UsageError(
       "there is no command \"" + std::string(argv[1]) +
-      "\"; there are list, render, probe, lineage, verdict, trace, profile, metrics, sweep, tune, "
+      "\"; there are list, render, probe, lineage, verdict, doctor, trace, profile, metrics, sweep, tune, "
       "glsl, import and manual");
 }
 
@@ -333,6 +351,8 @@ int run(int argc, char** argv) {
   ProbeArguments probe;
   LineageArguments lineage;
   VerdictArguments verdict;
+  DoctorArguments doctor;
+  bool isUnhealthy = false;
   TraceArguments trace;
   ProfileArguments profile;
   MetricsArguments metrics;
@@ -352,6 +372,7 @@ int run(int argc, char** argv) {
   addProbe(app, probe, progress);
   addLineage(app, lineage, progress);
   addVerdict(app, verdict, progress);
+  addDoctor(app, doctor, progress, isUnhealthy);
   addTrace(app, trace, progress);
   addProfile(app, profile, progress);
   addMetrics(app, metrics, progress);
@@ -369,6 +390,7 @@ int run(int argc, char** argv) {
   }
   if (!std::cout.flush()) throw taa::Error("cannot write the result to standard output");
   if (hasFailed) return kWorldsFault;
+  if (isUnhealthy) return kUnhealthy;
   return isContradicted ? kContradicted : 0;
 }
 

@@ -3,6 +3,7 @@
 #include "core/capture/format/Manifest.h"
 #include "core/report/ChoiceFunctions.h"
 #include "core/report/Techniques.h"
+#include "core/report/doctor/DoctorManual.h"
 #include "core/report/verdicts/Confusions.h"
 #include "core/report/verdicts/VerdictLabels.h"
 #include "core/scene/SceneSource.h"
@@ -294,6 +295,7 @@ ManualPage faultsPage() {
             cells({code(info.id), markdownText(info.label), markdownText(info.symptom),
                    codes(info.assignments), info.reach == FaultReach::Any ? "any frames" : "drawn frames"});
   }
+  page.text += doctorManual();
   return page;
 }
 

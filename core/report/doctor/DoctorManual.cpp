@@ -1,0 +1,35 @@
+#include "core/report/doctor/DoctorManual.h"
+
+namespace taa {
+
+std::string doctorManual() {
+  return R"(
+## The doctor
+
+The doctor says what is wrong with the jitter, depth and motion vectors of somebody's frames, in which part of the picture, how sure that is, and what to change. It measures: nothing is concluded from settings or conventions. `taa-batch doctor SOURCE` takes a capture, a folder of an engine's frames, a built-in scene or a glTF file, looks at its first 32 frames (`--frames`), and ends with 0 where nothing is wrong and with 3 where something is; `--json` prints every figure, `--html FILE` writes one page without scripts. What it finds has the name of the table above that says the same.
+
+### Regions
+
+A wrong sky or one wrong object hides in any mean over the picture. So each object number is a region, the sky is one, and where there are no numbers, connected pixels whose depth and motion go on from one to the next are one. Only pixels well inside their region count, where nothing is blended over them, that nothing nearer hid in the frame before, and that have detail: luma that stands out from the pixels of the same region around it, 5×5, as shading need not move with its surface.
+
+### Motion
+
+Each explanation says where a pixel was in the frame before; what is left is |luma − luma there|, on l/(1 + l) smoothed over 3×3 pixels. Compared are: as given, at rest on the screen, x, y or both negated, axes exchanged, times ½, 2 and others, texture or device coordinates for pixels, this frame's, the last frame's or both jitters left in it, jitter taken off twice, of the frame before or after, without the camera's motion, with it twice, and that of the camera. Where motion is 0 or the camera's and does not fit, squares of the picture are searched for what they truly moved by.
+
+An explanation is told where it leaves at most two thirds of what the motion given leaves, in at least 80 % of the squares and of the pairs of frames in which both differ, by 0.004 of luma or more. Where depth and matrices make the motion given, only something that rests on the screen can contradict it, at a third of what is left. What was searched for has to take the region's rim with it, as a light or a shadow that moves over a surface does not. Regions that one explanation fits are one finding. The sky, which has little detail and cannot move by itself, is decided by the matrices where these make the motion of other surfaces.
+
+### Jitter
+
+The shift of each picture against the one before, warped by the camera's motion, is measured by least squares, so that motion vectors have no part in it. What is stated makes a shift of j′ − j, and so does each explanation: none in the pictures, x, y or both negated, axes exchanged, times ½ and 2, another unit, of the frame before or after. One is told where it fits to 0.12 px in half of the pairs and the stated one misses by more than twice as much. The sequence itself is looked at as well: its mean, its period, and how often it goes beyond half a pixel. Wrong jitter makes all motion look wrong: motion is then looked at again with the jitter that the pictures hold.
+
+### Depth
+
+Of pixels that the camera passes, motion and matrices say at which depth they rest. That depth is the stored one, or it follows from it: by a factor (the near plane is another one), the other way around, or as a distance.
+
+### What it does not decide
+
+A region that is still, plain or small, or whose light changes, is not decided; the doctor says which and what to capture instead. A finding whose own explanations these frames do not tell apart is told as likely, with the others beside it. What is wrong inside of the resolve it does not look at: that is what [verdicts](verdicts.md) are for.
+)";
+}
+
+} // namespace taa

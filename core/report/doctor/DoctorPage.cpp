@@ -1,0 +1,105 @@
+#include "core/report/doctor/DoctorPage.h"
+
+#include "core/base/HtmlText.h"
+#include "core/base/Say.h"
+#include "core/doctor/NumberText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+namespace taa {
+
+using doctor::Diagnosis;
+using doctor::Finding;
+using doctor::RegionPlace;
+using doctor::Residual;
+
+namespace {
+
+constexpr std::string_view kPageStyle =
+    "body{font-family:sans-serif;line-height:1.45;max-width:56rem;margin:2rem auto;padding:0 1rem}"
+    "table{border-collapse:collapse;width:100%}td{padding:.1rem .6rem .1rem 0;vertical-align:middle}"
+    "td.number{text-align:right;font-variant-numeric:tabular-nums}td.bar{width:40%}"
+    "div.bar{height:.7rem;background:#888}tr.fits div.bar{background:#2a7}tr.stored div.bar{background:#c43}"
+    "tr.fits,tr.stored{font-weight:bold}dt{font-weight:bold}dd{margin:0 0 .4rem 0}";
+
+std::string htmlTag(std::string_view tag, const std::string& text) {
+  const std::string name(tag);
+  return "<" + name + ">" + htmlText(text) + "</" + name + ">\n";
+}
+
+std::string htmlList(const std::string& title, const std::vector<std::string>& sentences) {
+  if (sentences.empty()) return {};
+  std::string text = htmlTag("h2", title) + "<ul>\n";
+  for (const std::string& sentence : sentences) text += htmlTag("li", sentence);
+  return text + "</ul>\n";
+}
+
+std::string htmlTerm(const std::string& term, const std::string& text) {
+  return htmlTag("dt", term) + htmlTag("dd", text);
+}
+
+/// `largest`: of the finding, above 0.
+std::string barRow(const Residual& residual, double largest) {
+  const std::string mark = residual.isBest    ? say<"fits">()
+                           : residual.isGiven ? say<"what is stored">()
+                                              : std::string();
+  const std::string look = residual.isBest ? " class=\"fits\"" : residual.isGiven ? " class=\"stored\"" : "";
+  const long percent = std::lround(100.0 * std::max(0.0, residual.value) / largest);
+  return "<tr" + look + "><td>" + htmlText(residual.text) + "</td><td>" + htmlText(mark) +
+         "</td><td class=\"number\">" + doctor::shortNumber(residual.value) +
+         "</td><td class=\"bar\"><div class=\"bar\" style=\"width:" + std::to_string(percent) +
+         "%\"></div></td></tr>\n";
+}
+
+std::string residualBars(const Finding& finding) {
+  double largest = 0.0;
+  for (const Residual& residual : finding.residuals) largest = std::max(largest, residual.value);
+  if (!(largest > 0.0)) return {};
+  std::string text = "<p>" + htmlText(finding.measure) + "</p>\n<table>\n";
+  for (const Residual& residual : finding.residuals) text += barRow(residual, largest);
+  return text + "</table>\n";
+}
+
+std::string regionText(const RegionPlace& region) {
+  return say<"%1: largest in frame %2, pixels %3, %4 to %5, %6, for example %7, %8">(
+      region.name, region.frame, region.box.x, region.box.y, region.box.z - 1, region.box.w - 1,
+      region.pixel.x, region.pixel.y);
+}
+
+std::string findingHtml(const Finding& finding, int number) {
+  const bool isSure = finding.sureness == doctor::Sureness::Sure;
+  std::string text = htmlTag("h2", std::to_string(number) + ". " + finding.name +
+                                       (isSure ? std::string() : " (" + say<"likely">() + ")"));
+  text += "<dl>\n";
+  if (finding.isWholePicture) text += htmlTerm(say<"Where">(), say<"the whole picture">());
+  for (const RegionPlace& region : finding.regions) text += htmlTerm(say<"Where">(), regionText(region));
+  text += htmlTerm(say<"Seen as">(), finding.symptom) + htmlTerm(say<"Change">(), finding.change) +
+          htmlTerm(say<"Evidence">(), finding.reason) + "</dl>\n";
+  return text + residualBars(finding);
+}
+
+} // namespace
+
+std::string doctorHtml(const Diagnosis& diagnosis, const std::string& source) {
+  const std::string title = say<"What the doctor says of %1">(source);
+  std::string text = "<!DOCTYPE html>\n<html>\n<head>\n<meta charset=\"utf-8\">\n" + htmlTag("title", title) +
+                     "<style>" + std::string(kPageStyle) + "</style>\n</head>\n<body>\n" +
+                     htmlTag("h1", title) +
+                     htmlTag("p", say<"%1 frames, %2 pairs compared">(diagnosis.frames, diagnosis.pairs));
+  if (diagnosis.isHealthy()) text += htmlTag("p", say<"Nothing wrong was found.">());
+  int number = 0;
+  for (const Finding& finding : diagnosis.findings) text += findingHtml(finding, ++number);
+  text += htmlList(say<"Right">(), diagnosis.healthy);
+  std::vector<std::string> undecided;
+  for (const doctor::Undecided& open : diagnosis.undecided)
+    undecided.push_back(open.question + ": " + open.reason + "." +
+                        (open.capture.empty() ? "" : " " + open.capture));
+  text +=
+      htmlList(say<"Not decided by these frames">(), undecided) + htmlList(say<"Notes">(), diagnosis.notes);
+  return text + "</body>\n</html>\n";
+}
+
+} // namespace taa

@@ -1,0 +1,135 @@
+#include "core/report/doctor/DoctorReport.h"
+
+#include "core/base/Say.h"
+#include "core/doctor/NumberText.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace taa {
+
+using doctor::Diagnosis;
+using doctor::RegionPlace;
+using doctor::Residual;
+using doctor::Undecided;
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::size_t kShownRegions = 8;
+
+std::string regionsText(const doctor::Finding& finding) {
+  if (finding.isWholePicture) return say<"the whole picture">();
+  std::string text;
+  for (std::size_t i = 0; i < std::min(finding.regions.size(), kShownRegions); ++i)
+    text += (i == 0 ? "" : ", ") + finding.regions[i].name;
+  if (finding.regions.size() <= kShownRegions) return text;
+  return say<"%1 and %2 more">(text, finding.regions.size() - kShownRegions);
+}
+
+std::string residualLine(const Residual& residual, std::size_t width) {
+  const std::string value = doctor::shortNumber(residual.value);
+  std::string line = "      " + value + std::string(width - value.size() + 2, ' ') + residual.text;
+  if (residual.isBest) line += "  " + say<"← fits">();
+  if (residual.isGiven) line += "  " + say<"← what is stored">();
+  return line + "\n";
+}
+
+std::string findingText(const doctor::Finding& finding) {
+  std::string text = finding.name;
+  text += finding.sureness == doctor::Sureness::Sure ? "" : " (" + say<"likely">() + ")";
+  text += ": " + regionsText(finding) + "\n";
+  const auto line = [&](const std::string& sentence) { text += "  " + sentence + "\n"; };
+  line(say<"Seen as: %1">(finding.symptom));
+  line(say<"Change: %1">(finding.change));
+  line(say<"Evidence: %1">(finding.reason));
+  if (!finding.regions.empty()) {
+    const RegionPlace& region = finding.regions.front();
+    line(say<"Look at: frame %1, pixel %2, %3">(region.frame, region.pixel.x, region.pixel.y));
+  }
+  if (!finding.residuals.empty()) line(finding.measure + ":");
+  std::size_t width = 0;
+  for (const Residual& residual : finding.residuals)
+    width = std::max(width, doctor::shortNumber(residual.value).size());
+  for (const Residual& residual : finding.residuals) text += residualLine(residual, width);
+  return text;
+}
+
+std::string undecidedText(const Undecided& undecided) {
+  return "  " + undecided.question + ": " + undecided.reason + "." +
+         (undecided.capture.empty() ? "" : " " + undecided.capture) + "\n";
+}
+
+ordered_json regionJson(const RegionPlace& region) {
+  return {{"name", region.name},
+          {"frame", region.frame},
+          {"box", {region.box.x, region.box.y, region.box.z, region.box.w}},
+          {"pixel", {region.pixel.x, region.pixel.y}},
+          {"share", region.share}};
+}
+
+ordered_json residualJson(const Residual& residual) {
+  return {{"id", residual.id},
+          {"text", residual.text},
+          {"value", residual.value},
+          {"given", residual.isGiven},
+          {"best", residual.isBest}};
+}
+
+ordered_json undecidedJson(const Undecided& undecided) {
+  return {{"question", undecided.question}, {"reason", undecided.reason}, {"capture", undecided.capture}};
+}
+
+template <typename Item, typename Json>
+ordered_json listJson(const std::vector<Item>& items, Json json) {
+  ordered_json out = ordered_json::array();
+  for (const Item& item : items) out.push_back(json(item));
+  return out;
+}
+
+ordered_json foundJson(const doctor::Finding& finding) {
+  return {{"id", finding.id},
+          {"name", finding.name},
+          {"sure", finding.sureness == doctor::Sureness::Sure},
+          {"wholePicture", finding.isWholePicture},
+          {"regions", listJson(finding.regions, regionJson)},
+          {"reason", finding.reason},
+          {"measure", finding.measure},
+          {"residuals", listJson(finding.residuals, residualJson)},
+          {"symptom", finding.symptom},
+          {"change", finding.change}};
+}
+
+} // namespace
+
+std::string doctorText(const Diagnosis& diagnosis, const std::string& source) {
+  std::string text =
+      say<"%1: %2 frames, %3 pairs compared">(source, diagnosis.frames, diagnosis.pairs) + "\n";
+  text += diagnosis.isHealthy() ? say<"Nothing wrong was found.">() + "\n" : std::string();
+  int number = 0;
+  for (const doctor::Finding& finding : diagnosis.findings)
+    text += "\n" + std::to_string(++number) + ". " + findingText(finding);
+  if (!diagnosis.healthy.empty()) text += "\n" + say<"Right">() + "\n";
+  for (const std::string& sentence : diagnosis.healthy) text += "  " + sentence + "\n";
+  if (!diagnosis.undecided.empty()) text += "\n" + say<"Not decided by these frames">() + "\n";
+  for (const Undecided& undecided : diagnosis.undecided) text += undecidedText(undecided);
+  if (!diagnosis.notes.empty()) text += "\n" + say<"Notes">() + "\n";
+  for (const std::string& note : diagnosis.notes) text += "  " + note + "\n";
+  return text;
+}
+
+ordered_json doctorJson(const Diagnosis& diagnosis, const std::string& source) {
+  return {{"source", source},
+          {"frames", diagnosis.frames},
+          {"pairs", diagnosis.pairs},
+          {"healthy", diagnosis.isHealthy()},
+          {"findings", listJson(diagnosis.findings, foundJson)},
+          {"undecided", listJson(diagnosis.undecided, undecidedJson)},
+          {"right", diagnosis.healthy},
+          {"notes", diagnosis.notes}};
+}
+
+} // namespace taa

@@ -1,0 +1,109 @@
+// The doctor on frames that are really drawn, and on those of other engines: no false alarm on healthy ones.
+#include "core/doctor/Doctor.h"
+
+#include "core/scene/SceneSource.h"
+#include "tests/support/GlTest.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace taa::doctor {
+namespace {
+
+constexpr int kFrames = 10;
+
+using FrameChange = std::function<void(DoctorFrame&)>;
+
+class DoctorScenes : public test::GlTest {
+ protected:
+  static DoctorSource sourceOf(const std::string& source, const std::string& camera) {
+    return openForDoctor({source, camera, {320, 180}, {}});
+  }
+
+  static Diagnosis diagnosisOf(const DoctorSource& source, const FrameChange& change = {}) {
+    Examination examination = examinationOf(source, kFrames);
+    examination.read = [read = examination.read, change](int frame) {
+      DoctorFrame out = read(frame);
+      if (change) change(out);
+      return out;
+    };
+    return examine(examination);
+  }
+
+  /// "motionNegatedY in object 2 (board)", by commas.
+  static std::string told(const Diagnosis& diagnosis) {
+    std::string text;
+    for (const Finding& finding : diagnosis.findings) {
+      text += (text.empty() ? "" : ", ") + finding.id + " in ";
+      for (const RegionPlace& region : finding.regions)
+        text += (finding.isWholePicture ? std::string("all") : region.name) + " ";
+      text += "(" + finding.reason + ")";
+    }
+    return text;
+  }
+
+  static std::string firstOf(const Diagnosis& diagnosis) {
+    return diagnosis.findings.empty() ? "" : diagnosis.findings[0].id;
+  }
+};
+
+} // namespace
+
+TEST_F(DoctorScenes, OfThisProgramAreHealthy) {
+  for (const BuiltinScene& scene : builtinScenes())
+    for (const char* camera : {"still", "pan", "orbit"})
+      EXPECT_EQ(told(diagnosisOf(sourceOf("builtin:" + scene.id, camera))), "") << scene.id << " " << camera;
+}
+
+TEST_F(DoctorScenes, ShowFaultsOfMotion) {
+  const DoctorSource source = sourceOf("builtin:gallery", "orbit");
+  const auto changed = [&](const std::function<glm::vec2(const glm::vec2&)>& change) {
+    return firstOf(diagnosisOf(source, [&](DoctorFrame& frame) {
+      for (std::size_t i = 0; i < frame.motionPx.pixels.size(); i += 2) {
+        const glm::vec2 motion(frame.motionPx.pixels[i], frame.motionPx.pixels[i + 1]);
+        if (!isMotion(motion)) continue;
+        frame.motionPx.pixels[i] = change(motion).x;
+        frame.motionPx.pixels[i + 1] = change(motion).y;
+      }
+    }));
+  };
+  EXPECT_EQ(changed([](const glm::vec2& m) { return glm::vec2(m.x, -m.y); }), "motionNegatedY");
+  EXPECT_EQ(changed([](const glm::vec2& m) { return glm::vec2(-m.x, m.y); }), "motionNegatedX");
+  EXPECT_EQ(changed([](const glm::vec2& m) { return 2.0f * m; }), "motionDoubled");
+}
+
+class DoctorOfEngines : public DoctorScenes {
+ protected:
+  /// Empty: it is not here.
+  static std::string dataFolder(const std::string& name) {
+    const std::filesystem::path folder = std::filesystem::path(TAA_SHARED_DATA) / name;
+    return std::filesystem::exists(folder) ? folder.string() : std::string();
+  }
+};
+
+TEST_F(DoctorOfEngines, BlenderWritesNoMotionForTheSkyAndIsElseHealthy) {
+  const std::string folder = dataFolder("capture-blender");
+  if (folder.empty()) GTEST_SKIP() << "the frames are not here";
+  const Diagnosis diagnosis = examine(examinationOf(sourceOf(folder, ""), kDoctorFrames));
+  ASSERT_EQ(diagnosis.findings.size(), 1u) << told(diagnosis);
+  EXPECT_EQ(diagnosis.findings[0].id, "skyWithoutMotion");
+  ASSERT_EQ(diagnosis.findings[0].regions.size(), 1u);
+  EXPECT_EQ(diagnosis.findings[0].regions[0].name, "the sky");
+}
+
+TEST_F(DoctorOfEngines, ThreeIsHealthyAndItsFirstFrameIsNotJittered) {
+  const std::string folder = dataFolder("capture-three");
+  if (folder.empty()) GTEST_SKIP() << "the frames are not here";
+  const Diagnosis diagnosis = examine(examinationOf(sourceOf(folder, ""), kDoctorFrames));
+  EXPECT_EQ(told(diagnosis), "");
+  bool isNoted = false;
+  for (const std::string& note : diagnosis.notes)
+    isNoted = isNoted || note.find("first frame is not jittered") != std::string::npos;
+  EXPECT_TRUE(isNoted);
+}
+
+} // namespace taa::doctor

@@ -1,0 +1,67 @@
+// The page of what the doctor says: whole, and nothing that is fetched or run.
+#include "core/report/doctor/DoctorPage.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace taa {
+namespace {
+
+doctor::Diagnosis shownDiagnosis() {
+  doctor::Diagnosis out;
+  out.frames = 8;
+  out.pairs = 7;
+  doctor::Finding finding;
+  finding.name = "Motion's y negated";
+  finding.sureness = doctor::Sureness::Likely;
+  finding.regions = {{"object 2 (<board>)", 3, {70, 40, 106, 76}, {88, 58}, 0.125}};
+  finding.reason = "It fits.";
+  finding.measure = "mean difference of luma, × 1000";
+  finding.residuals = {{"mirroredY", "y negated", 15.0, false, true},
+                       {"asGiven", "as given", 60.0, true, false}};
+  finding.symptom = "Ghosts.";
+  finding.change = "Negate y.";
+  out.findings = {finding};
+  out.undecided = {{"Motion of the sky", "it has no detail", "Capture clouds."}};
+  out.healthy = {"Jitter is right."};
+  out.notes = {"The first frame is not jittered."};
+  return out;
+}
+
+bool isIn(const std::string& page, const std::string& text) {
+  return page.find(text) != std::string::npos;
+}
+
+} // namespace
+
+TEST(DoctorPage, SaysAllThatIsSaid) {
+  const std::string page = doctorHtml(shownDiagnosis(), "shot");
+  for (const char* text :
+       {"<h1>What the doctor says of shot</h1>", "8 frames, 7 pairs compared",
+        "1. Motion's y negated (likely)", "largest in frame 3, pixels 70, 40 to 105, 75, for example 88, 58",
+        "Ghosts.", "Negate y.", "It fits.", "mean difference of luma, × 1000", "y negated", "as given",
+        "Motion of the sky: it has no detail. Capture clouds.", "Jitter is right.",
+        "The first frame is not jittered."})
+    EXPECT_TRUE(isIn(page, text)) << text;
+}
+
+TEST(DoctorPage, DrawsResidualsAsBarsByTheLargest) {
+  const std::string page = doctorHtml(shownDiagnosis(), "shot");
+  EXPECT_TRUE(isIn(page, "<tr class=\"fits\"><td>y negated</td><td>fits</td><td class=\"number\">15</td><td "
+                         "class=\"bar\"><div class=\"bar\" style=\"width:25%\">"));
+  EXPECT_TRUE(isIn(page, "style=\"width:100%\""));
+}
+
+TEST(DoctorPage, RunsAndFetchesNothing) {
+  const std::string page = doctorHtml(shownDiagnosis(), "<script src=\"https://x\">");
+  for (const char* text : {"<script", "<link", "<img", "<iframe", "url(", "@import"})
+    EXPECT_FALSE(isIn(page, text)) << text;
+  EXPECT_TRUE(isIn(page, "object 2 (&lt;board&gt;)"));
+}
+
+TEST(DoctorPage, SaysSoWhereNothingIsWrong) {
+  EXPECT_TRUE(isIn(doctorHtml({}, "shot"), "<p>Nothing wrong was found.</p>"));
+}
+
+} // namespace taa

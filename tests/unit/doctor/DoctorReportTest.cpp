@@ -1,0 +1,87 @@
+// What the doctor says as text and as JSON: the same in both, and whole.
+#include "core/report/doctor/DoctorReport.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace taa {
+namespace {
+
+doctor::Diagnosis diagnosis() {
+  doctor::Diagnosis out;
+  out.frames = 8;
+  out.pairs = 7;
+  doctor::Finding finding;
+  finding.id = "motionNegatedY";
+  finding.name = "Motion's y negated";
+  finding.sureness = doctor::Sureness::Likely;
+  finding.regions = {{"object 2 (board)", 3, {70, 40, 106, 76}, {88, 58}, 0.125}};
+  finding.reason = "It fits.";
+  finding.measure = "mean difference of luma, × 1000";
+  finding.residuals = {{"mirroredY", "y negated", 4.25, false, true},
+                       {"asGiven", "as given", 61.5, true, false}};
+  finding.symptom = "Ghosts.";
+  finding.change = "Negate y.";
+  out.findings = {finding};
+  out.undecided = {{"Motion of the sky", "it has no detail", "Capture clouds."}};
+  out.healthy = {"Jitter is right."};
+  out.notes = {"The first frame is not jittered."};
+  return out;
+}
+
+} // namespace
+
+TEST(DoctorReport, SaysAllInPlainText) {
+  EXPECT_EQ(doctorText(diagnosis(), "shot"), R"(shot: 8 frames, 7 pairs compared
+
+1. Motion's y negated (likely): object 2 (board)
+  Seen as: Ghosts.
+  Change: Negate y.
+  Evidence: It fits.
+  Look at: frame 3, pixel 88, 58
+  mean difference of luma, × 1000:
+      4.25  y negated  ← fits
+      61.5  as given  ← what is stored
+
+Right
+  Jitter is right.
+
+Not decided by these frames
+  Motion of the sky: it has no detail. Capture clouds.
+
+Notes
+  The first frame is not jittered.
+)");
+}
+
+TEST(DoctorReport, HasNoTableWhereNothingWasCompared) {
+  doctor::Diagnosis plain = diagnosis();
+  plain.findings[0].residuals.clear();
+  const std::string text = doctorText(plain, "shot");
+  EXPECT_EQ(text.find("mean difference"), std::string::npos);
+  EXPECT_NE(text.find("pixel 88, 58\n\nRight"), std::string::npos) << text;
+}
+
+TEST(DoctorReport, SaysSoWhereNothingIsWrong) {
+  doctor::Diagnosis healthy;
+  EXPECT_EQ(doctorText(healthy, "shot"), "shot: 0 frames, 0 pairs compared\nNothing wrong was found.\n");
+  EXPECT_TRUE(doctorJson(healthy, "shot")["healthy"]);
+}
+
+TEST(DoctorReport, SaysTheSameInJson) {
+  EXPECT_EQ(doctorJson(diagnosis(), "shot").dump(),
+            R"j({"source":"shot","frames":8,"pairs":7,"healthy":false,"findings":[{"id":"motionNegatedY",)j"
+            R"j("name":"Motion's y negated","sure":false,"wholePicture":false,"regions":[{"name":)j"
+            R"j("object 2 (board)","frame":3,"box":[70,40,106,76],"pixel":[88,58],"share":0.125}],)j"
+            R"j("reason":"It fits.","measure":"mean difference of luma, × 1000","residuals":[{"id":)j"
+            R"j("mirroredY","text":"y negated","value":4.25,"given":false,"best":true},{"id":"asGiven",)j"
+            R"j("text":"as given","value":61.5,"given":true,"best":false}],"symptom":"Ghosts.","change":)j"
+            R"j("Negate y."}],"undecided":[{"question":"Motion of the sky","reason":"it has no detail",)j"
+            R"j("capture":"Capture clouds."}],"right":["Jitter is right."],"notes":["The first frame is )j"
+            R"j(not jittered."]})j");
+}
+
+} // namespace taa
