@@ -126,10 +126,11 @@ std::optional<glm::vec2> measureShift(const FrameNeighbors& frames) {
   if (samples.size() < kLeastShiftSamples) return {};
   const auto rough = searchMotion(samples, frames.before.luma, glm::vec2(0.0f), kShiftReachPx);
   if (!rough) return {};
-  // What repeats fits at many places: then the one that is stated, or none, is as good as any other.
+  // What repeats fits at many places: then the one that is stated is as good as any other. None is no start:
+  // lines that snap to pixels stay where they are for a while.
   std::optional<glm::vec2> best;
   double least = std::numeric_limits<double>::infinity();
-  for (const glm::vec2& start : {frames.jitterStep(), glm::vec2(0.0f), -*rough}) {
+  for (const glm::vec2& start : {frames.jitterStep(), -*rough}) {
     const auto shift = refinedShift(samples, frames.before.luma, start);
     const double left = shift ? medianDifference(samples, frames.before.luma, *shift) : least;
     if (!(left < kClearlyLess * least)) continue;
