@@ -8,6 +8,7 @@
 #include "core/base/ShownText.h"
 #include "core/io/CameraTrackJson.h"
 #include "core/replay/Checkpoints.h"
+#include "core/scene/cost/SceneCost.h"
 
 #include <CLI/CLI.hpp>
 
@@ -48,6 +49,7 @@ struct Texts {
   std::vector<std::string> views, comparisons, overlays;
   std::string showing;
   int frame = -1, checkpoints = -1;
+  int sceneMillions = kDefaultSceneMillions, sceneMiB = kDefaultSceneMiB;
   double zoom = 0.0;
   bool fresh = false;
 };
@@ -56,7 +58,8 @@ struct Texts {
 bool leavesOpenWhatToShow(const CLI::App& app) {
   return std::ranges::all_of(app.get_options(), [](const CLI::Option* option) {
     const std::string name = option->get_name();
-    return option->count() == 0 || name == "--theme" || name == "--shaders" || name == "--timing";
+    return option->count() == 0 || name == "--theme" || name == "--shaders" || name == "--timing" ||
+           name.starts_with("--scene-");
   });
 }
 
@@ -101,6 +104,17 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
                  "Memory for the histories that are kept to go back in time; 1024 without it")
       ->type_name("MiB")
       ->check(CLI::Range(0, kMaxCheckpointMiB));
+  app.add_option("--scene-triangles", texts.sceneMillions,
+                 "Triangles that a scene may draw, its instances counted, millions; one with more is not "
+                 "opened; " +
+                     std::to_string(kDefaultSceneMillions) + " without it")
+      ->type_name("MILLIONS")
+      ->check(CLI::Range(1, kMaxSceneMillions));
+  app.add_option("--scene-memory", texts.sceneMiB,
+                 "Memory for the buffers and textures of a scene; " + std::to_string(kDefaultSceneMiB) +
+                     " without it")
+      ->type_name("MiB")
+      ->check(CLI::Range(1, kMaxSceneMiB));
   app.add_option("--preset", arguments.preset, "Settings to start with: a preset or a .json file")
       ->type_name("NAME");
   app.add_option("--camera", arguments.camera, "Camera or camera path to start with")->type_name("NAME");
@@ -162,6 +176,7 @@ void readTexts(const Texts& texts, Arguments& arguments) {
   if (!texts.pixel.empty()) arguments.pixel = parseNumbers("--pixel", texts.pixel, ',', 0);
   if (texts.frame >= 0) arguments.frame = texts.frame;
   if (texts.checkpoints >= 0) arguments.checkpoints = texts.checkpoints;
+  arguments.sceneBudget = sceneBudget(texts.sceneMillions, texts.sceneMiB);
   if (!texts.cameraPath.empty())
     arguments.track = readCameraTrack(texts.cameraPath);
   else if (!texts.cameraPose.empty())

@@ -8,6 +8,7 @@
 #include "core/scene/ObjectFilter.h"
 #include "core/scene/ShotChoice.h"
 #include "core/scene/camera/CameraTrack.h"
+#include "core/scene/cost/SceneCost.h"
 #include "core/taa/rows/Intermediates.h"
 
 #include <glm/vec2.hpp>
@@ -28,6 +29,7 @@ struct Arguments {
   std::optional<int> frame;         ///< go there and pause
   std::optional<glm::ivec2> pixel;  ///< probe
   std::optional<int> checkpoints;   ///< memory for kept histories, MiB
+  SceneBudget sceneBudget;          ///< what a scene may ask for
   std::optional<ThemeChoice> theme;
   std::string shaders;                 ///< folder to read shaders from; empty: the ones built in
   std::string camera, preset;          ///< empty: the source's own, "balanced"

@@ -163,6 +163,7 @@ int run(QApplication& application, Arguments arguments) {
   const EndSignals endSignals; // ends after all that they end
   Session session;
   if (arguments.timing) sayWhenPictureArrives(session);
+  session.setSceneBudget(arguments.sceneBudget);
   QSettings settings(QStringLiteral("taa-inspector"), QStringLiteral("taa-inspector"));
   arguments.reopens = arguments.reopens && !isScreenshot && SessionKeeper::canReopen(settings);
   if (opensBeforeWindow(arguments)) openScene(session, arguments);

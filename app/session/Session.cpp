@@ -215,6 +215,10 @@ void Session::setCheckpointBudget(std::size_t bytes) {
   outbox_.post(request::SetCheckpointBudget{bytes});
 }
 
+void Session::setSceneBudget(const SceneBudget& budget) {
+  outbox_.post(request::SetSceneBudget{budget});
+}
+
 void Session::setProfiling(bool profiling) {
   outbox_.post(request::SetProfiling{profiling});
 }

@@ -10,6 +10,7 @@
 #include "app/session/VerdictChoices.h"
 #include "app/undo/UndoStack.h"
 #include "core/io/SessionFile.h"
+#include "core/scene/cost/SceneCost.h"
 
 #include <QObject>
 #include <QString>
@@ -76,6 +77,7 @@ class Session : public QObject {
   void setViews(const std::vector<ViewRequest>& views);
   /// Memory for histories that are kept, of all lanes together.
   void setCheckpointBudget(std::size_t bytes);
+  void setSceneBudget(const SceneBudget& budget); ///< of what is opened from then on
   void setProfiling(bool profiling);
   void measureStages();
   void setThumbnails(int width, int height);           ///< 0: none

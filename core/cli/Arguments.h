@@ -9,6 +9,7 @@
 #include "core/scene/ObjectFilter.h"
 #include "core/scene/ShotChoice.h"
 #include "core/scene/camera/CameraTrack.h"
+#include "core/scene/cost/SceneCost.h"
 #include "core/settings/Settings.h"
 #include "core/sweep/PointClaim.h"
 #include "core/sweep/SweepPoints.h"
@@ -45,6 +46,7 @@ struct ShotArguments {
   std::vector<std::string> classes;     ///< "OBJECT=CLASS"
   std::vector<int> restarts;            ///< frames
   int checkpointsMiB = 1024;
+  int sceneMillions = kDefaultSceneMillions, sceneMiB = kDefaultSceneMiB; ///< what it may ask for
   ShotChoice choice;                  ///< instead of a session's, as far as it is said
   std::string cameraPose, cameraPath; ///< "x,y,z,yaw,pitch[,fov]"; a file
   ObjectFilter filter;
@@ -153,6 +155,7 @@ struct SweepArguments {
   std::string spec, folder;
   std::string shard = "1/1";
   int claimTimeoutSeconds = static_cast<int>(kClaimTimeout.count());
+  int sceneMillions = kDefaultSceneMillions, sceneMiB = kDefaultSceneMiB; ///< what each scene may ask for
   bool json = false;
 };
 

@@ -13,6 +13,7 @@
 #include "core/io/PictureFile.h"
 #include "core/report/FrameExport.h"
 #include "core/report/SequenceExport.h"
+#include "core/scene/cost/SceneCost.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -196,6 +197,15 @@ void sayMemory(const Inspector& inspector, const std::vector<IntermediateId>& id
   tell("memory", text);
 }
 
+/// What drawing the scene takes, before anything of it is drawn; nothing of a capture.
+void sayScene(const Scene& scene) {
+  const SceneCost cost = costOf(scene);
+  if (cost.objects == 0) return;
+  tell("scene", std::to_string(cost.objects) + " objects, " + std::to_string(cost.triangles) +
+                    " triangles, " + std::to_string(cost.vertices) + " vertices, " + bytesText(cost.bytes) +
+                    " of buffers and textures");
+}
+
 /// All frames; `written` is told of each file as soon as it is there.
 void renderFrames(Inspector& inspector, const RenderArguments& arguments, const ShotPlan& plan,
                   const FrameRange& range, const Pictures& pictures, const Progress& progress,
@@ -284,7 +294,10 @@ void runRender(const RenderArguments& arguments, std::ostream& out, const Progre
     throw UsageError("--like and --set-convention are of captures: they need --format capture");
   Inspector inspector;
   openShot(inspector, arguments.shot, plan, progress);
-  if (arguments.verbose) sayMemory(inspector, ids); // what is open says its size, and whether it has fog
+  if (arguments.verbose) {
+    sayScene(inspector.shot().scene());
+    sayMemory(inspector, ids); // what is open says its size, and whether it has fog
+  }
   requireFrame(inspector, range.last);
   if (!arguments.force)
     refuseToReplace(captured ? sequenceFiles(*captured)

@@ -114,6 +114,7 @@ void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPl
   std::vector<Settings> settings;
   for (const LaneChoice& lane : plan.lanes) settings.push_back(lane.settings);
   inspector.shot().setCheckpointBudget(static_cast<std::size_t>(arguments.checkpointsMiB) << 20);
+  inspector.shot().setSceneBudget(sceneBudget(arguments.sceneMillions, arguments.sceneMiB));
   inspector.shot().setLanes(settings);
   const bool isCaptured = !isBuiltinScene(plan.source) && capture::isCapture(plan.source);
   if (!isCaptured) setAskedSize(inspector, plan);

@@ -1,6 +1,7 @@
 #include "core/cli/ShotOptions.h"
 
 #include "core/replay/Checkpoints.h"
+#include "core/scene/cost/SceneCost.h"
 
 #include <CLI/CLI.hpp>
 
@@ -84,11 +85,24 @@ void addShotOptions(CLI::App& command, ShotArguments& shot) {
   command.add_option("--checkpoints", shot.checkpointsMiB, "Memory for the histories that are kept, MiB")
       ->check(CLI::Range(0, kMaxCheckpointMiB))
       ->capture_default_str();
+  addSceneBudget(command, shot.sceneMillions, shot.sceneMiB);
   command
       .add_option(
           "--set", shot.assignments,
           "path=value (see list parameters), or motion.NODE=MODE (see --motion-mode); repeat it for more")
       ->allow_extra_args(false);
+}
+
+void addSceneBudget(CLI::App& command, int& millions, int& mib) {
+  command
+      .add_option("--scene-triangles", millions,
+                  "Triangles that a scene may draw, its instances counted, millions; one with more is not "
+                  "opened")
+      ->check(CLI::Range(1, kMaxSceneMillions))
+      ->capture_default_str();
+  command.add_option("--scene-memory", mib, "Memory for the buffers and textures of a scene, MiB")
+      ->check(CLI::Range(1, kMaxSceneMiB))
+      ->capture_default_str();
 }
 
 void addForce(CLI::App& command, bool& force) {

@@ -13,6 +13,8 @@ namespace taa::cli {
 
 /// SOURCE, or --session instead of it, with camera, size, settings and what the scene is made of.
 void addShotOptions(CLI::App& command, ShotArguments& shot);
+/// What a scene may ask for (SceneBudget).
+void addSceneBudget(CLI::App& command, int& millions, int& mib);
 void addForce(CLI::App& command, bool& force);
 /// `what`: of what, with the range, as it follows "Samples in a pixel ".
 void addReferenceSamples(CLI::App& command, int& samples, const std::string& what);

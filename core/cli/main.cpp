@@ -133,8 +133,10 @@ void addRender(CLI::App& app, RenderArguments& render, const taa::Progress& prog
       ->check(numberFrom(0.1, 1000.0));
   addForce(*command, render.force);
   command->add_flag("--json", render.json, "Print JSON instead of the names of the files");
-  command->add_flag("--verbose", render.verbose,
-                    "Say on standard error how much memory it takes, before the frames are rendered");
+  command->add_flag(
+      "--verbose", render.verbose,
+      "Say on standard error what the scene draws and how much memory it takes, before the frames are "
+      "rendered");
   command->callback([command, &render, &progress] {
     render.isReferenceAsked = command->count("--reference-samples") > 0;
     runRender(render, std::cout, progress);

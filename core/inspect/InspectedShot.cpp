@@ -48,7 +48,7 @@ InspectedShot::InspectedShot(const gl::Driver& driver, ShotPlayer& player, Visua
     : driver_(driver), player_(player), visualizer_(visualizer), reference_(reference), profiler_(profiler) {}
 
 void InspectedShot::open(const std::string& source, const Progress& progress, const ShotChoice& choice) {
-  OpenedSource opened = openSource(source, progress, choice);
+  OpenedSource opened = openSource(source, progress, choice, sceneBudget_);
   ShotState next = player_.state();
   next.source = source;
   next.scene = std::move(opened.scene);

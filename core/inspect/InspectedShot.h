@@ -10,6 +10,7 @@
 #include "core/scene/Scene.h"
 #include "core/scene/ShotChoice.h"
 #include "core/scene/camera/CameraTrack.h"
+#include "core/scene/cost/SceneCost.h"
 #include "core/settings/Lanes.h"
 #include "core/settings/Settings.h"
 
@@ -55,6 +56,8 @@ class InspectedShot {
   /// A glTF file, "builtin:NAME", or a capture's folder or capture.json. Goes to frame 0 with the scene's own
   /// camera, of a capture with its size, too.
   void open(const std::string& source, const Progress& progress = {}, const ShotChoice& choice = {});
+  /// What scenes may ask for from the next open() on.
+  void setSceneBudget(const SceneBudget& budget) { sceneBudget_ = budget; }
   const ShotChoice& choice() const { return choice_; } ///< it was opened with
   const std::string& source() const;                   ///< empty: nothing is open yet
   const Scene& scene() const;                          ///< of a capture it holds nothing to draw
@@ -163,6 +166,7 @@ class InspectedShot {
   std::vector<Settings> lanes_{Settings{}}; // as they were set
   ShotChoice choice_;
   std::optional<glm::ivec2> scenePx_; // while a capture is open: the size of what was open before
+  SceneBudget sceneBudget_;
 };
 
 } // namespace taa

@@ -15,6 +15,7 @@
 #include "core/scene/ShotChoice.h"
 #include "core/scene/camera/CameraTrack.h"
 #include "core/scene/camera/FlightRecording.h"
+#include "core/scene/cost/SceneCost.h"
 #include "core/settings/Settings.h"
 #include "core/taa/rows/Intermediates.h"
 
@@ -221,6 +222,12 @@ struct SetCheckpointBudget {
   static constexpr RequestRule kRule{.kind = RequestKind::None, .turn = Turn::First};
 };
 
+/// What scenes may ask for that are opened from now on.
+struct SetSceneBudget {
+  SceneBudget budget;
+  static constexpr RequestRule kRule{.kind = RequestKind::None, .turn = Turn::First};
+};
+
 /// Times every pass from now on, which costs; a profile of each frame made is delivered.
 struct SetProfiling {
   bool on = false;
@@ -306,15 +313,17 @@ struct Cancel {
 
 } // namespace request
 
-using Request = std::variant<
-    request::Open, request::SetSize, request::SetMotionModes, request::Prepare, request::SetSettings,
-    request::SetOtherLanes, request::SetObjectFilter, request::SetObjectClasses, request::SetRestarts,
-    request::Fly, request::SetRecording, request::SetCamera, request::AddCameraTrack,
-    request::SetFlownCameras, request::Locate, request::SetPlaying, request::SetLooping, request::SetPlayback,
-    request::Step, request::Seek, request::SetViews, request::SetProbes, request::SetCheckpointBudget,
-    request::SetProfiling, request::MeasureStages, request::SetThumbnails, request::SetReferenceSamples,
-    request::FindWorst, request::SetLineage, request::SetMetrics, request::SetTracing, request::FillTraces,
-    request::SetVerdicts, request::ReloadShaders, request::Cancel, request::ExportSequence>;
+using Request =
+    std::variant<request::Open, request::SetSize, request::SetMotionModes, request::Prepare,
+                 request::SetSettings, request::SetOtherLanes, request::SetObjectFilter,
+                 request::SetObjectClasses, request::SetRestarts, request::Fly, request::SetRecording,
+                 request::SetCamera, request::AddCameraTrack, request::SetFlownCameras, request::Locate,
+                 request::SetPlaying, request::SetLooping, request::SetPlayback, request::Step, request::Seek,
+                 request::SetViews, request::SetProbes, request::SetCheckpointBudget, request::SetSceneBudget,
+                 request::SetProfiling, request::MeasureStages, request::SetThumbnails,
+                 request::SetReferenceSamples, request::FindWorst, request::SetLineage, request::SetMetrics,
+                 request::SetTracing, request::FillTraces, request::SetVerdicts, request::ReloadShaders,
+                 request::Cancel, request::ExportSequence>;
 
 inline const RequestRule& ruleOf(const Request& request) {
   return std::visit([](const auto& each) -> const RequestRule& { return each.kRule; }, request);

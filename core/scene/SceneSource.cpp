@@ -64,7 +64,8 @@ bool isBuiltinScene(const std::string& source) {
   return source.starts_with(kBuiltinPrefix);
 }
 
-Scene openScene(const std::string& source, const Progress& progress, const ShotChoice& choice) {
+Scene openScene(const std::string& source, const Progress& progress, const ShotChoice& choice,
+                const SceneBudget& budget) {
   Scene scene;
   if (isBuiltinScene(source)) {
     if (!choice.animation.empty())
@@ -73,7 +74,7 @@ Scene openScene(const std::string& source, const Progress& progress, const ShotC
     scene = makeBuiltin(source);
     report(progress, say<"Opening the scene">(), 1, 1);
   } else {
-    scene = loadGltf(source, progress, choice.animation);
+    scene = loadGltf(source, progress, choice.animation, budget);
   }
   if (choice.frames != 0) chooseLength(scene, choice.frames);
   return scene;

@@ -4,6 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/scene/Scene.h"
 #include "core/scene/ShotChoice.h"
+#include "core/scene/cost/SceneCost.h"
 
 #include <string>
 #include <vector>
@@ -21,8 +22,9 @@ const std::vector<BuiltinScene>& builtinScenes();
 /// Whether `source` names a built-in scene, "builtin:NAME", one that there is or not.
 bool isBuiltinScene(const std::string& source);
 
-/// Opens "builtin:NAME" or the path of a .gltf or .glb file.
+/// Opens "builtin:NAME" or the path of a .gltf or .glb file, which the budget is for.
 /// Throws Error with file, place and reason when that is not possible; nothing else escapes.
-Scene openScene(const std::string& source, const Progress& progress = {}, const ShotChoice& choice = {});
+Scene openScene(const std::string& source, const Progress& progress = {}, const ShotChoice& choice = {},
+                const SceneBudget& budget = {});
 
 } // namespace taa

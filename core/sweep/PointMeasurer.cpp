@@ -29,7 +29,8 @@ void requireVariable(const SweepSpec& spec, const CaptureFacts& captured) {
 
 } // namespace
 
-PointMeasurer::PointMeasurer(const SweepSpec& spec) : spec_(spec) {}
+PointMeasurer::PointMeasurer(const SweepSpec& spec, const SceneBudget& budget)
+    : spec_(spec), budget_(budget) {}
 PointMeasurer::~PointMeasurer() = default;
 
 void PointMeasurer::open(const SweepPoint& point, const Progress& progress) {
@@ -39,6 +40,7 @@ void PointMeasurer::open(const SweepPoint& point, const Progress& progress) {
     shot_.reset();
     inspector_.reset(); // a thread has one at a time
     inspector_ = std::make_unique<Inspector>();
+    inspector_->shot().setSceneBudget(budget_);
     inspector_->overTime().setFrames(spec_.flickerFrames);
     const std::string source = spec_.sources[point.source].path.string();
     const glm::ivec2 size = spec_.size.value_or(kSweepSize);

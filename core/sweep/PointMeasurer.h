@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Progress.h"
+#include "core/scene/cost/SceneCost.h"
 #include "core/sweep/SweepPoints.h"
 #include "core/sweep/SweepSpec.h"
 
@@ -19,8 +20,8 @@ class Inspector;
 /// Lives on one thread; opens nothing, and no GL context, before the first point.
 class PointMeasurer {
  public:
-  /// `spec` must outlive it.
-  explicit PointMeasurer(const SweepSpec& spec);
+  /// `spec` must outlive it; `budget`: of each of its scenes.
+  explicit PointMeasurer(const SweepSpec& spec, const SceneBudget& budget = {});
   ~PointMeasurer();
   PointMeasurer(const PointMeasurer&) = delete;
   PointMeasurer& operator=(const PointMeasurer&) = delete;
@@ -33,6 +34,7 @@ class PointMeasurer {
   void open(const SweepPoint& point, const Progress& progress);
 
   const SweepSpec& spec_;
+  SceneBudget budget_;
   std::unique_ptr<Inspector> inspector_;
   std::optional<std::pair<std::size_t, std::size_t>> shot_; ///< source and camera that are open
 };

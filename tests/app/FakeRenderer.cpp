@@ -101,6 +101,10 @@ void FakeRenderer::take(const request::SetCheckpointBudget& asked) {
   deliver();
 }
 
+void FakeRenderer::take(const request::SetSceneBudget& asked) {
+  sceneBudget = asked.budget;
+}
+
 void FakeRenderer::take(const request::SetCamera& asked) {
   const auto& [name] = asked;
   status.camera = name;

@@ -33,6 +33,7 @@ class FakeRenderer final : public Renderer {
   void tell(Result result) const { listener_({requests, std::move(result)}); } ///< as the render thread would
 
   Status status;
+  SceneBudget sceneBudget;
   std::vector<ViewRequest> views;
   request::SetProbes probes;        ///< wanted
   std::optional<Settings> prepared; ///< the last ones
@@ -64,6 +65,7 @@ class FakeRenderer final : public Renderer {
   void take(const request::SetViews& asked);
   void take(const request::SetProbes& asked);
   void take(const request::SetCheckpointBudget& asked);
+  void take(const request::SetSceneBudget& asked);
   void take(const request::MeasureStages&);
   void take(const request::SetThumbnails& asked);
   void take(const request::SetReferenceSamples& asked);

@@ -32,13 +32,14 @@ OpenedSource openCaptured(const std::string& source, const Progress& progress) {
 
 } // namespace
 
-OpenedSource openSource(const std::string& source, const Progress& progress, const ShotChoice& choice) {
+OpenedSource openSource(const std::string& source, const Progress& progress, const ShotChoice& choice,
+                        const SceneBudget& budget) {
   if (!isBuiltinScene(source) && capture::isCapture(source)) {
     if (choice != ShotChoice{})
       throw Error(say<"%1 is a captured sequence, whose animation and length are fixed">(source));
     return openCaptured(source, progress);
   }
-  const auto scene = std::make_shared<const Scene>(openScene(source, progress, choice));
+  const auto scene = std::make_shared<const Scene>(openScene(source, progress, choice, budget));
   return {scene, std::make_shared<FaultySource>(std::make_unique<SceneRenderer>(scene, progress))};
 }
 

@@ -5,6 +5,7 @@
 #include "core/render/FrameSource.h"
 #include "core/scene/Scene.h"
 #include "core/scene/ShotChoice.h"
+#include "core/scene/cost/SceneCost.h"
 
 #include <memory>
 #include <string>
@@ -17,8 +18,9 @@ struct OpenedSource {
 };
 
 /// "builtin:NAME", a .gltf or .glb file, the folder of a capture or its capture.json. Needs the current
-/// context. Throws Error with file, place and reason when that is not possible; Cancelled.
+/// context. Throws Error with file, place and reason when that is not possible, also of a scene that is
+/// beyond the budget; Cancelled.
 OpenedSource openSource(const std::string& source, const Progress& progress = {},
-                        const ShotChoice& choice = {});
+                        const ShotChoice& choice = {}, const SceneBudget& budget = {});
 
 } // namespace taa

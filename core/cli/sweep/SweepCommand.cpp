@@ -52,7 +52,7 @@ bool runSweep(const SweepArguments& arguments, std::ostream& out, const Progress
   const SweepShard shard = parseShard(arguments.shard);
   const SweepSpec spec = readSweepSpec(arguments.spec);
   const SweepFolder folder(arguments.folder);
-  PointMeasurer measurer(spec);
+  PointMeasurer measurer(spec, sceneBudget(arguments.sceneMillions, arguments.sceneMiB));
   const MeasurePoint measure = [&](const SweepPoint& point, const Progress& inside) {
     return measurer.measure(point, inside);
   };

@@ -25,6 +25,7 @@ void addSweep(CLI::App& app, SweepArguments& sweep, const Progress& progress, bo
                    "taken over")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()))
       ->capture_default_str();
+  addSceneBudget(*command, sweep.sceneMillions, sweep.sceneMiB);
   command->add_flag("--json", sweep.json, "Print JSON");
   command->callback([&sweep, &progress, &hasFailed] { hasFailed = !runSweep(sweep, std::cout, progress); });
 }

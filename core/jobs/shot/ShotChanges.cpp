@@ -102,4 +102,8 @@ void ShotChanges::take(const request::SetCheckpointBudget& budget) {
   desk_.isStatusOld = true;
 }
 
+void ShotChanges::take(const request::SetSceneBudget& budget) {
+  desk_.inspector.shot().setSceneBudget(budget.budget);
+}
+
 } // namespace taa

@@ -31,6 +31,7 @@ class ShotChanges {
   void take(const request::SetObjectClasses& classes);
   void take(const request::SetRestarts& restarts);
   void take(const request::SetCheckpointBudget& budget);
+  void take(const request::SetSceneBudget& budget);
 
   // Of the scene that is open
   const std::vector<std::string>& objects() const { return objects_; } ///< see Status

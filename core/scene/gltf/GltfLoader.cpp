@@ -1,11 +1,13 @@
 #include "core/scene/gltf/GltfLoader.h"
 
+#include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
 #include "core/scene/Geometry.h"
 #include "core/scene/ShotChoice.h"
 #include "core/scene/gltf/GltfAnimation.h"
 #include "core/scene/gltf/GltfContext.h"
+#include "core/scene/gltf/GltfCost.h"
 #include "core/scene/gltf/GltfDocument.h"
 #include "core/scene/gltf/GltfImport.h"
 #include "core/scene/gltf/GltfMaterial.h"
@@ -68,7 +70,8 @@ void chooseAmong(GltfContext& context, const std::string& animation) {
         say<"The file has %1 animations; the first, \"%2\", plays.">(names.size(), shownText(names.front())));
 }
 
-Scene build(const std::filesystem::path& file, const Progress& progress, const std::string& animation) {
+Scene build(const std::filesystem::path& file, const Progress& progress, const std::string& animation,
+            const SceneBudget& budget) {
   report(progress, say<"Reading the file">(), 0, 1);
   GltfDocument document = readGltfDocument(file);
   checkGltfTypes(document.json);
@@ -82,9 +85,10 @@ Scene build(const std::filesystem::path& file, const Progress& progress, const s
   GltfContext context{model, scene, document.imageFaults};
   for (const std::string& note : document.notes) context.warn(note);
   warnOfExtensions(context);
+  addGltfNodes(context);
+  checkGltfCost(context, budget); // before anything that it would take long to read
   addGltfMaterials(context, progress);
   report(progress, say<"Building meshes">(), 0, 1);
-  addGltfNodes(context);
   keepStrongestLights(context);
   checkRestTransforms(context);
   addGltfMeshes(context);
@@ -93,15 +97,18 @@ Scene build(const std::filesystem::path& file, const Progress& progress, const s
   setBounds(scene);
   scene.shot = shotOf(scene);
   scene.sky.sunEnabled = scene.lights.empty();
+  if (const std::string refusal = costRefusal(costOf(scene), budget); !refusal.empty())
+    throw Error("images: " + refusal); // without them it was within the budget
   report(progress, say<"Building meshes">(), 1, 1);
   return scene;
 }
 
 } // namespace
 
-Scene loadGltf(const std::filesystem::path& file, const Progress& progress, const std::string& animation) {
+Scene loadGltf(const std::filesystem::path& file, const Progress& progress, const std::string& animation,
+               const SceneBudget& budget) {
   try {
-    return build(file, progress, animation);
+    return build(file, progress, animation, budget);
   } catch (const Cancelled&) {
     throw;
   } catch (const std::bad_alloc&) {
