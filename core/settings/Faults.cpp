@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <map>
 
 namespace taa {
@@ -268,7 +267,7 @@ bool isFaulty(const Settings& settings) {
 std::vector<std::string> injectedFaults(const Settings& settings) {
   if (!isFaulty(settings)) return {};
   std::vector<std::string> all = differences(settings, Settings{});
-  std::erase_if(all, std::not_fn(isOfFaults));
+  std::erase_if(all, [](const std::string& assignment) { return !isOfFaults(assignment); });
   return all;
 }
 

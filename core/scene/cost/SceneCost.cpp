@@ -13,7 +13,7 @@ namespace taa {
 
 namespace {
 
-constexpr std::uint64_t kMillion = 1'000'000, kMiB = std::uint64_t(1) << 20;
+constexpr std::uint64_t kMillion = 1'000'000, kBytesOfMiB = std::uint64_t(1) << 20;
 constexpr std::uint64_t kVectorBytes = 16; // of storage blocks, which hold vectors of four floats
 
 std::uint64_t countIn(const auto& list) {
@@ -62,7 +62,7 @@ std::uint64_t unitsHolding(std::uint64_t count, std::uint64_t unit) {
 } // namespace
 
 SceneBudget sceneBudget(int millions, int mib) {
-  return {static_cast<std::uint64_t>(millions) * kMillion, static_cast<std::uint64_t>(mib) * kMiB};
+  return {static_cast<std::uint64_t>(millions) * kMillion, static_cast<std::uint64_t>(mib) * kBytesOfMiB};
 }
 
 std::uint64_t cappedProduct(std::uint64_t a, std::uint64_t b) {
@@ -106,7 +106,7 @@ std::string costRefusal(const SceneCost& cost, const SceneBudget& budget) {
         cost.triangles, budget.triangles, unitsHolding(cost.triangles, kMillion));
   if (cost.bytes > budget.bytes)
     return say<"the scene takes %1 MiB of buffers and textures and may take %2; --scene-memory %1 lets it">(
-        unitsHolding(cost.bytes, kMiB), budget.bytes / kMiB);
+        unitsHolding(cost.bytes, kBytesOfMiB), budget.bytes / kBytesOfMiB);
   return {};
 }
 

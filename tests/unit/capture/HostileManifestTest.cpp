@@ -11,6 +11,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace taa::capture {
 namespace {
@@ -124,7 +125,6 @@ TEST(HostileManifest, KeysThatAreUnknownMissingOrTwice) {
 
 TEST(HostileManifest, ValuesOfOtherTypesAndSizes) {
   EXPECT_EQ(refusalOf(file(R"("name": 1, )")), "\"name\" is not text");
-  EXPECT_EQ(refusalOf(file(R"("name": "a\u0007", )")), "\"name\" holds what is not a letter");
   EXPECT_EQ(refusalOf(file(R"("name": ")" + std::string(4097, 'x') + R"(", )")),
             "\"name\" is longer than 4096 bytes");
   EXPECT_EQ(refusalOf(file(R"("outputSize": [1], )")), "\"outputSize\" wants [width, height]");

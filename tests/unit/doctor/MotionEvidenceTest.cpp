@@ -57,7 +57,8 @@ TEST(MotionEvidence, KnowsTheCamerasMotionByDepthAndMatrices) {
   const RegionEvidence board = evidenceOf(test::kBoardId, {});
   EXPECT_EQ(board.ofCamera, 0u);
   // It moves by (1.5, 3) px besides the camera, everywhere.
-  EXPECT_NEAR(board.offCamera.sum.x, 1.5 * static_cast<double>(board.offCamera.count), 0.01 * board.pixels);
+  EXPECT_NEAR(board.offCamera.sum.x, 1.5 * static_cast<double>(board.offCamera.count),
+              0.01 * static_cast<double>(board.pixels));
   EXPECT_LT(board.offCamera.spread(), 1e-3);
 }
 

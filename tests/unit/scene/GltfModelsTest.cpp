@@ -2,6 +2,7 @@
 #include "core/base/Error.h"
 #include "core/scene/Pose.h"
 #include "core/scene/SceneSource.h"
+#include "core/scene/ShotChoice.h"
 
 #include <gtest/gtest.h>
 
@@ -145,7 +146,8 @@ TEST(GltfModels, DrawEveryInstance) {
 TEST(GltfModels, HaveEveryInterpolation) {
   const fs::path file = MODEL("InterpolationTest/glTF/InterpolationTest.gltf");
   int counts[3] = {};
-  for (const Animation& animation : openScene(file.string()).animations)
+  const ShotChoice all{.animation = std::string(kAllAnimations)};
+  for (const Animation& animation : openScene(file.string(), {}, all).animations)
     for (const AnimationChannel& channel : animation.channels) ++counts[std::size_t(channel.interpolation)];
   EXPECT_EQ(counts[0], 3);
   EXPECT_EQ(counts[1], 3);

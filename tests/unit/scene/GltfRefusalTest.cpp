@@ -74,7 +74,7 @@ TEST(GltfRefusal, IsOneShortLineWhateverTheFileSays) {
 }
 
 TEST(GltfRefusal, RefusesFilesThatAreNotThereOrNotGltf) {
-  EXPECT_EQ(refusal(test::temporaryFolder() / "none.gltf"), "there is no such file");
+  EXPECT_EQ(refusal(test::temporaryFolder() / "absent.gltf"), "there is no such file");
   EXPECT_EQ(refusal(test::temporaryFolder()), "it is a folder");
   EXPECT_EQ(refusal("/dev/zero"), "it is not a regular file");
   EXPECT_EQ(refusal(test::writeTemporary("empty.gltf", "")), "JSON: it is empty");

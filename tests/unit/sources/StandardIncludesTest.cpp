@@ -100,7 +100,7 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
     {"string", "begin end erase erase_if getline initializer_list ptrdiff_t size size_t stod stof stoi stol "
                "stoul stoull string "
                "to_string"},
-    {"string_view", "begin end ptrdiff_t size size_t string_view"},
+    {"string_view", "begin end ptrdiff_t size size_t string_view string_view_literals"},
     {"system_error", "errc error_code generic_category make_error_code system_category system_error"},
     {"thread", "jthread this_thread thread"},
     {"tuple", "apply get tie tuple make_tuple ignore"},
