@@ -111,6 +111,16 @@ void tellPlanes(const Examiner& examiner, const Examination& examination, Diagno
   tellRims(examiner.rims(), isMotionRight, out);
 }
 
+/// Jitter that nobody knows makes the motion of single regions look wrong by parts of a pixel.
+void withholdMotion(Diagnosis& out) {
+  const auto isOfRegions = [](const Finding& finding) { return !finding.isWholePicture; };
+  if (std::erase_if(out.findings, isOfRegions) == 0) return;
+  out.undecided.push_back(
+      {say<"Motion">(),
+       say<"it does not fit, but pictures do not shift as the jitter that is stated either">(),
+       say<"Mend jitter first.">()});
+}
+
 } // namespace
 
 Examination examinationOf(const DoctorSource& source, int frames) {
@@ -132,7 +142,8 @@ Diagnosis examine(const Examination& examination, const Progress& progress) {
   Diagnosis out;
   Examiner first(examination, patient, progress);
   first.look(examination.read, out);
-  const JitterMender mender = tellJitter(first.jitter(), examination.known.camera, patient, out);
+  const auto [mender, isJitterContradicted] =
+      tellJitter(first.jitter(), examination.known.camera, patient, out);
   if (!examination.known.motion) {
     out.undecided.push_back(
         {say<"Motion">(), say<"the capture has none">(), say<"Capture the plane of motion vectors, too.">()});
@@ -141,6 +152,7 @@ Diagnosis examine(const Examination& examination, const Progress& progress) {
   }
   if (!mender) {
     tellPlanes(first, examination, out);
+    if (isJitterContradicted) withholdMotion(out);
     return out;
   }
   // Wrong jitter makes motion look wrong: it is looked at again with the jitter that pictures hold.

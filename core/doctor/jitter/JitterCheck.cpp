@@ -186,7 +186,8 @@ JitterMender tellUnstated(const JitterEvidence& evidence, bool isCameraKnown, co
                           Diagnosis& out) {
   const double shiftPx = measuredPx(evidence);
   const glm::vec2 stated = evidence.stated.begin()->second;
-  if (shiftPx<kShiftingPx&& static_cast<double>(glm::length(stated))> kNoJitterPx) {
+  const double statedPx = glm::length(glm::dvec2(stated));
+  if (shiftPx < kShiftingPx && statedPx > kNoJitterPx) {
     out.findings.push_back(frozenJitter(stated, patient));
     return {};
   }
@@ -232,8 +233,8 @@ bool fitsAsStated(const std::vector<TriedJitter>& tried) {
 
 } // namespace
 
-JitterMender tellJitter(const JitterEvidence& evidence, bool isCameraKnown, const Patient& patient,
-                        Diagnosis& out) {
+JitterOutcome tellJitter(const JitterEvidence& evidence, bool isCameraKnown, const Patient& patient,
+                         Diagnosis& out) {
   if (evidence.stated.empty()) return {};
   if (evidence.shifts.size() < kEnoughShifts) {
     out.undecided.push_back({say<"Jitter">(),
@@ -243,7 +244,7 @@ JitterMender tellJitter(const JitterEvidence& evidence, bool isCameraKnown, cons
     return {};
   }
   if (isConstant(evidence)) {
-    return tellUnstated(evidence, isCameraKnown, patient, out);
+    return {tellUnstated(evidence, isCameraKnown, patient, out)};
   }
   const std::vector<TriedJitter> tried = triedJitters(evidence, patient.sizePx);
   const TriedJitter& stated = tried.front();
@@ -260,11 +261,11 @@ JitterMender tellJitter(const JitterEvidence& evidence, bool isCameraKnown, cons
                              say<"measured shifts are %1 px from those that are stated, and no other "
                                  "explanation fits">(shortNumber(stated.residual)),
                              say<"Capture 8 frames or more with camera and objects still.">()});
-    return {};
+    return {{}, stated.residual >= kMissingPx};
   }
   out.findings.push_back(otherJitter(tried, best, evidence, isCameraKnown, patient));
   tellSequenceOf(best.trial, evidence, out);
-  return [trial = best.trial, all = evidence.stated](int frame) { return trueJitter(trial, all, frame); };
+  return {[trial = best.trial, all = evidence.stated](int frame) { return trueJitter(trial, all, frame); }};
 }
 
 } // namespace taa::doctor

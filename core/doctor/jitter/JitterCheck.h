@@ -15,9 +15,15 @@ namespace taa::doctor {
 /// What pictures hold at a frame, px, where that is not what is stated.
 using JitterMender = std::function<std::optional<glm::vec2>(int frame)>;
 
+struct JitterOutcome {
+  JitterMender mender; ///< empty where nothing is to be mended
+  /// Pictures shift as neither what is stated nor anything else that was tried makes them.
+  bool isContradicted = false;
+};
+
 /// Adds what is wrong, right, or not decided about jitter. `isCameraKnown`: shifts do not rest on motion
-/// vectors. Returns what mends it; empty where nothing is to be mended.
-JitterMender tellJitter(const JitterEvidence& evidence, bool isCameraKnown, const Patient& patient,
-                        Diagnosis& out);
+/// vectors.
+JitterOutcome tellJitter(const JitterEvidence& evidence, bool isCameraKnown, const Patient& patient,
+                         Diagnosis& out);
 
 } // namespace taa::doctor

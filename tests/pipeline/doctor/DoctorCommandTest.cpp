@@ -42,11 +42,11 @@ TEST_F(BatchDoctor, EndsWithNothingWhereNothingIsWrong) {
 TEST_F(BatchDoctor, EndsWithThreeWhereSomethingIs) {
   const std::filesystem::path page = taa::test::temporaryFolder() / "doctor.html";
   const ProcessResult result =
-      batch(joined(doctorCommand(), {"--set", "fault.motionY=-1", "--html", page.string()}));
+      batch(joined(doctorCommand(), {"--set", "fault.motionShift=1", "--html", page.string()}));
   ASSERT_EQ(result.exitCode, 3) << result.out << result.err;
   const json said = json::parse(result.out);
   ASSERT_FALSE(said["findings"].empty());
-  EXPECT_EQ(said["findings"][0]["id"], "motionNegatedY");
+  EXPECT_EQ(said["findings"][0]["id"], "motionShifted");
   EXPECT_NE(taa::readFile(page).find(said["findings"][0]["name"].get<std::string>().substr(0, 6)),
             std::string::npos);
   expectFailure(joined(doctorCommand(), {"--html", page.string()}), {"doctor.html", "--force"});

@@ -32,15 +32,15 @@ class DoctorFaults : public test::GlTest {};
 } // namespace
 
 TEST_F(DoctorFaults, AreNamedFirst) {
-  const std::vector<FaultyShot> shots = {
-      {"gallery",
-       "orbit",
-       {Fault::MotionNegatedX, Fault::MotionSwapped, Fault::MotionDoubled, Fault::MotionInUv,
-        Fault::MotionJitterBoth, Fault::JitterNegated, Fault::JitterLate, Fault::SkyWithoutMotion,
-        Fault::NearPlaneWrong}},
-      {"lights",
-       "pan",
-       {Fault::MotionNegatedY, Fault::MotionInNdc, Fault::JitterSwapped, Fault::JitterFrozen}}};
+  const std::vector<FaultyShot> shots = {{"gallery",
+                                          "orbit",
+                                          {Fault::MotionNegatedX, Fault::MotionSwapped, Fault::MotionZero,
+                                           Fault::MotionShifted, Fault::MotionCoarse, Fault::JitterNegated,
+                                           Fault::JitterLate, Fault::JitterDoubled, Fault::SkyWithoutMotion}},
+                                         {"disocclusion",
+                                          "",
+                                          {Fault::MotionHalved, Fault::MotionInUv, Fault::MotionCameraOnly,
+                                           Fault::JitterSwapped, Fault::JitterFrozen}}};
   for (const FaultyShot& shot : shots) {
     EXPECT_TRUE(diagnosisWith(shot, nullptr).isHealthy()) << shot.scene;
     for (const Fault fault : shot.faults) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -88,6 +89,21 @@ TEST(Doctor, NamesAFaultOfOneObjectAlone) {
       "motionNegatedY in object 2 (board)");
   EXPECT_EQ(told(diagnosisOf(shot, onObject(kGroundId, [](const glm::vec2& m) { return 2.0f * m; }))),
             "motionDoubled in object 1 (ground)");
+}
+
+// A sequence that is neither what is drawn nor any simple form of it.
+TEST(Doctor, SaysNothingOfARegionsMotionWhereJitterIsContradicted) {
+  const auto fault = [](DoctorFrame& frame) {
+    const auto angle = static_cast<float>(frame.frame);
+    frame.jitterPx = 0.45f * glm::vec2(std::sin(2.4f * angle), std::cos(5.1f * angle));
+    changeMotion(frame, kBoardId, [](const glm::vec2& m) { return 2.0f * m; });
+  };
+  const Diagnosis diagnosis = diagnosisOf({}, fault);
+  EXPECT_EQ(told(diagnosis), "");
+  std::string questions;
+  for (const Undecided& undecided : diagnosis.undecided) questions += undecided.question + ";";
+  EXPECT_TRUE(questions.starts_with("Jitter;")) << questions;
+  EXPECT_NE(questions.find("Motion;"), std::string::npos) << questions;
 }
 
 TEST(Doctor, FindsWhatAnObjectMovesByWhereNothingWasWritten) {
