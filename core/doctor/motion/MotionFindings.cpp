@@ -90,17 +90,20 @@ void explainByFewest(Judged& judged, std::size_t trialCount) {
   }
 }
 
+/// Whether another explanation moves the region's example as the one that is told does.
+bool isAlike(const JudgedRegion& region, std::size_t other) {
+  constexpr float kSamePx = 0.25f;
+  const auto& moved = region.evidence->example.byTrial;
+  const auto &told = moved[*region.trial], &rival = moved[other];
+  return told && rival && glm::distance(*told, *rival) <= kSamePx;
+}
+
 /// Explanations that fit a region as well and lead elsewhere.
 std::vector<std::size_t> rivalsOf(const JudgedRegion& region) {
-  constexpr float kSamePx = 0.25f;
   std::vector<std::size_t> out;
   if (!region.trial) return out;
-  const auto& moved = region.evidence->example.byTrial;
-  for (const std::size_t other : region.decision.explanations) {
-    const auto &told = moved[*region.trial], &rival = moved[other];
-    if (other == *region.trial || (told && rival && glm::distance(*told, *rival) <= kSamePx)) continue;
-    out.push_back(other);
-  }
+  for (const std::size_t other : region.decision.explanations)
+    if (other != *region.trial && !isAlike(region, other)) out.push_back(other);
   return out;
 }
 
@@ -180,6 +183,27 @@ bool isTold(const FaultGroup& group) {
                              [](const JudgedRegion* region) { return rivalsOf(*region).empty(); });
 }
 
+/// Explanations that fit all regions as well and lead to the same places: x negated, where nothing moves
+/// along y, is both negated.
+std::vector<std::size_t> alikesOf(const FaultGroup& group) {
+  std::vector<std::size_t> out;
+  if (!group.trial) return out;
+  for (const std::size_t other : group.regions.front()->decision.explanations) {
+    const auto isSame = [other](const JudgedRegion* region) {
+      return std::ranges::count(region->decision.explanations, other) > 0 && isAlike(*region, other);
+    };
+    if (other != *group.trial && std::ranges::all_of(group.regions, isSame)) out.push_back(other);
+  }
+  return out;
+}
+
+std::string namesOf(const std::vector<std::size_t>& explanations, const std::vector<MotionTrial>& trials) {
+  std::string names;
+  for (const std::size_t trial : explanations)
+    names += (names.empty() ? "" : "; ") + trialText(trials[trial]);
+  return names;
+}
+
 std::string reasonOf(const FaultGroup& group, const std::vector<MotionTrial>& trials) {
   TrialEvidence sum;
   std::vector<std::size_t> rivals;
@@ -199,10 +223,10 @@ std::string reasonOf(const FaultGroup& group, const std::vector<MotionTrial>& tr
       say<"The motion given leaves %1 times as much of the pixels as this: %2; more in %3 % of %4 squares.">(
           shortNumber(sum.given / std::max(sum.tried, 1e-9)), what,
           std::lround(percentOf(sum.cellsWon, sum.cells)), sum.cells);
+  if (const std::vector<std::size_t> alikes = alikesOf(group); !alikes.empty())
+    text += " " + say<"Here it leads to the same places as: %1.">(namesOf(alikes, trials));
   if (isTold(group)) return text;
-  std::string names;
-  for (const std::size_t rival : rivals) names += (names.empty() ? "" : "; ") + trialText(trials[rival]);
-  return text + " " + say<"These frames do not tell it from: %1.">(names);
+  return text + " " + say<"These frames do not tell it from: %1.">(namesOf(rivals, trials));
 }
 
 /// Pixels of regions that are right or wrong.
@@ -219,7 +243,7 @@ Finding findingOf(const FaultGroup& group, const Judged& judged, const MotionEvi
   Finding out;
   out.id = group.fault.id;
   out.name = group.fault.name;
-  out.sureness = isTold(group) ? Sureness::Sure : Sureness::Likely;
+  out.sureness = isTold(group) && alikesOf(group).empty() ? Sureness::Sure : Sureness::Likely;
   out.isWholePicture = group.pixels >= kWholeShare * decidedPixels(judged);
   for (const JudgedRegion* region : group.regions)
     out.regions.push_back(placeOf(*region->region, patient, allPixels));

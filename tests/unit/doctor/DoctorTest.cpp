@@ -91,6 +91,18 @@ TEST(Doctor, NamesAFaultOfOneObjectAlone) {
             "motionDoubled in object 1 (ground)");
 }
 
+// Where nothing moves up or down, nobody can tell whether y is negated too.
+TEST(Doctor, SaysWhatLeadsToTheSamePlaces) {
+  PaintedShot shot;
+  shot.cameraPx = {3.0, 0.0};
+  shot.boardPx = {1.5, 0.0};
+  const Diagnosis diagnosis = diagnosisOf(shot, onAll([](const glm::vec2& m) { return -m; }));
+  ASSERT_EQ(diagnosis.findings.size(), 1u) << told(diagnosis);
+  EXPECT_EQ(diagnosis.findings[0].sureness, Sureness::Likely);
+  EXPECT_NE(diagnosis.findings[0].reason.find("leads to the same places as: "), std::string::npos)
+      << diagnosis.findings[0].reason;
+}
+
 // A sequence that is neither what is drawn nor any simple form of it.
 TEST(Doctor, SaysNothingOfARegionsMotionWhereJitterIsContradicted) {
   const auto fault = [](DoctorFrame& frame) {
