@@ -20,7 +20,7 @@ std::string shownLine(std::string_view sentence);
 /// As above, of what compilers say: lines stay lines. At most 16,000 bytes.
 std::string shownLines(std::string_view log);
 
-/// Why something failed, as one line: of a library of JSON without what that writes for programmers.
+/// Why something failed, as shownLines(): of a library of JSON without what that writes for programmers.
 std::string shownReason(const std::exception& error);
 
 /// Whether all of it is UTF-8 without control characters.

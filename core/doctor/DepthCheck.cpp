@@ -112,11 +112,7 @@ std::string depthChange(const DepthRelation& relation) {
 
 Finding depthFinding(const std::vector<DepthRelation>& relations, const DepthRelation& best,
                      std::size_t samples) {
-  const FaultInfo& row = faultInfo(depthFault(best.kind));
-  Finding out;
-  out.id = row.id;
-  out.name = sayLabel(row.label);
-  out.symptom = sayLabel(row.symptom);
+  Finding out = faultFinding(depthFault(best.kind));
   out.isWholePicture = true;
   out.change = depthChange(best);
   out.reason = say<"At %1 pixels the motion given is that of something at rest at another depth than the one "
@@ -132,11 +128,7 @@ Finding depthFinding(const std::vector<DepthRelation>& relations, const DepthRel
 
 /// The near plane that is stated is not that of the matrices.
 Finding statedNearFinding(double factor) {
-  const FaultInfo& row = faultInfo(Fault::NearPlaneWrong);
-  Finding out;
-  out.id = row.id;
-  out.name = sayLabel(row.label);
-  out.symptom = sayLabel(row.symptom);
+  Finding out = faultFinding(Fault::NearPlaneWrong);
   out.isWholePicture = true;
   out.reason =
       say<"By the planes that are stated everything is %1 times as far away as by the projection that "

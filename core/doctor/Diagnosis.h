@@ -2,6 +2,8 @@
 // at.
 #pragma once
 
+#include "core/settings/Faults.h"
+
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
@@ -45,6 +47,9 @@ struct Finding {
   std::string symptom;             ///< a sentence: what one sees because of it
   std::string change;              ///< sentences: what to change, in the engine's own convention
 };
+
+/// A sure one with id, name and symptom of the fault's row.
+Finding faultFinding(Fault fault);
 
 /// A question that these frames do not answer.
 struct Undecided {

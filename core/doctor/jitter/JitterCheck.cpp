@@ -123,11 +123,7 @@ std::vector<Residual> jitterResiduals(const std::vector<TriedJitter>& tried, con
 }
 
 Finding jitterFinding(const JitterWords& words) {
-  const FaultInfo& row = faultInfo(words.fault);
-  Finding out;
-  out.id = row.id;
-  out.name = sayLabel(row.label);
-  out.symptom = sayLabel(row.symptom);
+  Finding out = faultFinding(words.fault);
   out.change = words.change;
   out.isWholePicture = true;
   out.measure = say<"distance of measured shifts from those that jitter makes, px">();

@@ -34,11 +34,7 @@ bool repeatsAfter(const std::vector<glm::vec2>& jitters, std::size_t period) {
 }
 
 Finding sequenceFinding(Fault fault, std::string reason, std::string change) {
-  const FaultInfo& row = faultInfo(fault);
-  Finding out;
-  out.id = row.id;
-  out.name = sayLabel(row.label);
-  out.symptom = sayLabel(row.symptom);
+  Finding out = faultFinding(fault);
   out.isWholePicture = true;
   out.reason = std::move(reason);
   out.change = std::move(change);

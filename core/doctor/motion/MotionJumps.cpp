@@ -53,7 +53,7 @@ std::optional<int> jumpOf(const RegionEvidence& evidence) {
 
 void tellJumps(const MotionEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
                double allPixels, Diagnosis& out) {
-  Finding finding;
+  std::vector<RegionPlace> places;
   double jumping = 0.0, measured = 0.0;
   std::optional<int> frame;
   for (std::size_t i = 0; i < regions.size() && i < evidence.regions().size(); ++i) {
@@ -62,19 +62,17 @@ void tellJumps(const MotionEvidence& evidence, const std::vector<Region>& region
     if (!jump || (frame && *jump != *frame)) continue;
     frame = jump;
     jumping += regions[i].pixels;
-    finding.regions.push_back(placeOf(regions[i], patient, allPixels));
+    places.push_back(placeOf(regions[i], patient, allPixels));
   }
   if (!frame) return;
-  finding.isWholePicture = jumping >= kJumpWholeShare * measured;
-  const FaultInfo& row =
-      faultInfo(finding.isWholePicture ? Fault::PreviousIdentity : Fault::OldTransformOnReturn);
-  finding.id = row.id;
-  finding.name = sayLabel(row.label);
-  finding.symptom = sayLabel(row.symptom);
+  const bool isWhole = jumping >= kJumpWholeShare * measured;
+  Finding finding = faultFinding(isWhole ? Fault::PreviousIdentity : Fault::OldTransformOnReturn);
+  finding.isWholePicture = isWhole;
+  finding.regions = std::move(places);
   finding.sureness = Sureness::Likely;
   finding.reason = say<"In frame %1 alone motion is much longer than before and after, and the motion of the "
                        "frame beside it fits the pixels better.">(*frame);
-  finding.change = jumpChange(finding.isWholePicture);
+  finding.change = jumpChange(isWhole);
   out.findings.push_back(std::move(finding));
 }
 

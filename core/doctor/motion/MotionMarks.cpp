@@ -22,11 +22,7 @@ bool isNearlyAll(std::size_t part, std::size_t whole) {
 }
 
 Finding markFinding(Fault fault, std::string reason, std::string change) {
-  const FaultInfo& row = faultInfo(fault);
-  Finding out;
-  out.id = row.id;
-  out.name = sayLabel(row.label);
-  out.symptom = sayLabel(row.symptom);
+  Finding out = faultFinding(fault);
   out.reason = std::move(reason);
   out.change = std::move(change);
   return out;

@@ -105,11 +105,7 @@ std::string rimReason(const RimCounts& counts) {
 }
 
 Finding rimFinding(Fault fault, const RimCounts& counts, std::string change) {
-  const FaultInfo& row = faultInfo(fault);
-  Finding out;
-  out.id = row.id;
-  out.name = sayLabel(row.label);
-  out.symptom = sayLabel(row.symptom);
+  Finding out = faultFinding(fault);
   out.isWholePicture = true;
   out.reason = rimReason(counts);
   out.change = std::move(change);

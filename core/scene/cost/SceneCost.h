@@ -18,15 +18,16 @@ struct SceneCost {
   std::uint64_t bytes = 0;     ///< of the buffers and textures that hold meshes and images on the GPU
 };
 
+inline constexpr int kDefaultSceneMillions = 20, kDefaultSceneMiB = 4096;
+inline constexpr int kMaxSceneMillions = 1'000'000; ///< of triangles that can be asked for
+inline constexpr int kMaxSceneMiB = 1 << 20;        ///< likewise, of buffers and textures
+
 /// What is drawn at most, unless somebody asks for more: --scene-triangles and --scene-memory of the
 /// programs.
 struct SceneBudget {
-  std::uint64_t triangles = 20'000'000;
-  std::uint64_t bytes = std::uint64_t(4) << 30;
+  std::uint64_t triangles = kDefaultSceneMillions * std::uint64_t(1'000'000);
+  std::uint64_t bytes = kDefaultSceneMiB * (std::uint64_t(1) << 20);
 };
-inline constexpr int kMaxSceneMillions = 1'000'000; ///< of triangles that can be asked for
-inline constexpr int kMaxSceneMiB = 1 << 20;        ///< likewise, of buffers and textures
-inline constexpr int kDefaultSceneMillions = 20, kDefaultSceneMiB = 4096;
 
 /// Of what the options of the programs say: millions of triangles, MiB.
 SceneBudget sceneBudget(int millions, int mib);
