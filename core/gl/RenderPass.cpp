@@ -160,6 +160,12 @@ void RenderPass::storageBlock(unsigned binding, const Buffer& buffer) {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.id());
 }
 
+void RenderPass::storageBlock(unsigned binding, const Buffer& buffer, std::size_t offset, std::size_t bytes) {
+  assert(offset % storageAlignment() == 0 && offset + bytes <= buffer.bytes());
+  glBindBufferRange(GL_SHADER_STORAGE_BUFFER, binding, buffer.id(), static_cast<GLintptr>(offset),
+                    static_cast<GLsizeiptr>(bytes));
+}
+
 void RenderPass::culling(bool enabled, bool mirrored) {
   glFrontFace(mirrored ? GL_CW : GL_CCW); // gl_FrontFacing needs it too
   if (!enabled) return glDisable(GL_CULL_FACE);
@@ -210,6 +216,12 @@ void imageBarrier() {
 std::size_t uniformAlignment() {
   GLint alignment = 256;
   glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
+  return static_cast<std::size_t>(alignment);
+}
+
+std::size_t storageAlignment() {
+  GLint alignment = 256;
+  glGetIntegerv(GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT, &alignment);
   return static_cast<std::size_t>(alignment);
 }
 

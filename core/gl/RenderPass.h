@@ -69,6 +69,8 @@ class RenderPass {
   /// `bytes` 0: the whole buffer. `offset` is a multiple of uniformAlignment().
   void uniformBlock(unsigned binding, const Buffer& buffer, std::size_t offset = 0, std::size_t bytes = 0);
   void storageBlock(unsigned binding, const Buffer& buffer);
+  /// A part of it; `offset` is a multiple of storageAlignment().
+  void storageBlock(unsigned binding, const Buffer& buffer, std::size_t offset, std::size_t bytes);
   /// Whether back faces are culled; a mirrored transform turns which ones those are, in gl_FrontFacing too.
   void culling(bool enabled, bool mirrored = false);
   /// Replace until something else is said.
@@ -88,5 +90,7 @@ void imageBarrier();
 
 /// What uniformBlock's offset must be a multiple of, bytes.
 std::size_t uniformAlignment();
+/// The same of storageBlock.
+std::size_t storageAlignment();
 
 } // namespace taa::gl

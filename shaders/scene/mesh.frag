@@ -1,7 +1,7 @@
 // Shades a surface and writes all inputs of the resolve. Specialised by kTextures (bit s: the material has a
 // texture in slot s), kMasked (discards where alpha is below the cutoff, or, kDithered, below a pattern), kBlended
 // (premultiplies), kMask (0: none is drawn, 1: the material's, 2: and opacity), kLit, kBiased and kUnjittered (how
-// textures are read), kPrintedMotion, and the scene's numbers of lights:
+// textures are read), kPrintedMotion, kInstanced (as in mesh.vert), and the scene's numbers of lights:
 // llvmpipe runs both sides of a branch, samples at full cost and reads blocks slowly by a variable index.
 #include "include/brdf.glsl"
 #include "include/motion.glsl"
@@ -24,6 +24,7 @@ in vec4 v_color;
 in vec3 v_clip;
 in vec3 v_previousClip;
 in float v_previousDepthView;
+flat in vec4 v_drawTerms; // DrawBlock::drawTerms, where one call draws many objects
 
 layout(location = 0) out vec4 o_color;
 layout(location = 1) out vec2 o_motion;
@@ -136,9 +137,10 @@ void main() {
     float opacity = min(baseColor.a, 1.0);
     o_color = vec4(o_color.rgb * opacity, opacity);
   }
-  if (kMask > 0) o_mask = vec2(kMask == 2 ? min(baseColor.a, 1.0) : 0.0, draw.drawTerms.z);
+  vec4 drawTerms = kInstanced ? v_drawTerms : oneDraw.drawTerms;
+  if (kMask > 0) o_mask = vec2(kMask == 2 ? min(baseColor.a, 1.0) : 0.0, drawTerms.z);
   o_motion = kPrintedMotion ? printedMotion(v_clip, v_previousClip) : motionFromClip(v_clip, v_previousClip);
-  o_normal = vec4(normal, draw.drawTerms.w);
-  o_objectId = uint(draw.drawTerms.x + 0.5);
+  o_normal = vec4(normal, drawTerms.w);
+  o_objectId = uint(drawTerms.x + 0.5);
   o_previousDepth = v_previousDepthView > 0.0 ? v_previousDepthView : 0.0;
 }

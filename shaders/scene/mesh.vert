@@ -1,5 +1,6 @@
 // A vertex, in this frame and in the previous one. Besides by what deforms it (scene/deform.glsl), specialised by
-// kSteady (drawn without jitter), kPrintedJitter (another projection than the translation) and kMovingUv.
+// kSteady (drawn without jitter), kPrintedJitter (another projection than the translation), kMovingUv and kInstanced
+// (one call draws many objects: llvmpipe reads the block of one faster).
 #include "shared/DrawBlock.h"
 #include "shared/FrameBlock.h"
 #include "shared/MaterialBlock.h"
@@ -20,8 +21,11 @@ out vec4 v_color;
 out vec3 v_clip; // x, y, w, unjittered
 out vec3 v_previousClip;
 out float v_previousDepthView;
+flat out vec4 v_drawTerms;
 
 void main() {
+  if (kInstanced) draw = instances[gl_InstanceID];
+  if (!kInstanced) draw = oneDraw;
   Deformed now = deformedVertex(a_position, a_normal, a_tangent.xyz, a_uv1.y, draw.deform.x, draw.deform.y,
                                 draw.moments.x, 0.0);
   Deformed then = deformedVertex(a_position, a_normal, a_tangent.xyz, a_uv1.y, draw.deform.x + draw.deformCounts.z,
@@ -39,6 +43,7 @@ void main() {
   v_tangent = vec4(mat3(draw.worldFromModel) * now.tangent, a_tangent.w * draw.drawTerms.y);
   v_uv = vec4(kMovingUv ? a_uv0 * draw.uvCell.xy + draw.uvCell.zw : a_uv0, a_uv1);
   v_color = a_color;
+  if (kInstanced) v_drawTerms = draw.drawTerms;
 
   // The jitter of T(2jx/W, −2jy/H)·P; z and w stay as they are.
   vec2 jitterNdc = kSteady ? vec2(0.0) : vec2(2.0, -2.0) * (frame.jitterPx / frame.sizePx);

@@ -1,4 +1,4 @@
-// What the mesh shader knows of one draw: a primitive at a node. Filled by C++, read by GLSL.
+// What the mesh shader knows of an object: a primitive at a node. Filled by C++, read by GLSL.
 #ifdef __cplusplus
 #pragma once
 #include <glm/mat4x4.hpp>
@@ -7,10 +7,8 @@ namespace taa::shared {
 using glm::ivec4;
 using glm::mat4;
 using glm::vec4;
-struct DrawBlock {
-#else
-layout(std140, binding = 4) uniform DrawBlock {
 #endif
+struct DrawBlock {
   mat4 worldFromModel;
   mat4 normalFromModel;       // cofactors of worldFromModel, signed so that normals keep their side
   mat4 clipFromModel;         // unjittered
@@ -21,9 +19,11 @@ layout(std140, binding = 4) uniform DrawBlock {
   vec4 uvCell;                // first uv set: factor, then shift
   ivec4 deform;               // first joint, first morph weight, frame of the cache; w unused
   ivec4 deformCounts;         // morph targets, vertices, way from joints and from weights to the previous ones
-#ifdef __cplusplus
 };
+#ifdef __cplusplus
 } // namespace taa::shared
 #else
-} draw;
+layout(std140, binding = 4) uniform OneDraw { DrawBlock oneDraw; };
+layout(std430, binding = 5) readonly buffer Instances { DrawBlock instances[]; }; // one after another as they are drawn
+DrawBlock draw; // the object of a vertex
 #endif

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <optional>
 #include <set>
 #include <span>
@@ -51,11 +50,7 @@ GBufferPass::GBufferPass(const Scene& scene) : lights_(lightCounts(scene)) {
             deformExtent(primitive, scene.materials[static_cast<std::size_t>(primitive.material)].wind));
     }
   }
-  const std::size_t alignment = gl::uniformAlignment();
-  drawStride_ = (sizeof(shared::DrawBlock) + alignment - 1) / alignment * alignment;
-  staging_.resize(drawStride_ * items_.size());
-  mirrored_.resize(items_.size());
-  if (!items_.empty()) drawBlocks_ = gl::Buffer(staging_.size(), nullptr, "draws");
+  findInstanced(scene);
   for (const Skin& skin : scene.skins) {
     firstJoints_.push_back(jointCount_);
     jointCount_ += static_cast<int>(skin.joints.size());
@@ -64,6 +59,20 @@ GBufferPass::GBufferPass(const Scene& scene) : lights_(lightCounts(scene)) {
     joints_ = gl::Buffer(2 * static_cast<std::size_t>(jointCount_) * sizeof(glm::mat4), nullptr, "joints");
   if (!scene.morphWeights.empty())
     morphWeights_ = gl::Buffer(2 * scene.morphWeights.size() * sizeof(float), nullptr, "morph weights");
+}
+
+// A call costs llvmpipe as much as some hundred vertices whose blocks it finds by the number of the instance.
+void GBufferPass::findInstanced(const Scene& scene) {
+  constexpr int kMinInstances = 8;
+  constexpr std::size_t kMostVerticesOfInstance = 128;
+  std::map<std::pair<int, int>, int> counts; // by mesh and primitive
+  for (const Item& item : items_) ++counts[{item.mesh, item.primitive}];
+  for (Item& item : items_) {
+    const Primitive& primitive = scene.meshes[static_cast<std::size_t>(item.mesh)]
+                                     .primitives[static_cast<std::size_t>(item.primitive)];
+    item.variant.instanced = counts[{item.mesh, item.primitive}] >= kMinInstances &&
+                             primitive.vertices.size() <= kMostVerticesOfInstance;
+  }
 }
 
 GBufferPass::Variant GBufferPass::variantFor(const Primitive& primitive, const Node& node,
@@ -88,17 +97,18 @@ gl::Program GBufferPass::compile(const Variant& variant) const {
   const auto flag = [](const char* name, bool value) {
     return std::string("const bool ") + name + " = " + (value ? "true" : "false") + ";\n";
   };
-  const std::string prelude = line("kTextures", static_cast<int>(variant.textures)) +
-                              line("kDirectionalLights", lights_.directional) +
-                              line("kNearLights", lights_.near) + flag("kMasked", variant.masked) +
-                              flag("kLit", variant.lit) + flag("kBiased", variant.biased) +
-                              flag("kUnjittered", variant.unjittered) + flag("kDithered", variant.dithered) +
-                              flag("kBlended", variant.blended) + line("kMask", variant.mask) +
-                              flag("kPrintedMotion", variant.printedMotion);
-  const std::string deform =
-      line("kInfluenceSets", variant.influenceSets) + flag("kMorphed", variant.morphed) +
-      flag("kCached", variant.cached) + flag("kWind", variant.wind) + flag("kSteady", variant.steady) +
-      flag("kPrintedJitter", variant.printedJitter) + flag("kMovingUv", variant.movingUv);
+  const std::string prelude =
+      line("kTextures", static_cast<int>(variant.textures)) +
+      line("kDirectionalLights", lights_.directional) + line("kNearLights", lights_.near) +
+      flag("kMasked", variant.masked) + flag("kLit", variant.lit) + flag("kBiased", variant.biased) +
+      flag("kUnjittered", variant.unjittered) + flag("kDithered", variant.dithered) +
+      flag("kBlended", variant.blended) + line("kMask", variant.mask) +
+      flag("kPrintedMotion", variant.printedMotion) + flag("kInstanced", variant.instanced);
+  const std::string deform = line("kInfluenceSets", variant.influenceSets) +
+                             flag("kMorphed", variant.morphed) + flag("kCached", variant.cached) +
+                             flag("kWind", variant.wind) + flag("kSteady", variant.steady) +
+                             flag("kPrintedJitter", variant.printedJitter) +
+                             flag("kMovingUv", variant.movingUv) + flag("kInstanced", variant.instanced);
   return {gl::ShaderSource("scene/mesh.vert", deform), gl::ShaderSource("scene/mesh.frag", prelude),
           "GBufferPass"};
 }
@@ -211,11 +221,10 @@ void GBufferPass::findVisible(const Scene& scene, const View& view, bool culls) 
     const Item& item = items_[index];
     const Primitive& primitive = scene.meshes[static_cast<std::size_t>(item.mesh)]
                                      .primitives[static_cast<std::size_t>(item.primitive)];
-    const shared::DrawBlock block = drawBlock(scene, view, index);
-    mirrored_[index] = block.drawTerms.y < 0.0f;
-    std::memcpy(staging_.data() + index * drawStride_, &block, sizeof(block));
     if (primitive.indices.empty() || !view.nodes[static_cast<std::size_t>(item.node)].isVisible) continue;
     ++counts_.objects;
+    const shared::DrawBlock block = drawBlock(scene, view, index);
+    const bool isMirrored = block.drawTerms.y < 0.0f;
     const glm::vec4 jitter = item.variant.printedJitter ? view.block.printedJitter : glm::vec4(0.0f);
     const auto distance = farthestPoint(boundsOf(scene, view, item), block.clipFromModel, sides, jitter);
     if (culls && !distance) continue;
@@ -227,10 +236,11 @@ void GBufferPass::findVisible(const Scene& scene, const View& view, bool culls) 
     ++counts_.drawn;
     counts_.triangles += (indices.isWhole ? primitive.indices.size() : indices.count) / 3;
     if (item.variant.blended)
-      blended_.push_back({false, middleDistance(primitive.bounds, block.clipFromModel), index, indices});
+      blended_.push_back(
+          {false, isMirrored, middleDistance(primitive.bounds, block.clipFromModel), index, indices});
     else
       // What deforms comes last.
-      visible_.push_back({item.variant.masked,
+      visible_.push_back({item.variant.masked, isMirrored,
                           item.variant.deforms() ? kBeyondAll : distance.value_or(kBeyondAll), index,
                           indices});
   }
@@ -291,13 +301,27 @@ void GBufferPass::prepare(const Scene& scene, const InputSettings& settings, con
   prepareDeformation(scene, view);
   findVisible(scene, view, culls_ && !warmUp);
   if (warmUp) keepOneOfEach();
-  uploadPrepared(view);
+  uploadPrepared(scene, view);
   part_ = view.part;
 }
 
-void GBufferPass::uploadPrepared(const View& view) {
+bool GBufferPass::drawAsOne(const Visible& first, const Visible& second) const {
+  const Item &a = items_[first.item], &b = items_[second.item];
+  return a.variant.instanced && a.variant == b.variant && a.mesh == b.mesh && a.primitive == b.primitive &&
+         first.mirrored == second.mirrored && first.indices.isWhole && second.indices.isWhole;
+}
+
+void GBufferPass::makeCalls(const Scene& scene, const View& view, const std::vector<Visible>& items,
+                            DrawCalls& calls) const {
+  calls.clear();
+  for (std::size_t i = 0; i < items.size(); ++i) calls.add(i > 0 && drawAsOne(items[i - 1], items[i]));
+  calls.fill([&](std::size_t i) { return drawBlock(scene, view, items[i].item); });
+}
+
+void GBufferPass::uploadPrepared(const Scene& scene, const View& view) {
   lightBlock_.update(0, &view.lights, sizeof(view.lights));
-  drawBlocks_.update(0, staging_.data(), staging_.size());
+  makeCalls(scene, view, visible_, calls_);
+  makeCalls(scene, view, blended_, blendedCalls_);
   if (partIndices_.empty()) return;
   const std::size_t bytes = partIndices_.size() * sizeof(std::uint32_t);
   if (partIndexBuffer_.bytes() < bytes) {
@@ -311,7 +335,7 @@ void GBufferPass::draw(const Scene& scene, const SceneResources& resources, cons
                        const gl::Framebuffer& target, const Progress& warmUp) {
   if (items_.empty()) return;
   gl::RenderPass pass(target, {.depthTest = true, .depthWrite = true, .scissor = part_}, "GBufferPass");
-  drawItems(scene, resources, frame, visible_, pass, warmUp);
+  drawItems(scene, resources, frame, false, pass, warmUp);
 }
 
 void GBufferPass::drawBlended(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
@@ -320,29 +344,30 @@ void GBufferPass::drawBlended(const Scene& scene, const SceneResources& resource
                       "GBufferPass blended");
   pass.blending(0, gl::Blending::Over);
   pass.blending(kMaskAttachment, gl::Blending::Largest);
-  drawItems(scene, resources, frame, blended_, pass, warmUp);
+  drawItems(scene, resources, frame, true, pass, warmUp);
 }
 
 void GBufferPass::drawItems(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
-                            const std::vector<Visible>& items, gl::RenderPass& pass,
-                            const Progress& warmUp) const {
-  std::size_t drawn = &items == &blended_ ? visible_.size() : 0;
+                            bool ofBlended, gl::RenderPass& pass, const Progress& warmUp) const {
+  const std::vector<Visible>& items = ofBlended ? blended_ : visible_;
+  const DrawCalls& calls = ofBlended ? blendedCalls_ : calls_;
+  std::size_t drawn = ofBlended ? visible_.size() : 0;
   pass.uniformBlock(2, frame);
   pass.uniformBlock(3, lightBlock_);
   if (joints_.bytes() > 0) pass.storageBlock(3, joints_);
   if (morphWeights_.bytes() > 0) pass.storageBlock(4, morphWeights_);
-  for (const Visible& visible : items) {
+  for (const DrawCalls::Call& call : calls.calls()) {
+    const Visible& visible = items[call.first];
     const Item& item = items_[visible.item];
     if (warmUp) reportWarmUp(warmUp, programs_.size() + drawn++);
     pass.program(programs_.at(item.variant));
-    pass.uniformBlock(4, drawBlocks_, visible.item * drawStride_, sizeof(shared::DrawBlock));
+    calls.bind(pass, call, item.variant.instanced);
     resources.bindMaterial(pass, item.material);
     if (item.variant.deforms()) resources.bindDeformation(pass, item.mesh, item.primitive);
-    pass.culling(!scene.materials[static_cast<std::size_t>(item.material)].doubleSided,
-                 mirrored_[visible.item]);
+    pass.culling(!scene.materials[static_cast<std::size_t>(item.material)].doubleSided, visible.mirrored);
     const gl::Mesh& mesh = resources.mesh(item.mesh, item.primitive);
     if (visible.indices.isWhole)
-      pass.draw(mesh);
+      pass.draw(mesh, static_cast<int>(call.count));
     else
       pass.draw(mesh, partIndexBuffer_, visible.indices.first, visible.indices.count);
   }

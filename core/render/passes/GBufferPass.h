@@ -6,6 +6,7 @@
 #include "core/render/DrawCounts.h"
 #include "core/render/SceneResources.h"
 #include "core/render/View.h"
+#include "core/render/passes/DrawCalls.h"
 #include "core/render/passes/Lights.h"
 #include "core/scene/DeformBounds.h"
 #include "core/scene/ObjectClass.h"
@@ -65,6 +66,7 @@ class GBufferPass {
     int influenceSets = 0;
     bool morphed = false, cached = false, wind = false;
     bool movingUv = false;
+    bool instanced = false;                                    ///< small things that are there often
     bool biased = false, unjittered = false, dithered = false; ///< what the settings ask for
     bool blended = false, steady = false;                      ///< likewise; steady: without jitter
     bool printedJitter = false, printedMotion = false;         ///< likewise: forms as printed
@@ -91,6 +93,7 @@ class GBufferPass {
   /// An item that may be seen; drawn in their order, front to back, or back to front where it is blended.
   struct Visible {
     bool masked = false;
+    bool mirrored = false; ///< its transform turns sides
     float distance = 0.0f; ///< of its far end; of its middle where it is blended
     std::size_t item = 0;
     IndexRange indices;
@@ -98,12 +101,18 @@ class GBufferPass {
       return std::tie(masked, distance, item) < std::tie(other.masked, other.distance, other.item);
     }
   };
-  /// Fills the blocks of all items, `visible_` and `blended_`.
+  /// Says of which items' primitives so many are drawn that one call draws many of them.
+  void findInstanced(const Scene& scene);
+  /// Fills `visible_` and `blended_`.
   void findVisible(const Scene& scene, const View& view, bool culls);
   /// Those of triangles that do not lie wholly in one of the half spaces, as far as that is found out.
   IndexRange indicesBeside(std::span<const HalfSpace> outside, const Item& item, const Primitive& primitive,
                            const Wind& wind);
-  void uploadPrepared(const View& view);
+  void uploadPrepared(const Scene& scene, const View& view);
+  /// The calls that draw a list in its order.
+  void makeCalls(const Scene& scene, const View& view, const std::vector<Visible>& items,
+                 DrawCalls& calls) const;
+  bool drawAsOne(const Visible& first, const Visible& second) const;
   /// What is in the lists, but one of each variant.
   void keepOneOfEach();
   void reportWarmUp(const Progress& warmUp, std::size_t done) const;
@@ -111,18 +120,14 @@ class GBufferPass {
   Bounds boundsOf(const Scene& scene, const View& view, const Item& item) const;
   /// Fills joint matrices and morph weights of both frames.
   void prepareDeformation(const Scene& scene, const View& view);
-  void drawItems(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
-                 const std::vector<Visible>& items, gl::RenderPass& pass, const Progress& warmUp) const;
+  void drawItems(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame, bool ofBlended,
+                 gl::RenderPass& pass, const Progress& warmUp) const;
   shared::DrawBlock drawBlock(const Scene& scene, const View& view, std::size_t index) const;
 
   LightCounts lights_;
   std::vector<Item> items_; ///< object id − 1 is the index
   std::map<Variant, gl::Program> programs_;
   gl::Buffer lightBlock_{sizeof(shared::LightBlock), nullptr, "lights"};
-  gl::Buffer drawBlocks_;
-  std::size_t drawStride_ = 0; ///< bytes
-  std::vector<std::byte> staging_;
-  std::vector<bool> mirrored_;
   std::vector<int> firstJoints_;         ///< of each skin among all joints
   int jointCount_ = 0;                   ///< of all skins
   std::vector<glm::mat4> jointMatrices_; ///< of this frame, then of the previous one
@@ -130,6 +135,7 @@ class GBufferPass {
   std::map<std::pair<int, int>, DeformExtent> extents_;  ///< by mesh and primitive, of those that deform
   std::map<std::pair<int, int>, TriangleGroups> groups_; ///< likewise; of what was drawn in parts
   std::vector<Visible> visible_, blended_;
+  DrawCalls calls_, blendedCalls_; ///< of them
   std::vector<std::uint32_t> partIndices_;
   gl::Buffer partIndexBuffer_; ///< starts with them
   DrawCounts counts_;
