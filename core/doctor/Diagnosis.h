@@ -46,6 +46,7 @@ struct Finding {
   std::vector<Residual> residuals; ///< by rising value
   std::string symptom;             ///< a sentence: what one sees because of it
   std::string change;              ///< sentences: what to change, in the engine's own convention
+  std::vector<std::string> alike;  ///< ids of what these frames do not tell it from
 };
 
 /// A sure one with id, name and symptom of the fault's row.
@@ -53,9 +54,10 @@ Finding faultFinding(Fault fault);
 
 /// A question that these frames do not answer.
 struct Undecided {
-  std::string question; ///< "Motion of the sky"
-  std::string reason;   ///< a sentence
-  std::string capture;  ///< a sentence: what to capture instead; may be empty
+  std::string question;        ///< "Motion of the sky"
+  std::string reason;          ///< a sentence
+  std::string capture;         ///< a sentence: what to capture instead; may be empty
+  std::vector<Fault> faults{}; ///< of the table: those that would not show
 };
 
 struct Diagnosis {

@@ -79,15 +79,18 @@ ordered_json residualJson(const Residual& residual) {
           {"best", residual.isBest}};
 }
 
-ordered_json undecidedJson(const Undecided& undecided) {
-  return {{"question", undecided.question}, {"reason", undecided.reason}, {"capture", undecided.capture}};
-}
-
 template <typename Item, typename Json>
 ordered_json listJson(const std::vector<Item>& items, Json json) {
   ordered_json out = ordered_json::array();
   for (const Item& item : items) out.push_back(json(item));
   return out;
+}
+
+ordered_json undecidedJson(const Undecided& undecided) {
+  return {{"question", undecided.question},
+          {"reason", undecided.reason},
+          {"capture", undecided.capture},
+          {"faults", listJson(undecided.faults, [](Fault fault) { return faultInfo(fault).id; })}};
 }
 
 ordered_json foundJson(const doctor::Finding& finding) {
@@ -100,7 +103,8 @@ ordered_json foundJson(const doctor::Finding& finding) {
           {"measure", finding.measure},
           {"residuals", listJson(finding.residuals, residualJson)},
           {"symptom", finding.symptom},
-          {"change", finding.change}};
+          {"change", finding.change},
+          {"alike", finding.alike}};
 }
 
 } // namespace

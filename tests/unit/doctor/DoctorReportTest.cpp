@@ -26,7 +26,8 @@ doctor::Diagnosis diagnosis() {
   finding.symptom = "Ghosts.";
   finding.change = "Negate y.";
   out.findings = {finding};
-  out.undecided = {{"Motion of the sky", "it has no detail", "Capture clouds."}};
+  finding.alike = {"motionNegated"};
+  out.undecided = {{"Motion of the sky", "it has no detail", "Capture clouds.", {Fault::SkyWithoutMotion}}};
   out.healthy = {"Jitter is right."};
   out.notes = {"The first frame is not jittered."};
   return out;
@@ -79,9 +80,9 @@ TEST(DoctorReport, SaysTheSameInJson) {
             R"j("reason":"It fits.","measure":"mean difference of luma, × 1000","residuals":[{"id":)j"
             R"j("mirroredY","text":"y negated","value":4.25,"given":false,"best":true},{"id":"asGiven",)j"
             R"j("text":"as given","value":61.5,"given":true,"best":false}],"symptom":"Ghosts.","change":)j"
-            R"j("Negate y."}],"undecided":[{"question":"Motion of the sky","reason":"it has no detail",)j"
-            R"j("capture":"Capture clouds."}],"right":["Jitter is right."],"notes":["The first frame is )j"
-            R"j(not jittered."]})j");
+            R"j("Negate y.","alike":["motionNegated"]}],"undecided":[{"question":"Motion of the sky",)j"
+            R"j("reason":"it has no detail","capture":"Capture clouds.","faults":["skyWithoutMotion"]}],)j"
+            R"j("right":["Jitter is right."],"notes":["The first frame is not jittered."]})j");
 }
 
 } // namespace taa
