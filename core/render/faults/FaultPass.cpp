@@ -157,15 +157,8 @@ void FaultPass::draw(const gl::Program& with, const gl::Framebuffer& target, con
 
 void FaultPass::follow(const gl::Texture& older, FrameInputs& out) {
   fitTexture(motion_, texturePx(out.motion), out.motion.format(), "motion");
-  {
-    const gl::Framebuffer target({{&motion_}}, nullptr, "older transforms");
-    gl::RenderPass pass(target, {}, "FaultPass");
-    pass.program(program("follow_motion.frag"));
-    pass.uniformBlock(kFrameBinding, frame_);
-    pass.texture(0, out.motion, nearest_);
-    pass.texture(1, older, nearest_);
-    pass.drawFullscreen();
-  }
+  draw(program("follow_motion.frag"), gl::Framebuffer({{&motion_}}, nullptr, "older transforms"), out,
+       out.motion, older);
   std::swap(out.motion, motion_);
 }
 

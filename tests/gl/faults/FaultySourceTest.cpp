@@ -168,6 +168,13 @@ TEST_F(FaultySourceTest, KeepsToItsRegion) {
                  [&](int x, int y) { return entry.second(x, y) ? glm::vec2(0.0f) : given(x, y); });
 }
 
+TEST_F(FaultySourceTest, TakesOlderTransformsInItsRegionAlone) {
+  const Image all = drawn(requestOf({"fault.previousAge=2"})).motion.download();
+  expectMotion(requestOf({"fault.previousAge=2", "fault.region=still"}), [&](int x, int y) {
+    return HandMadeSource::objectAt(x, y) == 1 ? glm::vec2(all.at(x, y)[0], all.at(x, y)[1]) : given(x, y);
+  });
+}
+
 TEST_F(FaultySourceTest, KeepsToItsFrames) {
   const FrameRequest request = requestOf({"fault.motion=zero", "fault.firstFrame=4", "fault.lastFrame=5"});
   for (int frame = 3; frame < 7; ++frame)
