@@ -30,6 +30,10 @@ void runVerdict(const VerdictArguments& arguments, std::ostream& out, const Prog
 /// Cancelled.
 bool runDoctor(const DoctorArguments& arguments, std::ostream& out, const Progress& progress);
 
+/// Tries the doctor on cases that the file does not hold, and adds each to it. Throws UsageError, Error,
+/// Cancelled.
+void runConfusions(const ConfusionsArguments& arguments, std::ostream& out, const Progress& progress);
+
 /// Prints intermediates at pixels over a range of frames. Throws UsageError, Error, Cancelled.
 void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress& progress);
 

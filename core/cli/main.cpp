@@ -5,6 +5,7 @@
 #include "core/cli/Commands.h"
 #include "core/cli/ShotOptions.h"
 #include "core/cli/Terminal.h"
+#include "core/cli/doctor/ConfusionsOptions.h"
 #include "core/cli/sweep/SweepOptions.h"
 #include "core/doctor/Diagnosis.h"
 #include "core/inspect/Comparison.h"
@@ -330,8 +331,8 @@ void requireCommand(const CLI::App& app, int argc, char** argv) {
   if (!app.get_subcommands(isMeant).empty()) return;
   throw UsageError(
       "there is no command \"" + std::string(argv[1]) +
-      "\"; there are list, render, probe, lineage, verdict, doctor, trace, profile, metrics, sweep, tune, "
-      "glsl, import and manual");
+      "\"; there are list, render, probe, lineage, verdict, doctor, confusions, trace, profile, metrics, "
+      "sweep, tune, glsl, import and manual");
 }
 
 /// In the form of the program's own sentences, with the command whose help says more.
@@ -355,6 +356,7 @@ int run(int argc, char** argv) {
   VerdictArguments verdict;
   DoctorArguments doctor;
   bool isUnhealthy = false;
+  ConfusionsArguments confusions;
   TraceArguments trace;
   ProfileArguments profile;
   MetricsArguments metrics;
@@ -375,6 +377,7 @@ int run(int argc, char** argv) {
   addLineage(app, lineage, progress);
   addVerdict(app, verdict, progress);
   addDoctor(app, doctor, progress, isUnhealthy);
+  addConfusions(app, confusions, progress);
   addTrace(app, trace, progress);
   addProfile(app, profile, progress);
   addMetrics(app, metrics, progress);

@@ -232,6 +232,18 @@ void inject(Fault fault, Settings& settings) {
   for (const auto& [row, value] : injectedValues(fault)) row->set(settings, value);
 }
 
+bool injectHalf(Fault fault, Settings& settings) {
+  Settings half = settings;
+  for (const auto& [row, value] : injectedValues(fault)) {
+    const double healthy = row->defaultValue();
+    const bool isGradual = row->kind == ParameterKind::Number && value * healthy >= 0.0;
+    if (!isGradual && !isFaultDetail(*row)) return false;
+    row->set(half, isGradual ? 0.5 * (healthy + value) : value);
+  }
+  settings = half;
+  return true;
+}
+
 bool isInjected(Fault fault, const Settings& settings) {
   return std::ranges::all_of(injectedValues(fault),
                              [&](const auto& entry) { return entry.first->get(settings) == entry.second; });

@@ -110,6 +110,9 @@ std::string_view faultPartLabel(FaultPart part);
 
 /// Sets what injects it, at the strength of the table; other settings stay.
 void inject(Fault fault, Settings& settings);
+/// The same at half of that strength: what is between healthy and faulty. False, and nothing is set, where
+/// there is no such thing, as of a choice or a sign.
+bool injectHalf(Fault fault, Settings& settings);
 /// Whether all that injects it is set, at the strength of the table.
 bool isInjected(Fault fault, const Settings& settings);
 /// Gives what injects it the values of `healthy`; other settings stay.

@@ -91,4 +91,22 @@ TEST(Faults, ExcludeEachOtherWhereTheyWantDifferentValues) {
 }
 
 } // namespace
+TEST(Faults, OfHalfStrengthAreBetweenHealthyAndFaulty) {
+  Settings settings;
+  EXPECT_TRUE(injectHalf(Fault::MotionDoubled, settings));
+  EXPECT_EQ(settings.fault.motionX, 1.5f);
+  EXPECT_EQ(settings.fault.motionY, 1.5f);
+  EXPECT_TRUE(injectHalf(Fault::ExposureStep, settings));
+  EXPECT_EQ(settings.fault.exposure, 0.5f);
+  EXPECT_EQ(settings.fault.firstFrame, 8); // when is no matter of strength
+}
+
+TEST(Faults, OfSignsAndChoicesHaveNoHalf) {
+  const Settings healthy;
+  Settings settings;
+  for (const Fault fault : {Fault::MotionNegatedX, Fault::JitterLate, Fault::MotionShifted})
+    EXPECT_FALSE(injectHalf(fault, settings)) << faultInfo(fault).id;
+  EXPECT_TRUE(settings == healthy);
+}
+
 } // namespace taa

@@ -35,13 +35,10 @@ DoctorSource openCaptureForDoctor(const SourceRequest& request, const Progress& 
       std::make_shared<const capture::Capture>(opened->folder(), std::move(manifest))));
   const auto facts = out.frames->capture();
   out.known.camera = facts->hasCameraMotion;
-  const Settings settings = settingsOn(*facts, request.settings);
   out.request.camera = kCaptureCamera;
   out.request.width = facts->outputPx.x;
   out.request.height = facts->outputPx.y;
-  out.request.jitter = settings.jitter;
-  out.request.inputs = settings.inputs;
-  out.request.faults = settings.fault;
+  drawWith(request.settings, out);
   return out;
 }
 
@@ -58,11 +55,7 @@ DoctorSource openSceneForDoctor(const SourceRequest& request, const Progress& pr
   out.request.camera = request.camera.empty() ? opened.scene->shot.camera : request.camera;
   out.request.width = request.sizePx.x;
   out.request.height = request.sizePx.y;
-  out.request.jitter = request.settings.jitter;
-  out.request.inputs = request.settings.inputs;
-  out.request.faults = request.settings.fault;
-  // What is blended over a surface, and what changes without motion, is no witness of it.
-  out.request.inputs.mask = MaskSource::Opacity;
+  drawWith(request.settings, out);
   return out;
 }
 
@@ -74,6 +67,16 @@ DoctorSource openForDoctor(const SourceRequest& request, const Progress& progres
   if (request.choice != ShotChoice{})
     throw Error(say<"%1 is a captured sequence, whose animation and length are fixed">(request.source));
   return openCaptureForDoctor(request, progress);
+}
+
+void drawWith(const Settings& settings, DoctorSource& source) {
+  const auto facts = source.frames->capture();
+  const Settings used = facts ? settingsOn(*facts, settings) : settings;
+  source.request.jitter = used.jitter;
+  source.request.inputs = used.inputs;
+  source.request.faults = used.fault;
+  // What is blended over a surface, and what changes without motion, is no witness of it.
+  if (!facts) source.request.inputs.mask = MaskSource::Opacity;
 }
 
 FrameReader readerOf(const DoctorSource& source) {

@@ -40,6 +40,9 @@ struct DoctorSource {
 /// it was stored. Needs the current context. Throws Error, Cancelled.
 DoctorSource openForDoctor(const SourceRequest& request, const Progress& progress = {});
 
+/// Frames are those that settings make from now on: their jitter, inputs and faults.
+void drawWith(const Settings& settings, DoctorSource& source);
+
 /// Frames of the source, which lives as long as the reader.
 FrameReader readerOf(const DoctorSource& source);
 

@@ -1,9 +1,12 @@
 #include "core/report/doctor/DoctorManual.h"
 
+#include "core/report/doctor/DoctorCases.h"
+#include "core/report/doctor/DoctorConfusions.h"
+
 namespace taa {
 
 std::string doctorManual() {
-  return R"(
+  return std::string(R"(
 ## The doctor
 
 The doctor says what is wrong with the jitter, depth and motion vectors of somebody's frames, in which part of the picture, how sure that is, and what to change. It measures: nothing is concluded from settings or conventions. `taa-batch doctor SOURCE` takes a capture, a folder of an engine's frames, a built-in scene or a glTF file, looks at its first 32 frames (`--frames`), and ends with 0 where nothing is wrong and with 3 where something is; `--json` prints every figure, `--html FILE` writes one page without scripts. What it finds has the name of the table above that says the same.
@@ -29,7 +32,7 @@ Of pixels that the camera passes, motion and matrices say at which depth they re
 ### What it does not decide
 
 A region that is still, plain or small, or whose light changes, is not decided; the doctor says which and what to capture instead. A finding whose own explanations these frames do not tell apart is told as likely, with the others beside it. What is wrong inside of the resolve it does not look at: that is what [verdicts](verdicts.md) are for.
-)";
+)") + doctorConfusions(judgedCases());
 }
 
 } // namespace taa

@@ -52,9 +52,25 @@ TEST_F(BatchDoctor, EndsWithThreeWhereSomethingIs) {
   expectFailure(joined(doctorCommand(), {"--html", page.string()}), {"doctor.html", "--force"});
 }
 
+TEST_F(BatchDoctor, IsTriedOnCasesThatTheFileDoesNotHold) {
+  const std::filesystem::path file = taa::test::temporaryFolder() / "judged.csv";
+  const std::vector<std::string> command = {
+      "confusions",     file.string(), "--scenes",       "gallery", "--cameras", "orbit",    "--faults",
+      "motionNegatedX", "--kinds",     "healthy,single", "--size",  "192x108",   "--frames", "6"};
+  const ProcessResult result = batch(command);
+  ASSERT_EQ(result.exitCode, 0) << result.out << result.err;
+  EXPECT_EQ(taa::readFile(file),
+            "source,camera,size,frames,faults,strength,shows,named,same,open\n"
+            "builtin:gallery,orbit,192x108,6,,full,no,,,no\n"
+            "builtin:gallery,orbit,192x108,6,motionNegatedX,full,yes,motionNegatedX,,yes\n");
+  EXPECT_EQ(batch(command).out, "2 cases, 2 there already\n");
+}
+
 TEST(BatchDoctorMistakes, AreTheCallersOrTheWorlds) {
   expectUsageError({"doctor", "builtin:nothing"}, {"builtin:nothing"});
   expectUsageError({"doctor", "builtin:fan", "--frames", "1"}, {"--frames"});
   expectUsageError({"doctor", "builtin:fan", "--lane", "balanced", "--lane", "minimal"}, {"--lane", "one"});
   expectFailure({"doctor", "absent.gltf"}, {"absent.gltf"});
+  expectUsageError({"confusions", "judged.csv", "--scenes", "fam"}, {"--scenes", "fam"});
+  expectUsageError({"confusions", "judged.csv", "--faults", "jitterLat"}, {"--faults", "jitterLate"});
 }

@@ -1,0 +1,67 @@
+#include "core/doctor/frames/FrameDifference.h"
+
+#include "core/doctor/frames/Regions.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace taa::doctor {
+
+namespace {
+
+// What one sees: px, |log| of a distance, luma of comparedLuma().
+constexpr double kSeenJitterPx = 0.05, kSeenMotionPx = 0.25, kSeenDepth = 0.02, kSeenLuma = 0.01;
+// A motion that is none, and a distance to nothing, are so far from any other.
+constexpr double kFarthestPx = 16.0, kFarthestLog = 2.0;
+/// Of the other difference, with room for rounding to half floats.
+constexpr double kSmallShare = 0.1, kRounding = 1e-3;
+
+double motionBetween(const DoctorFrame& a, const DoctorFrame& b, int x, int y) {
+  const glm::vec2 ofA = a.motionAt(x, y), ofB = b.motionAt(x, y);
+  if (!isMotion(ofA) || !isMotion(ofB)) return isMotion(ofA) == isMotion(ofB) ? 0.0 : kFarthestPx;
+  return std::min(static_cast<double>(glm::distance(ofA, ofB)), kFarthestPx);
+}
+
+double depthBetween(float a, float b) {
+  if (!(a > 0.0f) || !(b > 0.0f)) return (a > 0.0f) == (b > 0.0f) ? 0.0 : kFarthestLog;
+  return std::min(std::abs(std::log(static_cast<double>(a) / static_cast<double>(b))), kFarthestLog);
+}
+
+} // namespace
+
+void FrameDifference::add(const DoctorFrame& a, const DoctorFrame& b) {
+  std::size_t seen = 0;
+  double motion = 0.0, depths = 0.0, lumas = 0.0;
+  for (int y = 0; y < a.luma.height; ++y)
+    for (int x = 0; x < a.luma.width; ++x) {
+      const double moved = a.motionPx.empty() ? 0.0 : motionBetween(a, b, x, y);
+      const double farther =
+          a.depthView.empty() ? 0.0 : depthBetween(*a.depthView.at(x, y), *b.depthView.at(x, y));
+      const double lighter = std::abs(static_cast<double>(*a.luma.at(x, y) - *b.luma.at(x, y)));
+      motion += moved;
+      depths += farther;
+      lumas += lighter;
+      if (moved > kSeenMotionPx || farther > kSeenDepth || lighter > kSeenLuma) ++seen;
+    }
+  const double pixels = static_cast<double>(a.luma.width) * a.luma.height;
+  const auto jittered = static_cast<double>(glm::distance(a.jitterPx, b.jitterPx));
+  ++frames;
+  jitterPx += jittered;
+  motionPx += motion / pixels;
+  depth += depths / pixels;
+  luma += lumas / pixels;
+  if (seen >= kLeastPart || jittered > kSeenJitterPx || a.startsHistory != b.startsHistory) ++shown;
+}
+
+bool FrameDifference::isSmallBeside(const FrameDifference& other) const {
+  const auto isSmall = [&](double FrameDifference::*sum) {
+    return this->*sum <= kSmallShare * other.*sum + kRounding * frames;
+  };
+  return isSmall(&FrameDifference::jitterPx) && isSmall(&FrameDifference::motionPx) &&
+         isSmall(&FrameDifference::depth) && isSmall(&FrameDifference::luma);
+}
+
+} // namespace taa::doctor

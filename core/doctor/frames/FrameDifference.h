@@ -1,0 +1,25 @@
+// How two readings of the same frames differ: whether a fault shows in them, and whether two faults make the
+// same frames.
+#pragma once
+
+#include "core/doctor/frames/DoctorFrame.h"
+
+namespace taa::doctor {
+
+struct FrameDifference {
+  int frames = 0; ///< that were compared …
+  int shown = 0;  ///< … and those in which jitter, or pixels enough to be a region, differ by what one sees
+  // Sums over frames, of planes of their means over pixels.
+  double jitterPx = 0.0;
+  double motionPx = 0.0;
+  double depth = 0.0; ///< |log| of the distance
+  double luma = 0.0;
+
+  /// Expects the same frame with the same planes and size.
+  void add(const DoctorFrame& a, const DoctorFrame& b);
+  bool shows() const { return shown > 0; }
+  /// Whether each sum is a small share of that of `other`.
+  bool isSmallBeside(const FrameDifference& other) const;
+};
+
+} // namespace taa::doctor

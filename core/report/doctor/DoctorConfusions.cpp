@@ -1,0 +1,183 @@
+#include "core/report/doctor/DoctorConfusions.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <ostream>
+#include <set>
+#include <sstream>
+#include <utility>
+
+namespace taa {
+
+namespace {
+
+using Cases = std::vector<JudgedCase>;
+
+bool isCaptured(const JudgedCase& judged) {
+  return !judged.tried.source.starts_with("builtin:");
+}
+
+Cases casesWhere(const Cases& judged, const std::function<bool(const JudgedCase&)>& isWanted) {
+  Cases out;
+  std::ranges::copy_if(judged, std::back_inserter(out), isWanted);
+  return out;
+}
+
+std::string caseShare(std::size_t count, std::size_t of) {
+  if (of == 0) return "none";
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%.1f %%",
+                100.0 * static_cast<double>(count) / static_cast<double>(of));
+  return text.data();
+}
+
+std::string caseCount(std::size_t count) {
+  return count == 0 ? std::string() : std::to_string(count);
+}
+
+/// "a, b, c" in their order, each once, between backticks.
+std::string listOf(const Cases& judged, const std::function<std::string(const JudgedCase&)>& word) {
+  std::set<std::string> seen;
+  std::string text;
+  for (const JudgedCase& one : judged)
+    if (const std::string name = word(one); seen.insert(name).second)
+      text.append(text.empty() ? "`" : ", `").append(name).append("`");
+  return text;
+}
+
+std::string sizeText(const DoctorCase& tried) {
+  return std::to_string(tried.sizePx.x) + " × " + std::to_string(tried.sizePx.y);
+}
+
+void addTried(std::ostream& out, const Cases& judged) {
+  const Cases drawn = casesWhere(judged, [](const JudgedCase& one) { return !isCaptured(one); });
+  const Cases captured = casesWhere(judged, isCaptured);
+  if (!drawn.empty())
+    out << "Scenes: " << listOf(drawn, [](const JudgedCase& one) { return one.tried.source; })
+        << ", with cameras " << listOf(drawn, [](const JudgedCase& one) { return one.tried.camera; }) << ", "
+        << sizeText(drawn.front().tried) << ", " << drawn.front().tried.frames << " frames each. ";
+  if (!captured.empty())
+    out << "Captures: " << listOf(captured, [](const JudgedCase& one) { return one.tried.source; }) << ". ";
+}
+
+OutcomeCounts countsOf(const Cases& judged) {
+  OutcomeCounts out;
+  for (const JudgedCase& one : judged) out.add(one);
+  return out;
+}
+
+void addShares(std::ostream& out, const std::string& what, const Cases& judged) {
+  if (judged.empty()) return;
+  const OutcomeCounts counts = countsOf(judged);
+  const auto cell = [&](CaseOutcome outcome) { return caseShare(counts.count(outcome), counts.shown()); };
+  out << "| " << what << " | " << counts.cases << " | " << counts.shown() << " | " << cell(CaseOutcome::First)
+      << " | " << cell(CaseOutcome::Later) << " | " << cell(CaseOutcome::Undecided) << " | "
+      << cell(CaseOutcome::Silent) << " | " << cell(CaseOutcome::Wrong) << " | "
+      << caseShare(counts.hiddenNamed, counts.hidden) << " |\n";
+}
+
+bool isSingle(const JudgedCase& one) {
+  return one.tried.faults.size() == 1 && !one.tried.isHalf;
+}
+
+void addAllShares(std::ostream& out, const Cases& judged) {
+  out << "| one fault | cases | shown | named first | named later | not decided | nothing said | wrong name "
+         "| not "
+         "shown, and named |\n|---|---|---|---|---|---|---|---|---|\n";
+  for (const FaultPart part :
+       {FaultPart::Jitter, FaultPart::Motion, FaultPart::Depth, FaultPart::Color, FaultPart::Resolve})
+    addShares(out, std::string(faultPartLabel(part)), casesWhere(judged, [&](const JudgedCase& one) {
+                return isSingle(one) && !isCaptured(one) && faultInfo(one.tried.faults.front()).part == part;
+              }));
+  addShares(out, "At half strength",
+            casesWhere(judged, [](const JudgedCase& one) { return one.tried.isHalf; }));
+  addShares(out, "Into captures",
+            casesWhere(judged, [](const JudgedCase& one) { return isSingle(one) && isCaptured(one); }));
+}
+
+void addHealthy(std::ostream& out, const Cases& judged) {
+  const Cases healthy = casesWhere(judged, [](const JudgedCase& one) { return one.tried.faults.empty(); });
+  const Cases named = casesWhere(healthy, [](const JudgedCase& one) { return !one.named.empty(); });
+  out << "Of " << healthy.size() << " healthy sequences something is found in " << named.size();
+  for (const JudgedCase& one : named)
+    out << (&one == named.data() ? ": " : ", ") << "`" << one.named.front() << "` in `" << one.tried.source
+        << "`" << (one.tried.camera.empty() ? "" : " with `" + one.tried.camera + "`");
+  out << ". ";
+}
+
+void addPairs(std::ostream& out, const Cases& judged) {
+  const Cases pairs =
+      casesWhere(judged, [](const JudgedCase& one) { return one.tried.faults.size() == 2 && one.shows; });
+  if (pairs.empty()) return;
+  std::size_t both = 0, one = 0;
+  for (const JudgedCase& pair : pairs) {
+    const auto named =
+        std::ranges::count_if(pair.tried.faults, [&](Fault fault) { return isNamed(fault, pair); });
+    if (named == 2) ++both;
+    if (named == 1) ++one;
+  }
+  out << "Of " << pairs.size() << " pairs of faults of two parts both are named in "
+      << caseShare(both, pairs.size()) << ", one of them in " << caseShare(one, pairs.size()) << ". ";
+}
+
+/// "`motionScaled` 3, `jitterLate`": first names of those that are wrong, the most frequent first.
+std::string wrongNames(const Cases& judged) {
+  std::map<std::string, int> counts;
+  for (const JudgedCase& one : judged)
+    if (outcomeOf(one) == CaseOutcome::Wrong || outcomeOf(one) == CaseOutcome::Later)
+      ++counts[one.named.front()];
+  std::vector<std::pair<std::string, int>> names(counts.begin(), counts.end());
+  std::ranges::stable_sort(names, std::greater(), [](const auto& name) { return name.second; });
+  std::string text;
+  for (const auto& [name, count] : names)
+    text += (text.empty() ? "`" : ", `") + name + "`" + (count > 1 ? " " + std::to_string(count) : "");
+  return text;
+}
+
+void addFault(std::ostream& out, const FaultInfo& info, const Cases& judged) {
+  const Cases ofFault = casesWhere(
+      judged, [&](const JudgedCase& one) { return isSingle(one) && one.tried.faults.front() == info.fault; });
+  if (ofFault.empty()) return;
+  const OutcomeCounts counts = countsOf(ofFault);
+  out << "| `" << info.id << "` | " << counts.cases << " | " << counts.shown();
+  for (int outcome = 0; outcome < kCaseOutcomes; ++outcome)
+    out << " | " << caseCount(counts.count(static_cast<CaseOutcome>(outcome)));
+  out << " | " << wrongNames(ofFault) << " |\n";
+}
+
+} // namespace
+
+void OutcomeCounts::add(const JudgedCase& judged) {
+  ++cases;
+  if (judged.shows) {
+    ++byOutcome[static_cast<std::size_t>(outcomeOf(judged))];
+    return;
+  }
+  ++hidden;
+  if (!judged.named.empty()) ++hiddenNamed;
+}
+
+std::string doctorConfusions(const std::vector<JudgedCase>& judged) {
+  std::ostringstream out;
+  out << "\n### How often it is right\n\n`taa-batch confusions resources/doctor/judged.csv` injects the "
+         "faults "
+         "of this page and writes down what the doctor says; this part is made from that file. A fault is "
+         "shown where frames differ from the healthy ones by what one sees, in jitter or in pixels enough to "
+         "be "
+         "a region; it is named first, too, where another name stands first that makes the same frames. ";
+  addTried(out, judged);
+  addHealthy(out, judged);
+  addPairs(out, judged);
+  out << "Shares are of the cases that are shown, the last of those that are not.\n\n";
+  addAllShares(out, judged);
+  out << "\nEach fault alone, at full strength:\n\n| fault | cases | shown | named first | named later | not "
+         "decided "
+         "| nothing said | wrong name | named instead |\n|---|---|---|---|---|---|---|---|---|\n";
+  for (const FaultInfo& info : faultTable()) addFault(out, info, judged);
+  return out.str();
+}
+
+} // namespace taa

@@ -1,0 +1,59 @@
+// The manual's part about how often the doctor is right, made from cases whose outcomes are known.
+#include "core/report/doctor/DoctorConfusions.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace taa {
+namespace {
+
+JudgedCase judgedCase(const std::vector<Fault>& faults, const std::vector<std::string>& named,
+                      bool shows = true) {
+  JudgedCase out;
+  out.tried = {"builtin:fan", "pan", {240, 136}, 14, faults, false};
+  out.shows = shows;
+  out.named = named;
+  return out;
+}
+
+std::vector<JudgedCase> fiveCases() {
+  return {judgedCase({}, {}, false), judgedCase({Fault::JitterLate}, {"jitterLate"}),
+          judgedCase({Fault::JitterLate}, {"jitterEarly", "jitterLate"}),
+          judgedCase({Fault::JitterLate}, {}, false),
+          judgedCase({Fault::JitterLate, Fault::MotionZero}, {"motionZero"})};
+}
+
+} // namespace
+
+TEST(DoctorConfusions, CountCasesThatAreShownByTheirOutcome) {
+  OutcomeCounts counts;
+  for (const JudgedCase& one : fiveCases())
+    if (one.tried.faults.size() == 1) counts.add(one);
+  EXPECT_EQ(counts.cases, 3u);
+  EXPECT_EQ(counts.shown(), 2u);
+  EXPECT_EQ(counts.count(CaseOutcome::First), 1u);
+  EXPECT_EQ(counts.count(CaseOutcome::Later), 1u);
+  EXPECT_EQ(counts.hiddenNamed, 0u);
+}
+
+TEST(DoctorConfusions, AreATableWithEveryFault) {
+  const std::string text = doctorConfusions(fiveCases());
+  for (const char* part :
+       {"Scenes: `builtin:fan`, with cameras `pan`, 240 × 136, 14 frames each.",
+        "Of 1 healthy sequences something is found in 0.",
+        "Of 1 pairs of faults of two parts both are named in 0.0 %, one of them in 100.0 %.",
+        "| Jitter | 3 | 2 | 50.0 % | 50.0 % | 0.0 % | 0.0 % | 0.0 % | 0.0 % |\n",
+        "| `jitterLate` | 3 | 2 | 1 | 1 |  |  |  | `jitterEarly` |\n"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  EXPECT_EQ(text.find("`motionZero` |"), std::string::npos);
+}
+
+TEST(DoctorConfusions, NameHealthyFramesInWhichSomethingIsFound) {
+  EXPECT_NE(doctorConfusions({judgedCase({}, {"motionZero"}, false)})
+                .find("in 1: `motionZero` in `builtin:fan` with `pan`"),
+            std::string::npos);
+}
+
+} // namespace taa
