@@ -41,10 +41,31 @@ QString probeName(std::size_t probe, const Probe& place) {
              : QObject::tr("%1 surface").arg(probe + 1);
 }
 
+/// Curves of one intermediate; where two are on one axis their labels tell them apart.
+void addCurves(std::vector<Curve>& curves, const PlotRow& row, IntermediateId id, const ProbeTrace& trace,
+               std::size_t probe, const SpaceSettings& space) {
+  const Intermediate& info = intermediate(id);
+  const std::vector<std::string> channels = channelNames(info, space);
+  for (int channel = 0; channel < info.channels; ++channel) {
+    if (!row.has(channel)) continue;
+    QString name = row.beside ? QLatin1Char(' ') + tableText(info.label) : QString();
+    if (info.channels > 1)
+      name += QLatin1Char(' ') + QString::fromStdString(channels[static_cast<std::size_t>(channel)]);
+    const std::size_t number = curves.size();
+    curves.push_back({probeName(probe, trace.probe) + name, curveColor(static_cast<int>(number)),
+                      kDashes[number % kDashes.size()], pointsOf(trace.trace, id, channel),
+                      QString::number(probe + 1) + name});
+  }
+}
+
 } // namespace
 
 std::vector<PlotRow> firstPlotRows() {
-  return {{IntermediateId::alpha}, {IntermediateId::clipAmount}, {IntermediateId::historyLength}};
+  constexpr unsigned kGreen = 0b10;
+  return {{IntermediateId::resolved, kGreen, IntermediateId::currentFiltered},
+          {IntermediateId::alpha},
+          {IntermediateId::clipAmount},
+          {IntermediateId::historyLength}};
 }
 
 QJsonArray toJson(const std::vector<PlotRow>& rows) {
@@ -53,19 +74,23 @@ QJsonArray toJson(const std::vector<PlotRow>& rows) {
     QJsonArray channels;
     for (int channel = 0; channel < intermediate(row.id).channels; ++channel)
       if (row.has(channel)) channels.append(channel);
-    json.append(QJsonObject{{QStringLiteral("row"), qtext(intermediate(row.id).name)},
-                            {QStringLiteral("channels"), channels}});
+    QJsonObject object{{QStringLiteral("row"), qtext(intermediate(row.id).name)},
+                       {QStringLiteral("channels"), channels}};
+    if (row.beside) object.insert(QStringLiteral("beside"), qtext(intermediate(*row.beside).name));
+    json.append(object);
   }
   return json;
 }
 
 std::vector<PlotRow> plotRowsFromJson(const QJsonArray& json) {
+  const auto named = [](const QJsonValue& value) { return findIntermediate(value.toString().toStdString()); };
   std::vector<PlotRow> rows;
   for (const QJsonValue& value : json) {
-    const auto id = findIntermediate(value.toObject().value(QLatin1String("row")).toString().toStdString());
+    const QJsonObject object = value.toObject();
+    const auto id = named(object.value(QLatin1String("row")));
     if (!id) continue;
-    PlotRow row{*id};
-    const QJsonArray channels = value.toObject().value(QLatin1String("channels")).toArray();
+    PlotRow row{.id = *id, .beside = named(object.value(QLatin1String("beside")))};
+    const QJsonArray channels = object.value(QLatin1String("channels")).toArray();
     unsigned mask = 0;
     for (const QJsonValue& channel : channels)
       if (channel.toInt(-1) >= 0 && channel.toInt() < intermediate(*id).channels)
@@ -76,29 +101,19 @@ std::vector<PlotRow> plotRowsFromJson(const QJsonArray& json) {
   return rows;
 }
 
-QString plotTitle(IntermediateId id) {
-  const Intermediate& row = intermediate(id);
-  const QString label = tableText(row.label);
-  return row.unit.empty() ? label : QStringLiteral("%1, %2").arg(label, tableText(row.unit));
+QString plotTitle(const PlotRow& row) {
+  const Intermediate& info = intermediate(row.id);
+  const QString label = tableText(info.label);
+  return info.unit.empty() ? label : QStringLiteral("%1, %2").arg(label, tableText(info.unit));
 }
 
 std::vector<Curve> plotCurves(const PlotRow& row, const std::vector<ProbeTrace>& traces,
                               const SpaceSettings& space) {
-  const Intermediate& info = intermediate(row.id);
-  const std::vector<std::string> channels = channelNames(info, space);
   std::vector<Curve> curves;
-  for (std::size_t probe = 0; probe < traces.size(); ++probe)
-    for (int channel = 0; channel < info.channels; ++channel) {
-      if (!row.has(channel)) continue;
-      const QString name =
-          info.channels > 1
-              ? QLatin1Char(' ') + QString::fromStdString(channels[static_cast<std::size_t>(channel)])
-              : QString();
-      const std::size_t number = curves.size();
-      curves.push_back({probeName(probe, traces[probe].probe) + name, curveColor(static_cast<int>(number)),
-                        kDashes[number % kDashes.size()], pointsOf(traces[probe].trace, row.id, channel),
-                        QString::number(probe + 1) + name});
-    }
+  for (std::size_t probe = 0; probe < traces.size(); ++probe) {
+    addCurves(curves, row, row.id, traces[probe], probe, space);
+    if (row.beside) addCurves(curves, row, *row.beside, traces[probe], probe, space);
+  }
   return curves;
 }
 

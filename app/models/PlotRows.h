@@ -7,18 +7,21 @@
 
 #include <QJsonArray>
 
+#include <optional>
 #include <vector>
 
 namespace taa::app {
 
 struct PlotRow {
   IntermediateId id{};
-  unsigned channels = 0xF; ///< a bit for each
+  unsigned channels = 0xF;                ///< a bit for each
+  std::optional<IntermediateId> beside{}; ///< on the same axis, with the same channels
   bool has(int channel) const { return (channels & (1u << channel)) != 0; }
   bool operator==(const PlotRow&) const = default;
 };
 
-/// α, what was clipped, and how much history there is.
+/// The resolved color beside the filtered one of the frame, in green; α, what was clipped, and how much
+/// history there is.
 std::vector<PlotRow> firstPlotRows();
 
 /// [{"row": "alpha", "channels": [0]}, …]; what is no row is left out.
@@ -26,7 +29,7 @@ QJsonArray toJson(const std::vector<PlotRow>& rows);
 std::vector<PlotRow> plotRowsFromJson(const QJsonArray& json);
 
 /// "α", "Motion, px".
-QString plotTitle(IntermediateId id);
+QString plotTitle(const PlotRow& row);
 
 /// A curve for each probe and channel; frames that are not known are gaps. `space`: of the settings that made
 /// them.

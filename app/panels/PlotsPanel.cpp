@@ -34,7 +34,6 @@ namespace taa::app {
 namespace {
 
 constexpr int kPlotsRefresh = 100; ///< ms
-constexpr int kChartHeight = 72;   ///< three of them fit in the area as it opens
 
 } // namespace
 
@@ -114,11 +113,8 @@ void PlotsPanel::setStatus(const Status& status) {
   if (status.frameCount == frameCount_ && status.cuts == cuts_) return;
   frameCount_ = std::max(1, status.frameCount);
   cuts_ = status.cuts;
-  shown_ = wholeShot();
-  for (CurveChart* chart : charts_) {
-    chart->setBounds({0.0, frameCount_ - 1.0});
-    chart->resetZoom();
-  }
+  for (CurveChart* chart : charts_) chart->setBounds(wholeShot());
+  setShown(wholeShot());
   refreshSoon();
 }
 
@@ -172,12 +168,12 @@ void PlotsPanel::makeCharts() {
   }
   charts_.clear();
   for (const PlotRow& row : rows_) {
-    auto* chart = new CurveChart(plotTitle(row.id), tr("frame"));
-    chart->setMinimumHeight(kChartHeight);
+    auto* chart = new CurveChart(plotTitle(row), tr("frame"));
     charts_.push_back(chart);
     column_->addWidget(chart, 1);
     connectChart(chart);
   }
+  placeCharts();
 }
 
 void PlotsPanel::connectChart(CurveChart* chart) {
@@ -189,10 +185,28 @@ void PlotsPanel::connectChart(CurveChart* chart) {
   connect(chart, &CurveChart::hovered, this, [this](std::optional<double> frame) {
     for (CurveChart* other : charts_) other->setHovered(frame);
   });
-  connect(chart, &CurveChart::shownChanged, this, [this](const Span& shown) {
-    shown_ = shown;
-    for (CurveChart* other : charts_) other->setShown(shown);
-  });
+  connect(chart, &CurveChart::shownChanged, this, &PlotsPanel::setShown);
+}
+
+void PlotsPanel::setShown(const Span& frames) {
+  if (frames == shown_) return;
+  shown_ = frames;
+  for (CurveChart* chart : charts_) chart->setShown(frames);
+  Q_EMIT framesShown(frames);
+}
+
+void PlotsPanel::setRuler(const Span& globalPx) {
+  ruler_ = globalPx;
+  placeCharts();
+}
+
+// A frame stands at one place in all charts and on the ruler below them.
+void PlotsPanel::placeCharts() {
+  if (!ruler_ || !isVisible()) return;
+  for (CurveChart* chart : charts_) {
+    const double left = chart->mapToGlobal(QPoint(0, 0)).x();
+    chart->setEdges({ruler_->low - left, ruler_->high - left});
+  }
 }
 
 // One for each row, with its channels and a way out.
@@ -244,7 +258,7 @@ void PlotsPanel::requestFill() {
 }
 
 void PlotsPanel::resetZoom() {
-  for (CurveChart* chart : charts_) chart->resetZoom();
+  setShown(wholeShot());
 }
 
 void PlotsPanel::refreshSoon() {
@@ -273,7 +287,10 @@ void PlotsPanel::refresh() {
 
 QString PlotsPanel::csv() const {
   std::vector<IntermediateId> ids;
-  for (const PlotRow& row : rows_) ids.push_back(row.id);
+  for (const PlotRow& row : rows_) {
+    ids.push_back(row.id);
+    if (row.beside) ids.push_back(*row.beside);
+  }
   return QString::fromStdString(traceCsv(store_.tracesOf(probes_), ids, space_));
 }
 
@@ -313,16 +330,22 @@ void PlotsPanel::setState(const QJsonObject& state) {
   const QJsonArray frames = state.value(QLatin1String("frames")).toArray();
   const double low = frames.at(0).toDouble(-1.0), high = frames.at(1).toDouble(-1.0);
   const Span whole = wholeShot();
-  shown_ = low >= whole.low && high > low && high <= whole.high ? Span{low, high} : whole;
+  const Span shown = low >= whole.low && high > low && high <= whole.high ? Span{low, high} : whole;
   setRows(rows.isArray() ? plotRowsFromJson(rows.toArray()) : firstPlotRows());
-  for (CurveChart* chart : charts_) chart->setShown(shown_); // also where the rows are the same as before
+  setShown(shown);
 }
 
 void PlotsPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   if (event->spontaneous()) return;
   refresh();
+  placeCharts();
   Q_EMIT shownChanged(true);
+}
+
+void PlotsPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  placeCharts();
 }
 
 void PlotsPanel::hideEvent(QHideEvent* event) {

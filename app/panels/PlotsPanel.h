@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <optional>
 #include <vector>
 
 class QHBoxLayout;
@@ -38,6 +39,11 @@ class PlotsPanel : public QWidget {
   void setChannel(IntermediateId id, int channel, bool shown);
   const std::vector<CurveChart*>& charts() const { return charts_; }
   void resetZoom();
+  /// Which frames are on show; all charts and whoever has their axis follow.
+  void setShown(const Span& frames);
+  Span shown() const { return shown_; }
+  /// Where the ruler of the timeline begins and ends, px of the screen: plots stand above it.
+  void setRuler(const Span& globalPx);
   /// Opens the list of intermediates.
   void chooseRow();
   /// What is missing of the frames on show.
@@ -61,17 +67,20 @@ class PlotsPanel : public QWidget {
   void shownChanged(bool shown);
   void seekRequested(int frame);
   void fillRequested(int first, int last);
+  void framesShown(const Span& frames);
   void failed(const QString& sentence);
 
  protected:
   void showEvent(QShowEvent*) override;
   void hideEvent(QHideEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
 
  private:
   void makeTop();
   void makeCharts();
   void makeChips();
   void connectChart(CurveChart* chart);
+  void placeCharts();
   void refresh();
   void refreshSoon();
   Span wholeShot() const { return {0.0, frameCount_ - 1.0}; }
@@ -84,7 +93,8 @@ class PlotsPanel : public QWidget {
   SpaceSettings space_; ///< of the settings that made the values
   std::vector<CurveChart*> charts_;
   Span shown_{0.0, 0.0};
-  QTimer refresh_; ///< while it plays, a few times a second are enough
+  std::optional<Span> ruler_; ///< px of the screen
+  QTimer refresh_;            ///< while it plays, a few times a second are enough
   QHBoxLayout* chips_ = nullptr;
   QVBoxLayout* column_ = nullptr;
   QLabel *summary_ = nullptr, *invitation_ = nullptr;

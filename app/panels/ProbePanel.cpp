@@ -123,9 +123,9 @@ QWidget* ProbePanel::makeConclusions() {
   summary_->setContentsMargins(2 * kUnit, 0, 2 * kUnit, 2 * kUnit);
   verdictDetails_ = new VerdictDetails;
   for (QWidget* part : {static_cast<QWidget*>(verdict_), static_cast<QWidget*>(summary_),
-                        static_cast<QWidget*>(verdictDetails_)})
+                        static_cast<QWidget*>(verdictDetails_), makeNeighbors()})
     column->addWidget(part);
-  auto* area = new FittingArea(5 * kRowHeight);
+  auto* area = new FittingArea(3 * kRowHeight);
   area->setWidget(content);
   content->setAutoFillBackground(false);
   return area;
@@ -137,7 +137,6 @@ QWidget* ProbePanel::makeValues() {
   column->setContentsMargins(0, 2 * kUnit, 0, 0);
   column->setSpacing(0);
   column->addWidget(makeConclusions());
-  column->addWidget(makeNeighbors());
   makeTable();
   column->addWidget(table_, 1);
   description_ = new QLabel;
@@ -146,9 +145,9 @@ QWidget* ProbePanel::makeValues() {
   description_->setWordWrap(true);
   description_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   description_->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
-  // Seven lines high whatever it says, so that the values stay where they are; in a low window three.
+  // Seven lines high whatever it says, so that the values stay where they are; in a low window one.
   const int line = QFontMetrics(secondaryFont()).lineSpacing();
-  auto* description = new FittingArea(3 * line + 2 * kUnit, 7 * line + 2 * kUnit);
+  auto* description = new FittingArea(line + 2 * kUnit, 7 * line + 2 * kUnit);
   description->setWidget(description_);
   description_->setAutoFillBackground(false);
   column->addWidget(new Line);

@@ -42,8 +42,23 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
   connect(timeline_, &Timeline::rangeEdited, this, [this](int first, int last) {
     setRange(FrameSpan{first, last});
   });
-  makeChoices();
-  makeReadouts();
+  // Two lines, so that the ruler is as long as it can be.
+  auto* lines = new QVBoxLayout;
+  lines->setSpacing(0);
+  layout->addLayout(lines);
+  auto* upper = new QHBoxLayout;
+  upper->setSpacing(2);
+  auto* lower = new QHBoxLayout;
+  lines->addLayout(upper);
+  lines->addLayout(lower);
+  makeChoices(upper);
+  makeFrameField(upper);
+  jitter_ = makeReadout(QStringLiteral("jitter 16 of 16 (−0.00, −0.00)"), lower);
+  jitter_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  jitter_->setToolTip(
+      tr("Place in the jitter pattern, and the displacement of the picture in px (x right, y down)"));
+  lower->addStretch(1);
+  time_ = makeReadout(QStringLiteral("t = 00.000 s"), lower);
 }
 
 void TimelinePanel::makeButtons() {
@@ -74,15 +89,15 @@ const std::vector<double>& TimelinePanel::rates() {
   return rates;
 }
 
-void TimelinePanel::makeChoices() {
-  const auto add = [this](const QString& name, const QString& tip) {
+void TimelinePanel::makeChoices(QBoxLayout* line) {
+  const auto add = [line](const QString& name, const QString& tip) {
     auto* button = new ChoiceButton;
     button->setFlat(true);
     button->setFont(secondaryFont());
     button->setAccessibleName(name);
     button->setToolTip(tip);
     button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    layout()->addWidget(button);
+    line->addWidget(button);
     return button;
   };
   speed_ = add(tr("Speed"), tr("How fast it plays (Ctrl+[ slower, Ctrl+] faster)"));
@@ -118,19 +133,20 @@ void TimelinePanel::showRates() {
   speed_->setCaption(speed_->current() >= 0 ? QString() : tr("%1×").arg(playback_.speed));
 }
 
-QLabel* TimelinePanel::makeReadout(const QString& widest) {
+QLabel* TimelinePanel::makeReadout(const QString& widest, QBoxLayout* line) {
   auto* label = new QLabel;
   label->setFont(numberFont());
   label->setMinimumWidth(QFontMetrics(numberFont()).horizontalAdvance(widest) + kUnit);
   label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  layout()->addWidget(label);
+  line->addWidget(label);
   return label;
 }
 
-void TimelinePanel::makeReadouts() {
+void TimelinePanel::makeFrameField(QBoxLayout* line) {
   auto* name = new QLabel(tr("frame"));
   name->setFont(secondaryFont());
-  layout()->addWidget(name);
+  line->addStretch(1);
+  line->addWidget(name);
   frame_ = new NumberField({0, 1, true});
   frame_->setAccessibleName(tr("Frame"));
   frame_->setObjectName(QStringLiteral("frame"));
@@ -138,13 +154,9 @@ void TimelinePanel::makeReadouts() {
   frame_->setMaximumWidth(56);
   connect(frame_, &NumberField::valueEdited, this,
           [this](double value) { Q_EMIT seekRequested(static_cast<int>(value)); });
-  layout()->addWidget(frame_);
-  count_ = makeReadout(QStringLiteral("of 000"));
+  line->addWidget(frame_);
+  count_ = makeReadout(QStringLiteral("of 000"), line);
   count_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  jitter_ = makeReadout(QStringLiteral("jitter 16 of 16 (−0.00, −0.00)"));
-  jitter_->setToolTip(
-      tr("Place in the jitter pattern, and the displacement of the picture in px (x right, y down)"));
-  time_ = makeReadout(QStringLiteral("t = 00.000 s"));
 }
 
 void TimelinePanel::setStatus(const Status& status) {

@@ -12,6 +12,7 @@
 #include <optional>
 #include <vector>
 
+class QBoxLayout;
 class QLabel;
 
 namespace taa::app {
@@ -70,9 +71,9 @@ class TimelinePanel : public QWidget {
  private:
   void makeButtons();
   void offerMetrics(const QPoint& place);
-  void makeChoices();
-  void makeReadouts();
-  QLabel* makeReadout(const QString& widest);
+  void makeChoices(QBoxLayout* line);
+  void makeFrameField(QBoxLayout* line);
+  QLabel* makeReadout(const QString& widest, QBoxLayout* line);
   ShotNotes& notes();
   void setPlayback(const Playback& playback);
   void setRange(std::optional<FrameSpan> range);

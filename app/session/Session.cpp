@@ -184,6 +184,10 @@ void Session::fillTraces(int first, int last) {
   outbox_.post(request::FillTraces{first, last});
 }
 
+void Session::traceInIdleTime(int first, int last) {
+  outbox_.post(request::TraceInIdleTime{first, last});
+}
+
 void Session::setLineage(int frames) {
   outbox_.post(request::SetLineage{frames});
 }

@@ -71,6 +71,7 @@ class Session : public QObject {
   void setPlayback(const Playback& playback);
   void setTracing(bool tracing);
   void fillTraces(int first, int last);
+  void traceInIdleTime(int first, int last);
   void setLineage(int frames); ///< see request::SetLineage
   void seek(int frame);
   void step(int frames); ///< pauses

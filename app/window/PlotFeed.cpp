@@ -6,9 +6,11 @@
 #include "app/panels/TimelinePanel.h"
 #include "app/panels/WeightsPanel.h"
 #include "app/session/Session.h"
+#include "app/views/timeline/Timeline.h"
 #include "core/render/CaptureFacts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -18,6 +20,7 @@ namespace taa::app {
 PlotFeed::PlotFeed(Session& session, const Panels& to) : session_(session), to_(to) {
   connectTraces();
   connectMetrics();
+  connectRuler();
 }
 
 void PlotFeed::connectTraces() {
@@ -37,6 +40,35 @@ void PlotFeed::connectTraces() {
           [this] { to_.plots.setFilling(session_.work().kind == WorkKind::Traces); });
 }
 
+// Plots and timeline have one axis: the same frames at the same places.
+void PlotFeed::connectRuler() {
+  Timeline* ruler = to_.timeline.timeline();
+  connect(ruler, &Timeline::moved, this, &PlotFeed::placeAboveRuler);
+  connect(ruler, &Timeline::shownChanged, &to_.plots, &PlotsPanel::setShown);
+  connect(&to_.plots, &PlotsPanel::framesShown, this, [this, ruler](const Span& frames) {
+    ruler->setShown(frames);
+    fillInIdleTime();
+  });
+}
+
+void PlotFeed::placeAboveRuler() {
+  const Timeline& ruler = *to_.timeline.timeline();
+  const TimelineScale scale = ruler.scale();
+  const double left = ruler.mapToGlobal(QPoint(0, 0)).x() + scale.left;
+  to_.plots.setRuler({left, left + scale.width});
+}
+
+// What is on show of the active shot, as long as somebody looks at curves over all of it.
+void PlotFeed::fillInIdleTime() {
+  const Status& status = session_.status();
+  if (!to_.plots.isVisible() || session_.probes().all().empty() || status.frameCount == 0) return;
+  const Asked asked{status.shotVersion, session_.probes().all(), to_.plots.shown()};
+  if (asked == asked_) return;
+  asked_ = asked;
+  session_.traceInIdleTime(static_cast<int>(std::floor(asked.frames.low)),
+                           static_cast<int>(std::ceil(asked.frames.high)));
+}
+
 void PlotFeed::connectMetrics() {
   connect(&to_.timeline, &TimelinePanel::metricChosen, this, [this](std::optional<Metric> metric) {
     session_.setMetrics(metric ? std::vector<Metric>{*metric} : std::vector<Metric>());
@@ -51,12 +83,14 @@ void PlotFeed::connectMetrics() {
 void PlotFeed::showTraces() {
   session_.setTracing(to_.plots.isVisible() || to_.jitter.isVisible() || to_.weights.isVisible());
   to_.plots.setProbes(session_.probes().all(), session_.probes().active());
+  placeAboveRuler();
   showAlphas();
 }
 
 // What jitter and weights are drawn from.
 void PlotFeed::showAlphas() {
   to_.plots.setStatus(session_.status());
+  fillInIdleTime();
   if (metrics_.setShotVersion(session_.status().shotVersion)) showMetric();
   if (!to_.jitter.isVisible() && !to_.weights.isVisible()) return;
   const Status& status = session_.status();

@@ -4,7 +4,14 @@
 
 #include "app/models/MetricSeries.h"
 
+#include "core/probe/Probe.h"
+
 #include <QObject>
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace taa {
 struct TraceDelivery;
@@ -35,12 +42,23 @@ class PlotFeed : public QObject {
  private:
   void connectTraces();
   void connectMetrics();
+  void connectRuler();
   void showTraces();
   void showMetric();
+  void placeAboveRuler();
+  void fillInIdleTime();
 
   Session& session_;
   Panels to_;
   MetricSeries metrics_;
+  /// What was asked for in idle time, so that it does not come again after somebody has stopped it.
+  struct Asked {
+    std::uint64_t shotVersion = 0;
+    std::vector<Probe> probes;
+    Span frames;
+    bool operator==(const Asked&) const = default;
+  };
+  std::optional<Asked> asked_;
 };
 
 } // namespace taa::app

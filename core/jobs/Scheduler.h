@@ -69,7 +69,8 @@ class Scheduler {
   // The first one that is due comes first.
   auto jobs() {
     return std::to_array<Job*>({&exporting_, &replay_, &comparing_, &costing_, &play_, &traces_, &lineage_,
-                                &compiling_, &thumbnails_, &reference_, &overTime_, &judging_, &metrics_});
+                                &compiling_, &thumbnails_, &reference_, &overTime_, &judging_, &metrics_,
+                                &idleTraces_});
   }
 
   Desk desk_;
@@ -86,6 +87,7 @@ class Scheduler {
   CompilingAhead compiling_{desk_, transport_};
   ThumbnailDrawing thumbnails_{desk_, transport_};
   Traces traces_{desk_, transport_, wanted_};
+  TracesInIdleTime idleTraces_{traces_};
   FollowingSamples lineage_{desk_, transport_, wanted_};
   ReferenceDrawing reference_{desk_, transport_, wanted_};
   MeasuringOverTime overTime_{desk_, transport_, wanted_};

@@ -281,6 +281,13 @@ struct FillTraces {
   static constexpr RequestRule kRule{.kind = RequestKind::Traces};
 };
 
+/// The frames from `first` to `last` are filled in where nothing else is to be done, until it is cancelled;
+/// `last` before `first`: none.
+struct TraceInIdleTime {
+  int first = 0, last = -1;
+  static constexpr RequestRule kRule{.kind = RequestKind::Traces};
+};
+
 /// From now on the samples that the active probe's pixel is made of are delivered, of each exact frame on
 /// show that is not played, in the first lane.
 struct SetLineage {
@@ -322,8 +329,8 @@ using Request =
                  request::SetViews, request::SetProbes, request::SetCheckpointBudget, request::SetSceneBudget,
                  request::SetProfiling, request::MeasureStages, request::SetThumbnails,
                  request::SetReferenceSamples, request::FindWorst, request::SetLineage, request::SetMetrics,
-                 request::SetTracing, request::FillTraces, request::SetVerdicts, request::ReloadShaders,
-                 request::Cancel, request::ExportSequence>;
+                 request::SetTracing, request::FillTraces, request::TraceInIdleTime, request::SetVerdicts,
+                 request::ReloadShaders, request::Cancel, request::ExportSequence>;
 
 inline const RequestRule& ruleOf(const Request& request) {
   return std::visit([](const auto& each) -> const RequestRule& { return each.kRule; }, request);

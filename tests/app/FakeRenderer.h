@@ -39,6 +39,7 @@ class FakeRenderer final : public Renderer {
   std::optional<Settings> prepared; ///< the last ones
   bool holdsBack = false;           ///< does what is asked and answers nothing
   bool isLooping = true, profiling = false, tracing = false;
+  request::TraceInIdleTime idleTraces;     ///< only noted
   glm::ivec2 thumbnails{0};                ///< size wanted
   std::vector<Metric> metrics;             ///< wanted; the value of each is 0.01 times the frame
   bool verdicts = false;                   ///< wanted
@@ -83,6 +84,7 @@ class FakeRenderer final : public Renderer {
   void take(const request::SetLineage& asked);
   void take(const request::SetTracing& asked);
   void take(const request::FillTraces& asked);
+  void take(const request::TraceInIdleTime& asked) { idleTraces = asked; }
   void take(const request::Prepare& asked) { prepared = asked.settings; }
   void take(const request::SetVerdicts& asked);
   void take(const request::SetLooping& asked) { isLooping = asked.looping; }

@@ -67,6 +67,9 @@ void expectNoOverlap(const QWidget& window) {
   }
 }
 
+/// The smallest screen it is made for, logical px.
+constexpr QSize kSmallestScreen(1024, 600);
+
 class Layout : public test::FakeWindow, public testing::WithParamInterface<std::pair<int, int>> {};
 
 } // namespace
@@ -92,6 +95,24 @@ TEST_P(Layout, CutsNoTextAndOverlapsNothingWithTheProfiler) {
   settle();
   expectNothingIsCut(window);
   expectNoOverlap(window);
+}
+
+using SmallScreen = test::FakeWindow;
+
+TEST_F(SmallScreen, HoldsTheWindowWithEachOfItsPages) {
+  session.probes().setPixel(glm::ivec2(12, 7));
+  settle();
+  for (int page = 0; page < kLowerPageCount; ++page)
+    for (const ProbeTab tab : {ProbeTab::Values, ProbeTab::ColorSpace, ProbeTab::WhatIf}) {
+      window.lower()->setShown(static_cast<LowerPage>(page), true);
+      window.probe()->setTab(tab);
+      window.resize(kSmallestScreen);
+      settle();
+      const std::string where = lowerPageId(static_cast<LowerPage>(page)).toStdString() + " " +
+                                std::to_string(static_cast<int>(tab));
+      EXPECT_EQ(window.width(), kSmallestScreen.width()) << where;
+      EXPECT_EQ(window.height(), kSmallestScreen.height()) << where;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Layout,

@@ -25,31 +25,47 @@ QString tickText(double tick) {
 
 } // namespace
 
-void ChartAxes::layOut(const ChartAxis& x, const ChartAxis& y, const QRectF& area) {
+void ChartAxes::layOut(const ChartAxis& x, const ChartAxis& y, const QRectF& area,
+                       std::optional<Span> edges) {
   x_ = x;
   y_ = y;
   area_ = area;
   labels_.clear();
   const QFontMetricsF metrics(secondaryFont());
   const double line = metrics.height();
+  if (edges) {
+    plot_ = QRectF(edges->low, area.top() + 0.5 * line, edges->length(), std::max(area.height() - line, 1.0));
+    return labelRows();
+  }
   // Charts above each other have one left edge unless a label is wider than most.
   double widest = metrics.horizontalAdvance(QStringLiteral("0.0000"));
   for (const double tick : ticksOf(y.range, y.step))
     widest = std::max(widest, metrics.horizontalAdvance(tickText(tick)));
   plot_ = area.adjusted(widest + kAxisGap + (y.title.isEmpty() ? 0.0 : line), 0.5 * line, 0.0,
                         -line - kAxisGap - (x.title.isEmpty() ? 0.0 : line));
-  for (const double tick : ticksOf(y.range, y.step)) {
+  labelRows();
+  labelColumns();
+}
+
+void ChartAxes::labelRows() {
+  const QFontMetricsF metrics(secondaryFont());
+  const double line = metrics.height();
+  for (const double tick : ticksOf(y_.range, y_.step)) {
     const double width = metrics.horizontalAdvance(tickText(tick));
-    const double middle = pointOf({x.range.low, tick}).y();
+    const double middle = pointOf({x_.range.low, tick}).y();
     labels_.push_back({tickText(tick), {plot_.left() - kAxisGap - width, middle - 0.5 * line, width, line}});
   }
-  for (const double tick : ticksOf(x.range, x.step)) {
+}
+
+void ChartAxes::labelColumns() {
+  const QFontMetricsF metrics(secondaryFont());
+  for (const double tick : ticksOf(x_.range, x_.step)) {
     const double width = metrics.horizontalAdvance(tickText(tick));
     // Neither beside the lowest label of the other axis nor over the edge.
     const double left =
         std::max(plot_.left() - kAxisGap,
-                 std::min(pointOf({tick, y.range.low}).x() - 0.5 * width, area.right() - width));
-    labels_.push_back({tickText(tick), {left, plot_.bottom() + kAxisGap, width, line}});
+                 std::min(pointOf({tick, y_.range.low}).x() - 0.5 * width, area_.right() - width));
+    labels_.push_back({tickText(tick), {left, plot_.bottom() + kAxisGap, width, metrics.height()}});
   }
 }
 

@@ -6,6 +6,7 @@
 #include <QRectF>
 #include <QString>
 
+#include <optional>
 #include <vector>
 
 class QPainter;
@@ -28,8 +29,9 @@ struct ChartLabel {
 /// Laid out once for a size and ranges, then asked and painted.
 class ChartAxes {
  public:
-  /// `area`: what plot and labels share.
-  void layOut(const ChartAxis& x, const ChartAxis& y, const QRectF& area);
+  /// `area`: what plot and labels share. `edges`: where the plot begins and ends from left to right, of a
+  /// chart below or above which another one has the labels of x; none: it makes room for its own labels.
+  void layOut(const ChartAxis& x, const ChartAxis& y, const QRectF& area, std::optional<Span> edges = {});
   const ChartAxis& x() const { return x_; }
   const ChartAxis& y() const { return y_; }
   /// Inside the labels.
@@ -39,6 +41,9 @@ class ChartAxes {
   void paint(QPainter& painter, const ThemeColors& colors) const;
 
  private:
+  void labelRows();
+  void labelColumns();
+
   ChartAxis x_, y_;
   QRectF area_, plot_;
   std::vector<ChartLabel> labels_;

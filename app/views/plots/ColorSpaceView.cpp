@@ -132,7 +132,7 @@ struct ColorSpaceView::Content {
 ColorSpaceView::ColorSpaceView(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setFont(secondaryFont());
-  setMinimumSize(240, 300);
+  setMinimumSize(240, 120);
   setCursor(Qt::OpenHandCursor);
   setAccessibleName(tr("Color space plot"));
 }

@@ -19,12 +19,14 @@ constexpr int kDragStart = 5; ///< px that the mouse moves before it is a drag
 constexpr double kMinSpan = 4.0, kZoomStep = 1.25;
 constexpr double kColumnSpace = 56.0, kValueSpace = 28.0; ///< px between ticks at least
 constexpr double kDotRadius = 2.5;                        ///< px
+constexpr int kLowest = 72, kLowestBeside = 40;           ///< px; less where nothing stands above the curves
+constexpr double kTickRoom = 48.0;                        ///< px left of the plot, where values of y stand
 } // namespace
 
 CurveChart::CurveChart(const QString& title, const QString& xTitle, QWidget* parent)
     : QWidget(parent), title_(title), xTitle_(xTitle) {
   setFocusPolicy(Qt::NoFocus);
-  setMinimumSize(180, 72);
+  setMinimumSize(180, kLowest);
   setMouseTracking(true);
   setAccessibleName(title);
   setToolTip(tr("Click to go there; drag or turn the wheel to zoom, double-click to see all."));
@@ -46,6 +48,14 @@ void CurveChart::setMarks(std::vector<ChartMark> marks) {
 void CurveChart::setPlayhead(std::optional<double> x) {
   playhead_ = x;
   update();
+}
+
+void CurveChart::setEdges(const Span& edges) {
+  if (edges_ == edges) return;
+  edges_ = edges;
+  setMinimumHeight(kLowestBeside);
+  layOutLegend();
+  fitAxes();
 }
 
 void CurveChart::setHovered(std::optional<double> x) {
@@ -73,13 +83,14 @@ void CurveChart::fitAxes() {
   for (const Curve& curve : curves_)
     if (const auto values = valueSpan(curve.points, shown_))
       span = span ? Span{std::min(span->low, values->low), std::max(span->high, values->high)} : *values;
-  const int rows = std::max(2, static_cast<int>((height() - 2 * legend_.height()) / kValueSpace));
+  const int fewest = height() < 2 * kValueSpace ? 1 : 2;
+  const int rows = std::max(fewest, static_cast<int>((height() - 2 * legend_.height()) / kValueSpace));
   const Span scale = roundedSpan(span.value_or(Span{}), rows);
   const int columns = std::max(2, static_cast<int>(width() / kColumnSpace));
   const Span frames{shown_.low, std::max(shown_.high, shown_.low + 1e-9)};
   axes_.layOut({frames, std::max(1.0, roundStep(shown_.length(), columns))},
                {scale, roundStep(scale.length(), rows)},
-               QRectF(rect()).adjusted(kUnit, legend_.height(), -2.0 * kUnit, -1.0));
+               QRectF(rect()).adjusted(kUnit, legend_.height(), -2.0 * kUnit, -1.0), edges_);
   update();
 }
 
@@ -114,6 +125,9 @@ QString CurveChart::readout() const {
 
 // Room for the legend above the curves: as many lines as their names take.
 void CurveChart::layOutLegend() {
+  if (edges_)
+    return legend_.layOutBeside(curves_, edges_->low - kTickRoom, edges_->high + 3.0 * kUnit,
+                                width() - 2.0 * kUnit);
   const double place = QFontMetricsF(secondaryFont()).horizontalAdvance(xTitle_ + QStringLiteral(" 00000"));
   legend_.layOut(title_, curves_, width(), place);
 }

@@ -25,6 +25,9 @@ class CurveChart : public QWidget, public Draggable {
   void setMarks(std::vector<ChartMark> marks);
   const std::vector<ChartMark>& marks() const { return marks_; }
   void setPlayhead(std::optional<double> x);
+  /// Where its plot begins and ends, px: in line with something else that has the labels of x. Names and
+  /// values then stand beside the plot.
+  void setEdges(const Span& edges);
   /// All there is to see.
   void setBounds(const Span& all);
   void setShown(const Span& shown);
@@ -70,6 +73,7 @@ class CurveChart : public QWidget, public Draggable {
   CurveLegend legend_;
   std::vector<ChartMark> marks_;
   Span all_, shown_;
+  std::optional<Span> edges_;
   std::optional<double> playhead_, hovered_;
   std::optional<double> pressedX_; ///< view px
   double draggedX_ = 0.0;

@@ -38,6 +38,8 @@ std::vector<double> CurveLegend::widthsOf(const std::vector<Curve>& curves) cons
 
 void CurveLegend::layOut(const QString& title, const std::vector<Curve>& curves, double width,
                          double placeWidth) {
+  titleEnd_.reset();
+  left_ = kLegendMargin;
   width_ = width - 2.0 * kLegendMargin;
   const double start = metrics().horizontalAdvance(title) + kTitleGap, firstEnd = width_ - placeWidth;
   for (const bool isShortened : {false, true}) {
@@ -48,8 +50,36 @@ void CurveLegend::layOut(const QString& title, const std::vector<Curve>& curves,
   }
 }
 
+void CurveLegend::layOutBeside(const std::vector<Curve>& curves, double titleEnd, double left, double right) {
+  titleEnd_ = titleEnd;
+  left_ = left;
+  width_ = right - left;
+  for (const bool isShortened : {false, true}) {
+    isShortened_ = isShortened;
+    places_ = placeLegend(widthsOf(curves), 0.0, width_, width_);
+    lines_ = places_.empty() ? 0 : places_.back().line + 1;
+    if (lines_ <= 1) return;
+  }
+}
+
 double CurveLegend::height() const {
-  return lines_ * kLineHeight;
+  return titleEnd_ ? 0.0 : lines_ * kLineHeight;
+}
+
+void CurveLegend::paintEntry(QPainter& painter, const ThemeColors& colors, const Curve& curve,
+                             const LegendPlace& place, std::optional<double> x) const {
+  const double sample = isShortened_ ? kShortSample : kLongSample;
+  const double baseline = kFirstBaseline + place.line * kLineHeight;
+  double left = left_ + place.left;
+  painter.setPen(QPen(curve.color, 1.5, curve.dash, Qt::FlatCap));
+  painter.drawLine(QPointF(left, baseline - 4.0), QPointF(left + sample, baseline - 4.0));
+  left += sample + kUnit;
+  painter.setPen(colors.secondary);
+  painter.drawText(QPointF(left, baseline), nameOf(curve));
+  left += metrics().horizontalAdvance(nameOf(curve)) + kUnit;
+  painter.setPen(colors.text);
+  if (const auto value = x ? valueAt(curve.points, *x) : std::nullopt)
+    painter.drawText(QPointF(left, baseline), shortText(*value, 4));
 }
 
 void CurveLegend::paint(QPainter& painter, const ThemeColors& colors, const QString& title,
@@ -57,29 +87,22 @@ void CurveLegend::paint(QPainter& painter, const ThemeColors& colors, const QStr
                         const QString& place) const {
   painter.setFont(secondaryFont());
   painter.setPen(colors.text);
-  painter.drawText(QPointF(kLegendMargin, kFirstBaseline), title);
+  const double titleWidth = titleEnd_ ? *titleEnd_ - kLegendMargin : width_;
+  painter.drawText(QPointF(kLegendMargin, kFirstBaseline),
+                   metrics().elidedText(title, Qt::ElideRight, titleWidth));
   const std::vector<double> widths = widthsOf(curves);
-  double firstEnd = metrics().horizontalAdvance(title) + kTitleGap;
-  const double sample = isShortened_ ? kShortSample : kLongSample;
+  double lineEnd = titleEnd_ ? 0.0 : metrics().horizontalAdvance(title) + kTitleGap;
+  // `place` stands at the right: below a single line, else in the last one.
+  const int placeLine = !titleEnd_ ? 0 : lines_ == 1 ? 1 : std::max(0, lines_ - 1);
   for (std::size_t index = 0; index < std::min(curves.size(), places_.size()); ++index) {
-    const Curve& curve = curves[index];
-    const double baseline = kFirstBaseline + places_[index].line * kLineHeight;
-    double left = kLegendMargin + places_[index].left;
-    if (places_[index].line == 0) firstEnd = places_[index].left + widths[index];
-    painter.setPen(QPen(curve.color, 1.5, curve.dash, Qt::FlatCap));
-    painter.drawLine(QPointF(left, baseline - 4.0), QPointF(left + sample, baseline - 4.0));
-    left += sample + kUnit;
-    painter.setPen(colors.secondary);
-    painter.drawText(QPointF(left, baseline), nameOf(curve));
-    left += metrics().horizontalAdvance(nameOf(curve)) + kUnit;
-    painter.setPen(colors.text);
-    if (const auto value = x ? valueAt(curve.points, *x) : std::nullopt)
-      painter.drawText(QPointF(left, baseline), shortText(*value, 4));
+    paintEntry(painter, colors, curves[index], places_[index], x);
+    if (places_[index].line == placeLine) lineEnd = places_[index].left + widths[index];
   }
-  const QString shown = metrics().elidedText(place, Qt::ElideRight, width_ - firstEnd);
+  const QString shown = metrics().elidedText(place, Qt::ElideRight, width_ - lineEnd);
   painter.setPen(colors.secondary);
-  painter.drawText(QPointF(kLegendMargin + width_ - metrics().horizontalAdvance(shown), kFirstBaseline),
-                   shown);
+  painter.drawText(
+      QPointF(left_ + width_ - metrics().horizontalAdvance(shown), kFirstBaseline + placeLine * kLineHeight),
+      shown);
 }
 
 } // namespace taa::app

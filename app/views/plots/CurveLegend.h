@@ -1,4 +1,4 @@
-// The lines above the curves of a chart: their names, dashes and values.
+// The lines above the curves of a chart, or beside them: their names, dashes and values.
 #pragma once
 
 #include "app/models/ChartMath.h"
@@ -22,6 +22,10 @@ class CurveLegend {
   /// Places the curves in lines of `width`; `placeWidth` is kept for where the values are from, on the right
   /// of the first line.
   void layOut(const QString& title, const std::vector<Curve>& curves, double width, double placeWidth);
+  /// Places them in lines right of the plot, from `left` to `right`; the title stands left of it and ends at
+  /// `titleEnd`.
+  void layOutBeside(const std::vector<Curve>& curves, double titleEnd, double left, double right);
+  /// Of the lines above the plot; 0 where they stand beside it.
   double height() const;
   int lines() const { return lines_; }
   bool isShortened() const { return isShortened_; }
@@ -32,10 +36,13 @@ class CurveLegend {
 
  private:
   std::vector<double> widthsOf(const std::vector<Curve>& curves) const;
+  void paintEntry(QPainter& painter, const ThemeColors& colors, const Curve& curve, const LegendPlace& place,
+                  std::optional<double> x) const;
   const QString& nameOf(const Curve& curve) const;
 
   std::vector<LegendPlace> places_;
-  double width_ = 0.0;
+  double left_ = 0.0, width_ = 0.0;
+  std::optional<double> titleEnd_; ///< only beside the plot
   int lines_ = 1;
   bool isShortened_ = false;
 };

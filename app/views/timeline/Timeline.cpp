@@ -11,6 +11,7 @@
 #include <QWheelEvent>
 
 #include <algorithm>
+#include <cmath>
 
 namespace taa::app {
 
@@ -24,8 +25,9 @@ constexpr int kHeadHeight = 10;
 constexpr int kTimelineHeight = kHeadTop + kHeadHeight + 2;
 constexpr int kStripTop = kTimelineHeight + 1, kStripHeight = 22;
 constexpr double kHandleWidth = 7;
-constexpr double kRulerTickSpace = 5; ///< least distance of ticks
-constexpr double kLabelSpace = 56;    ///< and of labels
+constexpr double kRulerTickSpace = 5;               ///< least distance of ticks
+constexpr double kLabelSpace = 56;                  ///< and of labels
+constexpr double kMinShown = 4.0, kZoomStep = 1.25; ///< frames; for each notch of the wheel
 } // namespace
 
 Timeline::Timeline(QWidget* parent) : QWidget(parent) {
@@ -42,8 +44,35 @@ QSize Timeline::sizeHint() const {
 }
 
 void Timeline::setFrameCount(int count) {
+  if (count == frameCount_) return;
   frameCount_ = std::max(1, count);
+  shown_.reset();
   update();
+}
+
+void Timeline::setShown(const Span& frames) {
+  const Span all{0.0, frameCount_ - 1.0};
+  const std::optional<Span> shown = frames == all ? std::nullopt : std::optional<Span>(frames);
+  if (shown == shown_) return;
+  shown_ = shown;
+  update();
+  Q_EMIT shownChanged(scale().frames());
+}
+
+void Timeline::zoom(double notches, double x) {
+  const Span all{0.0, frameCount_ - 1.0}, now = scale().frames();
+  const double center = now.low + (x - scale().left) / scale().spacing();
+  setShown(zoomed(now, all, std::pow(kZoomStep, notches), center, kMinShown));
+}
+
+void Timeline::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  Q_EMIT moved();
+}
+
+void Timeline::moveEvent(QMoveEvent* event) {
+  QWidget::moveEvent(event);
+  Q_EMIT moved();
 }
 
 void Timeline::setFrame(int frame) {
@@ -93,7 +122,7 @@ void Timeline::setStrip(const TimelineStrip& strip) {
 }
 
 TimelineScale Timeline::scale() const {
-  return {frameCount_, kRulerMargin, width() - 2 * kRulerMargin};
+  return {frameCount_, kRulerMargin, width() - 2 * kRulerMargin, shown_};
 }
 
 QRectF Timeline::handle(bool isLast) const {
@@ -303,6 +332,8 @@ void Timeline::leaveEvent(QEvent*) {
 }
 
 void Timeline::wheelEvent(QWheelEvent* event) {
+  if (event->modifiers().testFlag(Qt::ControlModifier))
+    return zoom(event->angleDelta().y() / 120.0, event->position().x());
   const int steps = event->angleDelta().y() / 120;
   if (steps != 0) Q_EMIT stepRequested(-steps);
 }
@@ -311,7 +342,8 @@ bool Timeline::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   QStringList lines{textAt(scale().frameAt(help->pos().x()))};
-  lines << tr("Click or drag to go to a frame; the wheel steps. Drag the brackets to repeat a part.");
+  lines << tr("Click or drag to go to a frame; the wheel steps, with Ctrl it zooms. Drag the "
+              "brackets to repeat a part.");
   QToolTip::showText(help->globalPos(), lines.join(QLatin1Char('\n')), this);
   return true;
 }

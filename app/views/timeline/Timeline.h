@@ -23,6 +23,8 @@ class Timeline : public QWidget, public Draggable {
 
   void setFrameCount(int count);
   void setFrame(int frame);
+  /// Which frames the ruler shows; the whole shot where they are all of it.
+  void setShown(const Span& frames);
   int frame() const { return frame_; }
   void setCuts(const std::vector<int>& cuts);
   void setRestarts(const std::vector<int>& frames);
@@ -47,6 +49,9 @@ class Timeline : public QWidget, public Draggable {
   void seekRequested(int frame);
   void stepRequested(int frames);
   void rangeEdited(int first, int last);
+  void shownChanged(const Span& frames);
+  /// The ruler lies somewhere else or is as long as it was not before.
+  void moved();
 
  protected:
   void paintEvent(QPaintEvent*) override;
@@ -55,11 +60,14 @@ class Timeline : public QWidget, public Draggable {
   void mouseReleaseEvent(QMouseEvent*) override;
   void leaveEvent(QEvent*) override;
   void wheelEvent(QWheelEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
+  void moveEvent(QMoveEvent*) override;
   bool event(QEvent*) override;
 
  private:
   void seekTo(double x);
   void dragRange(double x);
+  void zoom(double notches, double x);
   void paintTicks(QPainter& painter) const;
   void paintKept(QPainter& painter) const;
   void paintRange(QPainter& painter) const;
@@ -71,6 +79,7 @@ class Timeline : public QWidget, public Draggable {
   std::vector<int> cuts_, restarts_, kept_;
   std::map<int, QString> marks_;
   std::optional<std::pair<int, int>> range_;
+  std::optional<Span> shown_; ///< none: the whole shot
   TimelineStrip strip_;
   int dragged_ = -1;   ///< frame under a drag: shown before the picture has followed
   int pressFrame_ = 0; ///< on show when the drag began

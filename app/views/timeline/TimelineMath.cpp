@@ -6,16 +6,21 @@
 namespace taa::app {
 
 double TimelineScale::spacing() const {
-  return frameCount > 1 ? width / (frameCount - 1) : width;
+  const Span span = frames();
+  return span.length() > 0.0 ? width / span.length() : width;
+}
+
+Span TimelineScale::frames() const {
+  return shown.value_or(Span{0.0, frameCount - 1.0});
 }
 
 double TimelineScale::position(int frame) const {
-  return left + frame * spacing();
+  return left + (frame - frames().low) * spacing();
 }
 
 int TimelineScale::frameAt(double position) const {
   if (frameCount <= 1 || width <= 0) return 0;
-  const double frame = std::round((position - left) / spacing());
+  const double frame = std::round(frames().low + (position - left) / spacing());
   return static_cast<int>(std::clamp(frame, 0.0, frameCount - 1.0));
 }
 
@@ -29,9 +34,11 @@ int TimelineScale::tickStep(double least) const {
 }
 
 std::vector<int> TimelineScale::ticks(int step) const {
-  std::vector<int> frames;
-  for (int frame = 0; frame < frameCount; frame += step) frames.push_back(frame);
-  return frames;
+  const int first = static_cast<int>(std::ceil(frames().low / step)) * step;
+  const int last = static_cast<int>(std::floor(frames().high));
+  std::vector<int> multiples;
+  for (int frame = first; frame <= last; frame += step) multiples.push_back(frame);
+  return multiples;
 }
 
 std::vector<std::pair<int, int>> runsOfFrames(const std::vector<int>& frames) {

@@ -14,7 +14,18 @@ void Traces::take(const request::SetTracing& wanted) {
   isWanted_ = wanted.on;
   known_.clear();
   filling_.reset();
+  inIdleTime_.reset();
   cursor_ = {};
+}
+
+void Traces::take(const request::TraceInIdleTime& wanted) {
+  inIdleTime_ = {wanted.first, wanted.last};
+  firstUnsure_ = std::max(0, wanted.first);
+}
+
+void Traces::take(const request::Cancel&) {
+  inIdleTime_.reset();
+  end();
 }
 
 void Traces::settle() {
@@ -22,6 +33,7 @@ void Traces::settle() {
     shotVersion_ = desk_.shotVersion();
     known_.clear();
     cursor_ = {};
+    if (inIdleTime_) firstUnsure_ = std::max(0, inIdleTime_->first);
   }
   if (transport_.isPlaying()) end();
 }
@@ -67,15 +79,36 @@ void Traces::fill() {
   const int last = std::min(filling_->second, desk_.inspector.shot().frameCount() - 1);
   const int first = std::clamp(filling_->first, 0, last);
   for (int frame = first; frame <= last; ++frame) {
-    const std::vector<Probe> missing = missingAt(frame);
-    if (missing.empty()) continue;
+    if (missingAt(frame).empty()) continue;
     desk_.tellWork(WorkKind::Traces, say<"Tracing the probes">(), frame - first, last - first + 1);
-    const auto goesOn = [this](std::string_view, int, int) { return !desk_.waiting().any(); };
-    const auto samples = desk_.inspector.probes().traceFrame(frame, missing, cursor_, goesOn);
-    for (std::size_t probe = 0; probe < missing.size(); ++probe)
-      deliver(missing[probe], frame, samples[probe]);
+    trace(frame);
     if (desk_.waiting().any()) throw Cancelled();
   }
+}
+
+void Traces::trace(int frame) {
+  const std::vector<Probe> missing = missingAt(frame);
+  const auto goesOn = [this](std::string_view, int, int) { return !desk_.waiting().any(); };
+  const auto samples = desk_.inspector.probes().traceFrame(frame, missing, cursor_, goesOn);
+  for (std::size_t probe = 0; probe < missing.size(); ++probe) deliver(missing[probe], frame, samples[probe]);
+}
+
+std::optional<int> Traces::firstMissing() {
+  const int last = std::min(inIdleTime_->second, desk_.inspector.shot().frameCount() - 1);
+  for (; firstUnsure_ <= last; ++firstUnsure_)
+    for (const Probe& probe : wanted_.probes.all)
+      if (!framesOf(probe).contains(firstUnsure_)) return firstUnsure_;
+  return {};
+}
+
+bool Traces::isMissingOne() {
+  return inIdleTime_ && isWanted_ && desk_.isOpen() && !transport_.isPlaying() && firstMissing();
+}
+
+// A frame that cannot be made is not tried again.
+void Traces::makeOne() {
+  const bool isDone = desk_.attempt(RequestKind::Traces, [this] { trace(*firstMissing()); });
+  if (!isDone && !desk_.waiting().any()) inIdleTime_.reset();
 }
 
 } // namespace taa

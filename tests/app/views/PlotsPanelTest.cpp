@@ -3,8 +3,10 @@
 #include "app/panels/PlotsPanel.h"
 
 #include "app/panels/LowerArea.h"
+#include "app/panels/TimelinePanel.h"
 #include "app/panels/WeightsPanel.h"
 #include "app/views/plots/CurveChart.h"
+#include "app/views/timeline/Timeline.h"
 #include "core/report/TraceText.h"
 #include "tests/app/WindowFixture.h"
 
@@ -32,6 +34,8 @@ class Plots : public test::FakeWindow {
     session.probes().setPixel(glm::ivec2(3, 2));
     settle();
     key(Qt::Key_F6);
+    plots()->setRows(
+        {{IntermediateId::alpha}, {IntermediateId::clipAmount}, {IntermediateId::historyLength}});
     refresh();
   }
   /// Charts follow a few times a second.
@@ -57,7 +61,6 @@ class Plots : public test::FakeWindow {
 } // namespace
 
 TEST_F(Plots, EveryFrameThatIsShownAddsAPoint) {
-  ASSERT_EQ(plots()->rows().front().id, IntermediateId::alpha);
   for (const int frame : {5, 6, 9}) goTo(frame);
   ASSERT_EQ(chart()->curves().size(), 1u);
   ASSERT_TRUE(test::waitFor([&] { return valueAt(chart()->curves()[0].points, 9).has_value(); }, 5000));
@@ -66,6 +69,55 @@ TEST_F(Plots, EveryFrameThatIsShownAddsAPoint) {
     EXPECT_EQ(valueAt(points, frame), static_cast<double>(test::FakeRenderer::valueAt(3, 2, frame))) << frame;
   EXPECT_FALSE(valueAt(points, 7));
   EXPECT_EQ(runsOf(points).size(), 3u) << "lines break where frames are not known";
+}
+
+TEST_F(Plots, OpenWithTheResolvedColorBesideTheFramesOwn) {
+  plots()->setRows(firstPlotRows());
+  goTo(5);
+  refresh();
+  const std::vector<Curve>& curves = chart()->curves();
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_EQ(curves[0].name, "1 (3, 2) Resolved G");
+  EXPECT_EQ(curves[1].name, "1 (3, 2) Current filtered G");
+  EXPECT_TRUE(
+      plots()->csv().startsWith(QStringLiteral("probe,frame,x,y,resolved.R,resolved.G,resolved.B,"
+                                               "currentFiltered.R,currentFiltered.G,currentFiltered.B,"
+                                               "alpha")))
+      << plots()->csv().left(120).toStdString();
+}
+
+TEST_F(Plots, StandAboveTheTimelineFrameByFrame) {
+  const Timeline& ruler = *window.timeline()->timeline();
+  const auto expectInLine = [&] {
+    for (const CurveChart* each : plots()->charts())
+      for (const int frame : {0, 40, 239})
+        EXPECT_NEAR(each->mapToGlobal(QPointF(each->viewXOf(frame), 0)).x(),
+                    ruler.mapToGlobal(QPointF(ruler.scale().position(frame), 0)).x(), 0.01)
+            << frame;
+  };
+  expectInLine();
+  window.resize(1024, 600);
+  settle();
+  expectInLine();
+  wheel(placeOf(60), 5);
+  EXPECT_EQ(ruler.scale().frames(), chart()->shown()) << "the ruler zooms along";
+  expectInLine();
+  QWheelEvent back({200, 20}, ruler.mapToGlobal(QPoint(200, 20)), {}, {0, -2400}, Qt::NoButton,
+                   Qt::ControlModifier, Qt::NoScrollPhase, false);
+  QApplication::sendEvent(window.timeline()->timeline(), &back);
+  settle();
+  EXPECT_EQ(chart()->shown(), (Span{0.0, 239.0})) << "and the plots with the ruler";
+}
+
+TEST_F(Plots, AreFilledInInIdleTimeUntilSomebodyStopsThem) {
+  EXPECT_EQ(renderer->idleTraces.first, 0);
+  EXPECT_EQ(renderer->idleTraces.last, 239);
+  renderer->idleTraces = {};
+  goTo(3);
+  EXPECT_EQ(renderer->idleTraces.last, -1) << "asked for once";
+  session.probes().setPixel(glm::ivec2(8, 5));
+  settle();
+  EXPECT_EQ(renderer->idleTraces.last, 239) << "of another pixel anew";
 }
 
 TEST_F(Plots, CostNothingWhileTheyAreHidden) {

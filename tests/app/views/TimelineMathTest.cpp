@@ -23,6 +23,17 @@ TEST(TimelineMath, EndsHoldOutside) {
   EXPECT_EQ((TimelineScale{1, 0.0, 100.0}).frameAt(70), 0);
 }
 
+TEST(TimelineMath, APartOfTheShotFillsTheRuler) {
+  const TimelineScale scale{240, 10.0, 400.0, Span{60.0, 80.0}};
+  EXPECT_EQ(scale.position(60), 10.0);
+  EXPECT_EQ(scale.position(70), 210.0);
+  EXPECT_EQ(scale.position(80), 410.0);
+  EXPECT_EQ(scale.frameAt(210.0), 70);
+  EXPECT_EQ(scale.frameAt(-1e9), 0) << "a drag beyond the end goes on";
+  EXPECT_EQ(scale.ticks(10), (std::vector<int>{60, 70, 80}));
+  EXPECT_EQ(scale.ticks(8), (std::vector<int>{64, 72, 80}));
+}
+
 TEST(TimelineMath, TicksAreRoundAndFarEnoughApart) {
   const TimelineScale scale{240, 0.0, 478.0}; // 2 px a frame
   EXPECT_EQ(scale.tickStep(2.0), 1);

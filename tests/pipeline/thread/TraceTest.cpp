@@ -7,10 +7,13 @@
 #include "tests/support/frames/Variants.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <map>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace taa;
@@ -88,6 +91,29 @@ TEST_F(TraceTest, IsFilledInBesideWhatIsOnShowWithTheSameBits) {
   thread->post(taa::request::FillTraces{3, 14});
   thread->waitUntilIdle();
   EXPECT_TRUE(frames().empty()) << "all is known";
+}
+
+TEST_F(TraceTest, IsFilledInInIdleTimeWithoutProgressAndStops) {
+  const auto waitFor = [&](std::size_t count) {
+    for (int turn = 0; turn < 600 && frames().size() < count; ++turn) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      thread->waitUntilIdle(); // which does not wait for it, but delivers
+    }
+  };
+  recorder.clear();
+  thread->post(taa::request::TraceInIdleTime{2, 6});
+  waitFor(5);
+  std::vector<int> filled = frames();
+  std::ranges::sort(filled);
+  EXPECT_EQ(filled, (std::vector{2, 3, 4, 5, 6}));
+  for (const Work& work : recorder.works) EXPECT_NE(work.kind, WorkKind::Traces) << "nobody waits for it";
+  recorder.clear();
+  thread->post(taa::request::Cancel{});
+  thread->post(taa::request::SetSettings{test::otherJitter()});
+  thread->waitUntilIdle();
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  thread->waitUntilIdle();
+  EXPECT_LE(frames().size(), 1u) << "only the frame on show";
 }
 
 TEST_F(TraceTest, WhatIsKnownEndsWithTheSettings) {
