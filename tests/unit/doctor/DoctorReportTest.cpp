@@ -25,8 +25,8 @@ doctor::Diagnosis diagnosis() {
                        {"asGiven", "as given", 61.5, true, false}};
   finding.symptom = "Ghosts.";
   finding.change = "Negate y.";
-  out.findings = {finding};
   finding.alike = {"motionNegated"};
+  out.findings = {finding};
   out.undecided = {{"Motion of the sky", "it has no detail", "Capture clouds.", {Fault::SkyWithoutMotion}}};
   out.healthy = {"Jitter is right."};
   out.notes = {"The first frame is not jittered."};
