@@ -2,7 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/doctor/Doctor.h"
-#include "core/doctor/frames/FrameDifference.h"
+#include "core/doctor/frames/ShownDifference.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace {
 
 using doctor::Diagnosis;
 using doctor::DoctorFrame;
-using doctor::FrameDifference;
+using doctor::ShownDifference;
 
 /// The part of the table that a question is of, by its first word; none: of color or the resolve.
 std::optional<FaultPart> partOfQuestion(const std::string& question) {
@@ -45,8 +45,8 @@ bool isOneOf(const std::vector<Fault>& faults, const std::string& id) {
   return std::ranges::any_of(faults, [&](Fault fault) { return faultInfo(fault).id == id; });
 }
 
-FrameDifference differenceOf(const std::vector<DoctorFrame>& a, const std::vector<DoctorFrame>& b) {
-  FrameDifference out;
+ShownDifference differenceOf(const std::vector<DoctorFrame>& a, const std::vector<DoctorFrame>& b) {
+  ShownDifference out;
   for (std::size_t i = 0; i < a.size(); ++i) out.add(a[i], b[i]);
   return out;
 }
@@ -101,7 +101,7 @@ Diagnosis CaseJudge::diagnosisOf(const Frames& frames, const Progress& progress)
 }
 
 std::vector<std::string> CaseJudge::sameAs(const Frames& frames, const JudgedCase& judged) {
-  const FrameDifference whole = differenceOf(frames, healthy_);
+  const ShownDifference whole = differenceOf(frames, healthy_);
   std::vector<std::string> out;
   for (const std::string& id : judged.named) {
     const std::optional<Fault> fault = tableFault(id);
@@ -126,9 +126,12 @@ JudgedCase CaseJudge::judge(const PlannedCase& planned, const Progress& progress
   const Diagnosis diagnosis = diagnosisOf(frames, progress);
   out.shows = differenceOf(frames, healthy_).shows();
   out.isOpen = isOpenIn(diagnosis, planned.tried.faults);
-  for (const doctor::Finding& finding : diagnosis.findings)
-    if (!isFound(ofHealthy_, finding.id) || isOneOf(planned.tried.faults, finding.id))
-      out.named.push_back(finding.id);
+  for (const doctor::Finding& finding : diagnosis.findings) {
+    if (isFound(ofHealthy_, finding.id) && !isOneOf(planned.tried.faults, finding.id)) continue;
+    out.named.push_back(finding.id);
+    // What it is not told from stands behind it.
+    out.named.insert(out.named.end(), finding.alike.begin(), finding.alike.end());
+  }
   if (out.tried.faults.size() == 1 && out.shows) out.same = sameAs(frames, out);
   return out;
 }

@@ -6,7 +6,7 @@
 
 namespace taa::doctor {
 
-struct FrameDifference {
+struct ShownDifference {
   int frames = 0; ///< that were compared …
   int shown = 0;  ///< … and those in which jitter, or pixels enough to be a region, differ by what one sees
   // Sums over frames, of planes of their means over pixels.
@@ -19,7 +19,7 @@ struct FrameDifference {
   void add(const DoctorFrame& a, const DoctorFrame& b);
   bool shows() const { return shown > 0; }
   /// Whether each sum is a small share of that of `other`.
-  bool isSmallBeside(const FrameDifference& other) const;
+  bool isSmallBeside(const ShownDifference& other) const;
 };
 
 } // namespace taa::doctor

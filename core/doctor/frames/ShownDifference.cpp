@@ -1,4 +1,4 @@
-#include "core/doctor/frames/FrameDifference.h"
+#include "core/doctor/frames/ShownDifference.h"
 
 #include "core/doctor/frames/Regions.h"
 
@@ -32,7 +32,7 @@ double depthBetween(float a, float b) {
 
 } // namespace
 
-void FrameDifference::add(const DoctorFrame& a, const DoctorFrame& b) {
+void ShownDifference::add(const DoctorFrame& a, const DoctorFrame& b) {
   std::size_t seen = 0;
   double motion = 0.0, depths = 0.0, lumas = 0.0;
   for (int y = 0; y < a.luma.height; ++y)
@@ -56,12 +56,12 @@ void FrameDifference::add(const DoctorFrame& a, const DoctorFrame& b) {
   if (seen >= kLeastPart || jittered > kSeenJitterPx || a.startsHistory != b.startsHistory) ++shown;
 }
 
-bool FrameDifference::isSmallBeside(const FrameDifference& other) const {
-  const auto isSmall = [&](double FrameDifference::*sum) {
+bool ShownDifference::isSmallBeside(const ShownDifference& other) const {
+  const auto isSmall = [&](double ShownDifference::*sum) {
     return this->*sum <= kSmallShare * other.*sum + kRounding * frames;
   };
-  return isSmall(&FrameDifference::jitterPx) && isSmall(&FrameDifference::motionPx) &&
-         isSmall(&FrameDifference::depth) && isSmall(&FrameDifference::luma);
+  return isSmall(&ShownDifference::jitterPx) && isSmall(&ShownDifference::motionPx) &&
+         isSmall(&ShownDifference::depth) && isSmall(&ShownDifference::luma);
 }
 
 } // namespace taa::doctor
