@@ -6,6 +6,7 @@
 #include "core/cli/ShotOptions.h"
 #include "core/cli/Terminal.h"
 #include "core/cli/doctor/ConfusionsOptions.h"
+#include "core/cli/lessons/LessonsOptions.h"
 #include "core/cli/sweep/SweepOptions.h"
 #include "core/doctor/Diagnosis.h"
 #include "core/inspect/Comparison.h"
@@ -33,6 +34,7 @@ constexpr int kWorldsFault = 1;
 constexpr int kUsage = 2;
 constexpr int kContradicted = 3; // import --check: pixels say something else than what is stated
 constexpr int kUnhealthy = 3;    // doctor: something is wrong
+constexpr int kMistaken = 3;     // lessons --check: something does not hold
 constexpr int kSignalled = 128;  // and the number of SIGINT or SIGTERM, as a shell reports it
 
 volatile std::sig_atomic_t interrupted = 0; // the signal; 0: none came
@@ -332,7 +334,7 @@ void requireCommand(const CLI::App& app, int argc, char** argv) {
   throw UsageError(
       "there is no command \"" + std::string(argv[1]) +
       "\"; there are list, render, probe, lineage, verdict, doctor, confusions, trace, profile, metrics, "
-      "sweep, tune, glsl, import and manual");
+      "sweep, tune, glsl, import, lessons and manual");
 }
 
 /// In the form of the program's own sentences, with the command whose help says more.
@@ -366,6 +368,8 @@ int run(int argc, char** argv) {
   SweepArguments sweep;
   bool hasFailed = false;
   TuneArguments tune;
+  LessonsArguments lessons;
+  bool isMistaken = false;
   ManualArguments manual;
   const ProgressLine line;
   const taa::Progress progress = [&line](std::string_view what, int done, int total) {
@@ -385,6 +389,7 @@ int run(int argc, char** argv) {
   addImport(app, import, progress, isContradicted);
   addSweep(app, sweep, progress, hasFailed);
   addTune(app, tune, progress);
+  addLessons(app, lessons, progress, isMistaken);
   addManual(app, manual);
   requireCommand(app, argc, argv);
   try {
@@ -396,6 +401,7 @@ int run(int argc, char** argv) {
   if (!std::cout.flush()) throw taa::Error("cannot write the result to standard output");
   if (hasFailed) return kWorldsFault;
   if (isUnhealthy) return kUnhealthy;
+  if (isMistaken) return kMistaken;
   return isContradicted ? kContradicted : 0;
 }
 

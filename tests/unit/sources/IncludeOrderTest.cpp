@@ -86,6 +86,7 @@ const std::vector<std::vector<std::string>>& floors() {
       {"picture"},
       {"inspect"},
       {"report", "sweep"},
+      {"lessons"},
       {"requests"},
       {"jobs"},
       {"thread"},

@@ -1,0 +1,27 @@
+// The command about lessons, and its options.
+#pragma once
+
+#include "core/base/Progress.h"
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace taa::cli {
+
+struct LessonsArguments {
+  std::vector<std::string> files; ///< Markdown; empty: the built-in ones
+  bool check = false, verbose = false;
+};
+
+/// Lists lessons, or checks all that they say. Returns whether nothing is wrong. Throws Error, Cancelled.
+bool runLessons(const LessonsArguments& arguments, std::ostream& out, const Progress& progress);
+
+/// What is given must outlive the parsing; see runLessons() of `isMistaken`.
+void addLessons(CLI::App& app, LessonsArguments& lessons, const Progress& progress, bool& isMistaken);
+
+} // namespace taa::cli

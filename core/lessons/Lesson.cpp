@@ -1,0 +1,278 @@
+// Lessons come from anywhere: nothing in them is believed before it is looked at.
+#include "core/lessons/Lesson.h"
+
+#include "core/base/EmbeddedFiles.h"
+#include "core/base/Error.h"
+#include "core/base/Files.h"
+#include "core/base/Say.h"
+#include "core/base/ShownText.h"
+#include "core/lessons/LessonText.h"
+#include "core/settings/Presets.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <set>
+#include <system_error>
+#include <utility>
+
+namespace taa {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kLessonFolder = "resources/lessons/", kLessonEnding = ".md";
+constexpr std::string_view kHeaderBegin = "```state", kFence = "```";
+constexpr std::array<std::string_view, 5> kTeachingKeys{"claim", "task", "hint", "solution", "techniques"};
+/// The first line of these in a step takes the place of what the step before said.
+constexpr std::array<std::string_view, 4> kListKeys{"view", "probe", "plots", "hide"};
+
+/// "03-the-box.md" is "the-box": the number is its place in the course.
+std::string idOf(const std::string& place) {
+  std::string id = fs::path(place).stem().string();
+  const std::size_t dash = id.find_first_not_of("0123456789");
+  if (dash != 0 && dash != id.npos && id[dash] == '-') id.erase(0, dash + 1);
+  return id;
+}
+
+/// A state being written: what lists were begun anew.
+class StateWriter {
+ public:
+  StateWriter(LessonState& state, const std::string& folder) : state_(state), folder_(folder) {}
+
+  void apply(std::string_view key, std::string_view value) {
+    const bool isList = std::ranges::find(kListKeys, key) != kListKeys.end();
+    if (isList && begun_.insert(std::string(key)).second) clear(key);
+    applyLessonKey(state_, key, value, folder_);
+  }
+
+ private:
+  void clear(std::string_view key) {
+    if (key == "view") state_.views.clear();
+    if (key == "probe") state_.probes.clear();
+    if (key == "plots") state_.plots.clear();
+    if (key == "hide") state_.shot.filter.hidden.clear();
+  }
+
+  LessonState& state_;
+  const std::string& folder_;
+  std::set<std::string> begun_;
+};
+
+/// Reads a lesson line by line.
+class LessonReader {
+ public:
+  LessonReader(const std::string& place, const std::string& folder) : folder_(folder) {
+    lesson_.id = idOf(place);
+    lesson_.place = place;
+    const Preset& first = builtinPresets().front();
+    state_.shot.settings = {first.id, first.settings, first.settings};
+    state_.shot.size = kLessonSizePx;
+  }
+
+  void read(std::string_view line, int number) {
+    line_ = number;
+    if (inHeader_)
+      readHeader(trimmed(line));
+    else
+      readText(line);
+  }
+
+  Lesson finish() {
+    if (inHeader_) throw Error(say<"the header has no end: ``` is missing">());
+    if (lesson_.title.empty()) throw Error(say<"the lesson has no title: \"# \" and its name">());
+    if (lesson_.steps.empty()) throw Error(say<"the lesson has no step: \"## \" and its name">());
+    endStep();
+    return std::move(lesson_);
+  }
+
+  int line() const { return line_; }
+
+ private:
+  using Line = std::pair<int, std::string>;
+
+  void readText(std::string_view line) {
+    if (line.starts_with("## ")) return beginStep(trimmed(line.substr(3)));
+    if (line.starts_with("# ") && lesson_.title.empty() && lesson_.steps.empty()) {
+      lesson_.title = trimmed(line.substr(2));
+      return;
+    }
+    if (trimmed(line) == kHeaderBegin) {
+      if (lesson_.steps.empty()) throw Error(say<"a header comes below the title of a step">());
+      inHeader_ = true;
+      return;
+    }
+    std::string& text = lesson_.steps.empty() ? lesson_.summary : lesson_.steps.back().text;
+    if (text.empty() && trimmed(line).empty()) return;
+    text += std::string(line) + "\n";
+  }
+
+  void beginStep(std::string_view title) {
+    if (!lesson_.steps.empty()) endStep();
+    if (lesson_.steps.size() >= kMaxLessonSteps)
+      throw Error(say<"a lesson has at most %1 steps">(kMaxLessonSteps));
+    LessonStep& step = lesson_.steps.emplace_back();
+    step.title = title;
+    step.line = line_;
+    state_.lanes.clear();
+    state_.highlight.clear();
+    state_.plays = false;
+    headerLines_ = 0;
+    writer_.emplace(state_, folder_);
+  }
+
+  void readHeader(std::string_view line) {
+    if (line == kFence) {
+      inHeader_ = false;
+      return;
+    }
+    if (line.empty() || line.starts_with("#")) return;
+    if (++headerLines_ > kMaxStepLines) throw Error(say<"a step has at most %1 lines">(kMaxStepLines));
+    const std::size_t colon = line.find(':');
+    if (colon == line.npos)
+      throw Error(say<"\"%1\" is no line of a header: expected key: value">(shownText(line)));
+    readKey(trimmed(line.substr(0, colon)), trimmed(line.substr(colon + 1)));
+  }
+
+  void readKey(std::string_view key, std::string_view value) {
+    LessonStep& step = lesson_.steps.back();
+    if (key == "claim") {
+      step.claims.push_back(conditionOf(value));
+    } else if (key == "task") {
+      taskOf(step).conditions.push_back(conditionOf(value));
+    } else if (key == "hint") {
+      taskOf(step).hints.emplace_back(value);
+    } else if (key == "solution") {
+      taskOf(step);
+      solution_.emplace_back(line_, value);
+    } else if (key == "techniques") {
+      for (const std::string_view row : wordsOf(value)) lesson_.techniques.emplace_back(row);
+    } else {
+      requireKnown(key);
+      writer_->apply(key, value);
+    }
+  }
+
+  static Task& taskOf(LessonStep& step) { return step.task ? *step.task : step.task.emplace(); }
+
+  static void requireKnown(std::string_view key) {
+    std::vector<std::string_view> known = lessonKeys();
+    known.insert(known.end(), kTeachingKeys.begin(), kTeachingKeys.end());
+    requireName(key, known, say<"key">());
+  }
+
+  Condition conditionOf(std::string_view text) const {
+    Condition condition = conditionFrom(text);
+    condition.line = line_;
+    return condition;
+  }
+
+  /// The state is whole by now; "set rectify.method=clip" is a line of a solution.
+  void endStep() {
+    LessonStep& step = lesson_.steps.back();
+    step.state = state_;
+    requireLanes(step.claims, step.state);
+    if (step.task) {
+      requireLanes(step.task->conditions, step.state);
+      step.task->solution = state_;
+      StateWriter writer(step.task->solution, folder_);
+      for (const auto& [line, text] : std::exchange(solution_, {})) {
+        line_ = line;
+        const std::size_t blank = std::min(text.find(' '), text.size());
+        writer.apply(std::string_view(text).substr(0, blank), trimmed(std::string_view(text).substr(blank)));
+      }
+      requireTask(*step.task, step.line);
+    }
+  }
+
+  void requireTask(const Task& task, int line) {
+    line_ = line;
+    if (task.conditions.empty()) throw Error(say<"the step has a hint or a solution and no task">());
+  }
+
+  void requireLanes(const std::vector<Condition>& conditions, const LessonState& state) {
+    for (const Condition& condition : conditions)
+      for (const Quantity* quantity : {&condition.left, &condition.right})
+        if (!quantity->lane.empty() &&
+            std::ranges::find(state.lanes, quantity->lane, &LessonLane::name) == state.lanes.end()) {
+          line_ = condition.line;
+          throw Error(say<"the step has no lane \"%1\"">(shownText(quantity->lane)));
+        }
+  }
+
+  const std::string& folder_;
+  Lesson lesson_;
+  LessonState state_;
+  std::optional<StateWriter> writer_;
+  std::vector<Line> solution_; ///< of the step being read
+  bool inHeader_ = false;
+  std::size_t headerLines_ = 0;
+  int line_ = 0;
+};
+
+void forEachLine(const std::string& text, const std::function<void(std::string_view, int)>& take) {
+  int number = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::string_view line(text.data() + begin, end - begin);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    take(line, ++number);
+    begin = end + 1;
+  }
+}
+
+} // namespace
+
+Lesson lessonFromText(const std::string& text, const std::string& place, const std::string& folder) {
+  if (text.size() > kMaxLessonBytes)
+    throw Error(say<"%1: it has more than %2 bytes">(place, kMaxLessonBytes));
+  LessonReader reader(place, folder);
+  try {
+    forEachLine(text, [&](std::string_view line, int number) {
+      if (!isPlainText(line.find('\t') == line.npos ? line : trimmed(line)))
+        throw Error(say<"line %1 has bytes that are no text">(number));
+      reader.read(line, number);
+    });
+    return reader.finish();
+  } catch (const Error& error) {
+    throw Error(place + ":" + std::to_string(reader.line()) + ": " + error.what());
+  }
+}
+
+const std::vector<Lesson>& builtinLessons() {
+  static const std::vector<Lesson> lessons = [] {
+    std::vector<Lesson> read;
+    for (const std::string& path : embeddedPaths(kLessonFolder))
+      if (path.ends_with(kLessonEnding)) read.push_back(lessonFromText(embeddedText(path), path));
+    return read;
+  }();
+  return lessons;
+}
+
+Lesson readLesson(const fs::path& path) {
+  const fs::path folder = fs::absolute(path).parent_path();
+  const UntrustedFile file = openUntrusted(folder, path.filename(), kMaxLessonBytes);
+  return lessonFromText(file.text(kMaxLessonBytes), path.string(), folder.string());
+}
+
+LessonFolder readLessons(const fs::path& folder) {
+  LessonFolder read;
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (entry->path().extension() == kLessonEnding && files.size() < static_cast<std::size_t>(kMaxLessons))
+      files.push_back(entry->path());
+  if (error) read.errors.push_back(say<"cannot read the folder %1: %2">(folder.string(), error.message()));
+  std::ranges::sort(files);
+  for (const fs::path& file : files) try {
+      read.lessons.push_back(readLesson(file));
+    } catch (const std::exception& wrong) {
+      read.errors.push_back(shownReason(wrong));
+    }
+  return read;
+}
+
+} // namespace taa

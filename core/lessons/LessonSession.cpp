@@ -1,0 +1,83 @@
+// The state of a lesson's step as a session: the keys of its window's state are those that app/window and the
+// panels read.
+#include "core/lessons/LessonState.h"
+
+#include "core/picture/ColorMap.h"
+#include "core/picture/StyleText.h"
+#include "core/picture/Visualizer.h"
+
+#include <nlohmann/json.hpp>
+
+namespace taa {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+ordered_json styleJson(const ViewStyle& style) {
+  return {{"low", style.low},
+          {"high", style.high},
+          {"exposure", style.exposure},
+          {"channels", {style.red, style.green, style.blue}},
+          {"map", colorMapName(style.map)},
+          {"marks", style.markInvalid}};
+}
+
+ordered_json viewJson(const LessonView& view, const LessonState& state) {
+  ViewStyle style = defaultStyle(intermediate(view.id));
+  for (const std::string& assignment : view.style) applyStyle(style, assignment);
+  ordered_json json{{"intermediate", intermediate(view.id).name},
+                    {"styles", {{std::string(intermediate(view.id).name), styleJson(style)}}},
+                    {"comparedWith", comparisonText(view.comparison)},
+                    {"shows", showingName(view.showing)},
+                    {"overlays",
+                     {{"clipped", style.markClipped},
+                      {"rejected", style.markRejected},
+                      {"outlines", style.outlineObjects},
+                      {"arrows", style.arrows},
+                      {"grid", true}}}};
+  if (state.look)
+    json["camera"] = {{"fit", false},
+                      {"zoom", state.look->zoom},
+                      {"center", {state.look->pixel.x + 0.5, state.look->pixel.y + 0.5}}};
+  return json;
+}
+
+ordered_json viewsJson(const LessonState& state) {
+  ordered_json views = ordered_json::array();
+  for (const LessonView& view : state.views) views.push_back(viewJson(view, state));
+  const std::size_t count = state.views.size() == 3 ? 4 : state.views.size();
+  return {{"count", count}, {"active", 0}, {"linked", true}, {"views", views}};
+}
+
+ordered_json plotsJson(const LessonState& state) {
+  ordered_json rows = ordered_json::array();
+  for (const IntermediateId id : state.plots) {
+    ordered_json channels = ordered_json::array();
+    for (int channel = 0; channel < intermediate(id).channels; ++channel) channels.push_back(channel);
+    rows.push_back({{"row", intermediate(id).name}, {"channels", channels}});
+  }
+  return {{"rows", rows}};
+}
+
+} // namespace
+
+SessionFile lessonSession(const LessonState& state) {
+  ordered_json window;
+  window["views"] = viewsJson(state);
+  if (!state.plots.empty()) window["plots"] = plotsJson(state);
+  window["probe"] = {{"tab", state.tab}};
+  ordered_json probes = ordered_json::array();
+  for (const glm::ivec2& pixel : state.probes)
+    probes.push_back(
+        {{"x", pixel.x}, {"y", pixel.y}, {"frame", state.shot.frame}, {"followsSurface", false}});
+  window["probes"] = probes;
+  window["activeProbe"] = state.probes.empty() ? -1 : 0;
+  window["referenceSamples"] = state.samples;
+  window["panels"] = {{"pipeline", true}, {"scene", false}, {"probe", true}, {"lower", state.page}};
+  SessionFile session = state.shot;
+  session.window = window.dump();
+  return session;
+}
+
+} // namespace taa

@@ -1,0 +1,227 @@
+#include "core/lessons/LessonState.h"
+
+#include "core/base/Error.h"
+#include "core/base/Files.h"
+#include "core/base/Say.h"
+#include "core/base/ShownText.h"
+#include "core/lessons/LessonText.h"
+#include "core/measure/Metrics.h"
+#include "core/picture/StyleText.h"
+#include "core/picture/Visualizer.h"
+#include "core/scene/SceneSource.h"
+#include "core/settings/Faults.h"
+#include "core/settings/Lanes.h"
+#include "core/settings/Parameters.h"
+#include "core/settings/Presets.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace taa {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kMaxLessonFrame = 100'000, kMaxLessonSide = 1920, kMinLessonSide = 16;
+constexpr std::size_t kMaxLessonViews = 4, kMaxLessonProbes = 4, kMaxLessonRows = 8;
+constexpr double kMaxLessonZoom = 256.0;
+
+/// What a line of a header is about.
+struct KeyLine {
+  LessonState& state;
+  std::string_view value;
+  const std::string& folder;
+};
+
+/// Of the built-in ones: a lesson depends on no file of a preset.
+const Preset& lessonPreset(std::string_view id) {
+  const auto found = std::ranges::find(builtinPresets(), id, &Preset::id);
+  if (found != builtinPresets().end()) return *found;
+  std::vector<std::string_view> known;
+  for (const Preset& preset : builtinPresets()) known.push_back(preset.id);
+  requireName(id, known, say<"preset">());
+  return *found; // never: the name was not known
+}
+
+/// A built-in scene there is, or a file below the lesson's folder.
+std::string sourceOf(const KeyLine& line) {
+  const std::string source(line.value);
+  if (isBuiltinScene(source)) {
+    std::vector<std::string> names;
+    for (const BuiltinScene& scene : builtinScenes()) names.push_back("builtin:" + scene.id);
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    requireName(source, known, say<"scene">());
+    return source;
+  }
+  if (line.folder.empty())
+    throw Error(say<"\"%1\" is no built-in scene, and only a lesson that is a file has files beside it">(
+        shownText(source)));
+  return requireRegularBelow(line.folder, source).string();
+}
+
+void setScene(const KeyLine& line) {
+  LessonState& state = line.state;
+  SessionFile shot;
+  shot.source = sourceOf(line);
+  shot.size = state.shot.size;
+  shot.settings = state.shot.settings;
+  state.shot = shot;
+  state.probes.clear();
+  state.look.reset();
+}
+
+void setSize(const KeyLine& line) {
+  const std::size_t by = std::min(line.value.find('x'), line.value.size());
+  line.state.shot.size = {wholeNumberFrom(line.value.substr(0, by), kMinLessonSide, kMaxLessonSide),
+                          wholeNumberFrom(line.value.substr(std::min(by + 1, line.value.size())),
+                                          kMinLessonSide, kMaxLessonSide)};
+}
+
+void setPreset(const KeyLine& line) {
+  const Preset& preset = lessonPreset(line.value);
+  line.state.shot.settings = {preset.id, preset.settings, preset.settings};
+}
+
+void assignAll(Settings& settings, std::string_view words) {
+  for (const std::string_view assignment : wordsOf(words)) applyAssignment(settings, assignment);
+}
+
+/// "clip = this rectify.method=clip": a preset, or "this" for the state's own settings, and what differs.
+void addLane(const KeyLine& line) {
+  const std::size_t equals = line.value.find('=');
+  if (equals == line.value.npos)
+    throw Error(say<"a lane is NAME = PRESET path=value …, or NAME = this path=value …">());
+  LessonLane lane{std::string(trimmed(line.value.substr(0, equals))), line.state.shot.settings.settings};
+  const std::vector<std::string_view> words = wordsOf(line.value.substr(equals + 1));
+  if (lane.name.empty() || words.empty())
+    throw Error(say<"a lane is NAME = PRESET path=value …, or NAME = this path=value …">());
+  if (static_cast<int>(line.state.lanes.size()) + 1 >= kMaxLanes)
+    throw Error(say<"a step has at most %1 lanes">(kMaxLanes - 1));
+  if (words.front() != "this") lane.settings = lessonPreset(words.front()).settings;
+  for (std::size_t word = 1; word < words.size(); ++word) applyAssignment(lane.settings, words[word]);
+  line.state.lanes.push_back(std::move(lane));
+}
+
+/// "resolved compare=preset:off shows=wipe exposure=1"
+void addView(const KeyLine& line) {
+  const std::vector<std::string_view> words = wordsOf(line.value);
+  if (words.empty()) throw Error(say<"a view is the name of an intermediate">());
+  if (line.state.views.size() >= kMaxLessonViews)
+    throw Error(say<"there are at most %1 views">(kMaxLessonViews));
+  LessonView view{.id = intermediateNamed(words.front())};
+  ViewStyle style = defaultStyle(intermediate(view.id));
+  for (const std::string_view word : std::span(words).subspan(1)) {
+    if (word.starts_with("compare=")) {
+      view.comparison = parseComparison(std::string(word.substr(8)));
+      if (view.comparison.kind == OtherKind::Preset) lessonPreset(view.comparison.preset);
+    } else if (word.starts_with("shows=")) {
+      view.showing = showingNamed(word.substr(6));
+    } else {
+      applyStyle(style, word);
+      view.style.emplace_back(word);
+    }
+  }
+  line.state.views.push_back(std::move(view));
+}
+
+void addProbe(const KeyLine& line) {
+  if (line.state.probes.size() >= kMaxLessonProbes)
+    throw Error(say<"there are at most %1 probes">(kMaxLessonProbes));
+  line.state.probes.push_back(pixelFrom(line.value));
+}
+
+void setPlots(const KeyLine& line) {
+  for (const std::string_view name : wordsOf(line.value)) {
+    if (line.state.plots.size() >= kMaxLessonRows)
+      throw Error(say<"there are at most %1 plots">(kMaxLessonRows));
+    line.state.plots.push_back(intermediateNamed(name));
+  }
+}
+
+/// "120,60 zoom 8"
+void setLook(const KeyLine& line) {
+  const std::vector<std::string_view> words = wordsOf(line.value);
+  if (words.size() != 3 || words[1] != "zoom") throw Error(say<"expected X,Y zoom Z, or fit">());
+  const double zoom = numberFrom(words[2]);
+  if (!(zoom > 0.0 && zoom <= kMaxLessonZoom))
+    throw Error(say<"the zoom is not above 0 and up to %1">(static_cast<int>(kMaxLessonZoom)));
+  line.state.look = LessonLook{pixelFrom(words[0]), zoom};
+}
+
+void addRestart(const KeyLine& line) {
+  if (line.state.shot.restarts.size() >= kMaxLessonRows)
+    throw Error(say<"there are at most %1 restarts">(kMaxLessonRows));
+  line.state.shot.restarts.push_back(wholeNumberFrom(line.value, 0, kMaxLessonFrame));
+}
+
+/// Of a fixed list; "none" is empty.
+std::string nameOf(const KeyLine& line, std::span<const std::string_view> known, const std::string& what) {
+  if (line.value == "none") return {};
+  requireName(line.value, known, what);
+  return std::string(line.value);
+}
+
+constexpr std::array<std::string_view, 5> kLessonPages{"profiler", "plots", "jitter", "weights", "lineage"};
+constexpr std::array<std::string_view, 3> kLessonTabs{"values", "colorSpace", "whatIf"};
+constexpr std::array<std::string_view, 2> kOnOff{"on", "off"};
+
+struct LessonKey {
+  std::string_view key;
+  void (*apply)(const KeyLine& line);
+};
+
+constexpr LessonKey kLessonKeys[] = {
+    {"scene", setScene},
+    {"camera", [](const KeyLine& line) { line.state.shot.camera = std::string(line.value); }},
+    {"length",
+     [](const KeyLine& line) {
+       line.state.shot.choice.frames = wholeNumberFrom(line.value, 1, kMaxShotFrames);
+     }},
+    {"frame",
+     [](const KeyLine& line) { line.state.shot.frame = wholeNumberFrom(line.value, 0, kMaxLessonFrame); }},
+    {"size", setSize},
+    {"preset", setPreset},
+    {"set", [](const KeyLine& line) { assignAll(line.state.shot.settings.settings, line.value); }},
+    {"fault",
+     [](const KeyLine& line) { inject(faultInfo(line.value).fault, line.state.shot.settings.settings); }},
+    {"hide", [](const KeyLine& line) { line.state.shot.filter.hidden.emplace_back(line.value); }},
+    {"restart", addRestart},
+    {"lane", addLane},
+    {"view", addView},
+    {"probe", addProbe},
+    {"plots", setPlots},
+    {"look", setLook},
+    {"page", [](const KeyLine& line) { line.state.page = nameOf(line, kLessonPages, say<"page">()); }},
+    {"tab", [](const KeyLine& line) { line.state.tab = nameOf(line, kLessonTabs, say<"tab">()); }},
+    {"highlight",
+     [](const KeyLine& line) { line.state.highlight = nameOf(line, kLessonParts, say<"part">()); }},
+    {"play",
+     [](const KeyLine& line) {
+       requireName(line.value, kOnOff, say<"switch">());
+       line.state.plays = line.value == "on";
+     }},
+    {"samples",
+     [](const KeyLine& line) {
+       line.state.samples = wholeNumberFrom(line.value, kMinReferenceSamples, kMaxReferenceSamples);
+     }},
+};
+
+} // namespace
+
+std::vector<std::string_view> lessonKeys() {
+  std::vector<std::string_view> keys;
+  for (const LessonKey& row : kLessonKeys) keys.push_back(row.key);
+  return keys;
+}
+
+void applyLessonKey(LessonState& state, std::string_view key, std::string_view value,
+                    const std::string& folder) {
+  const auto row = std::ranges::find(kLessonKeys, key, &LessonKey::key);
+  if (row == std::end(kLessonKeys)) requireName(key, lessonKeys(), say<"key">());
+  if (value.empty()) throw Error(say<"\"%1\" has no value">(key));
+  if (key == "look" && value == "fit") return state.look.reset();
+  row->apply({state, value, folder});
+}
+
+} // namespace taa

@@ -1,0 +1,71 @@
+// Lessons that say what is not true, and states whose numbers follow from the formulas.
+#include "core/lessons/LessonCheck.h"
+#include "core/inspect/Inspector.h"
+#include "tests/support/GlTest.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+using taa::LessonFinding;
+
+namespace {
+
+class LessonCheck : public taa::test::GlTest {};
+
+/// A lesson of one step with this header.
+std::vector<LessonFinding> checked(const std::string& header) {
+  taa::Inspector inspector;
+  return taa::checkLesson(
+      inspector,
+      taa::lessonFromText("# L\n\n## S\n\n```state\nscene: builtin:lights\nsize: 64x36\n" + header + "```\n",
+                          "l.md"));
+}
+
+std::vector<std::string> mistakes(const std::string& header) {
+  return taa::mistakesOf(checked(header));
+}
+
+} // namespace
+
+TEST_F(LessonCheck, MeasuresWhatTheFormulaOfTheMeanGives) {
+  // α of the exact mean after n frames is 1/(n + 1), N is n + 1 (manual 13.2).
+  EXPECT_EQ(
+      mistakes("preset: reference\ncamera: still\nframe: 7\nclaim: probe 32,18 alpha = 0.125 within 1e-6\n"
+               "claim: probe 32,18 historyLength = 8 within 1e-4\n"
+               "claim: probe 32,18 alpha at 3 = 0.25 within 1e-6\n"),
+      std::vector<std::string>{});
+}
+
+TEST_F(LessonCheck, NamesAClaimThatDoesNotHoldWithItsLineAndNumbers) {
+  const auto found = mistakes("frame: 1\npreset: off\nclaim: metric meanAlpha < 0.5\n");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found.front(), "l.md:10: the claim does not hold: metric meanAlpha < 0.5, measured 1 and 0.5");
+}
+
+TEST_F(LessonCheck, RefusesATaskThatIsSolvedAtTheStart) {
+  const auto found = mistakes("frame: 1\npreset: off\ntask: metric meanAlpha > 0.5\nsolution: preset off\n");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found.front(), "l.md:10: the task is solved at the start");
+}
+
+TEST_F(LessonCheck, RefusesASolutionThatSolvesNothing) {
+  const auto found =
+      mistakes("frame: 1\npreset: minimal\ntask: metric meanAlpha = 1\nsolution: set weight.alpha=0.5\n");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found.front().find("the solution does not solve the task"), std::string::npos) << found.front();
+}
+
+TEST_F(LessonCheck, ComparesLanesOnTheSameFrame) {
+  EXPECT_EQ(mistakes("frame: 2\npreset: minimal\nlane: off = off\nlane: same = this\n"
+                     "claim: metric meanAlpha of off > metric meanAlpha * 2\n"
+                     "claim: difference 20,20 resolved of same = 0\n"),
+            std::vector<std::string>{});
+}
+
+TEST_F(LessonCheck, SaysOfAFrameThatIsNotThere) {
+  const auto found = mistakes("frame: 90000\nclaim: metric meanAlpha > 0\n");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found.front().find("there is no frame 90000"), std::string::npos) << found.front();
+}

@@ -1,0 +1,168 @@
+// Lessons as text: what is read of them, and what is refused with file and line.
+#include "core/lessons/Lesson.h"
+#include "core/base/Error.h"
+#include "core/base/Files.h"
+#include "core/report/Techniques.h"
+#include "core/settings/Parameters.h"
+#include "tests/support/Paths.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string step(const std::string& header) {
+  return "# Title\n\nWhat it is.\n\n## One\n\n```state\n" + header + "```\n\nSome *text*.\n";
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    taa::lessonFromText(text, "some.md");
+  } catch (const taa::Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST(Lesson, ReadsTitleSummaryStepsAndText) {
+  const taa::Lesson lesson =
+      taa::lessonFromText(step("scene: builtin:fan\n") + "## Two\n\nMore.\n", "lessons/07-some-thing.md");
+  EXPECT_EQ(lesson.id, "some-thing");
+  EXPECT_EQ(lesson.title, "Title");
+  EXPECT_EQ(lesson.summary, "What it is.\n\n");
+  ASSERT_EQ(lesson.steps.size(), 2u);
+  EXPECT_EQ(lesson.steps[0].title, "One");
+  EXPECT_EQ(lesson.steps[0].text, "Some *text*.\n");
+  EXPECT_EQ(lesson.steps[1].text, "More.\n");
+}
+
+TEST(Lesson, AStepGoesOnFromTheOneBefore) {
+  const taa::Lesson lesson = taa::lessonFromText(
+      step("scene: builtin:fan\nframe: 7\npreset: minimal\nview: resolved\nview: alpha\nprobe: 3,4\n") +
+          "## Two\n```state\nset: weight.alpha=0.5\nview: color\n```\n",
+      "some.md");
+  const taa::LessonState& state = lesson.steps[1].state;
+  EXPECT_EQ(state.shot.source, "builtin:fan");
+  EXPECT_EQ(state.shot.frame, 7);
+  EXPECT_EQ(state.shot.settings.settings.weight.alpha, 0.5f);
+  ASSERT_EQ(state.views.size(), 1u);
+  EXPECT_EQ(state.views.front().id, taa::IntermediateId::color);
+  ASSERT_EQ(state.probes.size(), 1u);
+  EXPECT_EQ(state.probes.front(), glm::ivec2(3, 4));
+}
+
+TEST(Lesson, ReadsClaimsTasksHintsAndSolutions) {
+  const taa::Lesson lesson =
+      taa::lessonFromText(step("scene: builtin:fan\npreset: minimal\nlane: off = off\nclaim: metric psnr > "
+                               "metric psnr of off * 2 + 1\n"
+                               "task: probe picked boxMin.y at 3 <= 0.5\nhint: Look.\nsolution: probe 1,2\n"),
+                          "some.md");
+  const taa::LessonStep& only = lesson.steps.front();
+  ASSERT_EQ(only.claims.size(), 1u);
+  EXPECT_EQ(only.claims.front().right.lane, "off");
+  EXPECT_EQ(only.claims.front().right.factor, 2.0);
+  EXPECT_EQ(only.claims.front().right.offset, 1.0);
+  ASSERT_TRUE(only.task);
+  const taa::Quantity& asked = only.task->conditions.front().left;
+  EXPECT_EQ(asked.row, taa::IntermediateId::boxMin);
+  EXPECT_EQ(asked.channel, 1);
+  EXPECT_EQ(asked.frame, 3);
+  EXPECT_FALSE(asked.pixel);
+  ASSERT_EQ(only.task->solution.probes.size(), 1u);
+  EXPECT_EQ(only.task->solution.probes.front(), glm::ivec2(1, 2));
+  EXPECT_TRUE(only.state.probes.empty());
+}
+
+TEST(Lesson, RefusesWhatItDoesNotKnowWithTheLine) {
+  const std::pair<std::string, std::string> wrong[] = {
+      {"scene: builtin:fam\n", "some.md:8: there is no scene \"builtin:fam\"; near it is \"builtin:fan\""},
+      {"sceen: builtin:fan\n", "some.md:8: there is no key \"sceen\"; near it is \"scene\""},
+      {"preset: minimum\n", "some.md:8: there is no preset \"minimum\"; near it is \"minimal\""},
+      {"claim: metric psnr > lots\n",
+       "some.md:8: \"lots\" is none of metric, probe, difference, share, verdict "
+       "and doctor"},
+      {"claim: metric psnr of off > 1\n", "some.md:8: the step has no lane \"off\""},
+      {"claim: metric psnr > 1 2\n", "some.md:8: \"2\" is more than the condition needs"},
+      {"probe: 3\n", "some.md:8: \"3\" is no pixel: expected X,Y"},
+      {"frame: -1\n", "some.md:8: \"-1\" is not a whole number from 0 to 100000"},
+      {"nonsense\n", "some.md:8: \"nonsense\" is no line of a header: expected key: value"},
+  };
+  for (const auto& [header, sentence] : wrong) EXPECT_EQ(refusal(step(header)), sentence) << header;
+}
+
+TEST(Lesson, RefusesWhatLacksAPart) {
+  EXPECT_EQ(refusal("## One\n"), "some.md:1: the lesson has no title: \"# \" and its name");
+  EXPECT_EQ(refusal("# Title\n"), "some.md:1: the lesson has no step: \"## \" and its name");
+  EXPECT_EQ(refusal("# T\n## One\n```state\n"), "some.md:3: the header has no end: ``` is missing");
+  EXPECT_EQ(refusal("# T\n```state\n"), "some.md:2: a header comes below the title of a step");
+  EXPECT_EQ(refusal(step("hint: None.\n")), "some.md:5: the step has a hint or a solution and no task");
+}
+
+TEST(Lesson, RefusesMoreThanALessonNeeds) {
+  EXPECT_NE(refusal(std::string(taa::kMaxLessonBytes + 1, 'a')).find("more than"), std::string::npos);
+  std::string many = "# T\n";
+  for (std::size_t i = 0; i <= taa::kMaxLessonSteps; ++i) many += "## S\n";
+  EXPECT_NE(refusal(many).find("at most 64 steps"), std::string::npos);
+  std::string lines;
+  for (std::size_t i = 0; i <= taa::kMaxStepLines; ++i) lines += "frame: 1\n";
+  EXPECT_NE(refusal(step(lines)).find("at most 128 lines"), std::string::npos);
+}
+
+TEST(Lesson, OpensNothingBesideItsFolder) {
+  const fs::path folder = taa::test::temporaryFolder() / "lesson-folder" / "lessons";
+  fs::create_directories(folder);
+  taa::writeFile(folder.parent_path() / "outside.glb", "x");
+  taa::writeFile(folder / "inside.glb", "x");
+  taa::writeFile(folder / "out.md", step("scene: ../outside.glb\n"));
+  taa::writeFile(folder / "in.md", step("scene: inside.glb\n"));
+  const taa::LessonFolder read = taa::readLessons(folder);
+  ASSERT_EQ(read.lessons.size(), 1u);
+  EXPECT_EQ(read.lessons.front().id, "in");
+  ASSERT_EQ(read.errors.size(), 1u);
+  EXPECT_NE(read.errors.front().find("out.md:8: "), std::string::npos) << read.errors.front();
+  EXPECT_NE(refusal(step("scene: inside.glb\n")).find("no built-in scene"), std::string::npos);
+}
+
+TEST(Lesson, AFolderThatIsNotThereIsAnErrorInWords) {
+  const taa::LessonFolder read = taa::readLessons("/no/such/folder");
+  EXPECT_TRUE(read.lessons.empty());
+  ASSERT_EQ(read.errors.size(), 1u);
+  EXPECT_NE(read.errors.front().find("cannot read the folder"), std::string::npos);
+}
+
+TEST(Lesson, BuiltinOnesHaveNamesOfTheirOwnAndTeachTechniquesThatThereAre) {
+  std::set<std::string> ids, rows;
+  for (const taa::Technique& technique : taa::techniques()) rows.emplace(technique.row);
+  for (const taa::Lesson& lesson : taa::builtinLessons()) {
+    EXPECT_TRUE(ids.insert(lesson.id).second) << lesson.id;
+    EXPECT_FALSE(lesson.summary.empty()) << lesson.place;
+    for (const std::string& row : lesson.techniques)
+      EXPECT_TRUE(rows.contains(row)) << lesson.place << ": " << row;
+  }
+  EXPECT_GE(ids.size(), 3u);
+}
+
+TEST(Lesson, AStateIsASessionThatReadsBack) {
+  const taa::Lesson lesson = taa::lessonFromText(step("scene: builtin:fan\nframe: 7\npreset: minimal\nset: "
+                                                      "weight.alpha=0.5\nview: alpha compare=preset:off "
+                                                      "high=0.5\nprobe: 3,4\nplots: alpha\npage: plots\n"),
+                                                 "some.md");
+  const taa::SessionFile session = taa::lessonSession(lesson.steps.front().state);
+  const taa::SessionFile read = taa::sessionFromText(taa::sessionToText(session), "session");
+  EXPECT_EQ(read.source, "builtin:fan");
+  EXPECT_EQ(read.frame, 7);
+  EXPECT_EQ(read.size, taa::kLessonSizePx);
+  EXPECT_TRUE(read.settings.settings == session.settings.settings);
+  EXPECT_NE(read.window.find("\"comparedWith\":\"preset:off\""), std::string::npos) << read.window;
+  EXPECT_NE(read.window.find("\"lower\":\"plots\""), std::string::npos) << read.window;
+}
