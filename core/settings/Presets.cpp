@@ -78,8 +78,8 @@ std::vector<Preset> loadBuiltinPresets() {
     return presetFromJson(files.at(id), settingsOf).settings;
   };
   std::vector<Preset> presets;
-  for (const auto& [id, json] : files)
-    presets.push_back(readPreset(id, [&] { return presetFromJson(json, settingsOf); }));
+  for (const auto& file : files)
+    presets.push_back(readPreset(file.first, [&] { return presetFromJson(file.second, settingsOf); }));
   std::ranges::sort(presets, {},
                     [](const Preset& row) { return std::pair(groupIndex(row.group), row.order); });
   return presets;
