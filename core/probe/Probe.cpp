@@ -16,19 +16,22 @@ namespace taa {
 
 namespace {
 
-/// What an object's number stands for, counted as GBufferPass does: primitives of nodes, in their order.
+/// What an object's number stands for, counted as GBufferPass does: by node, instance and primitive.
 struct DrawnObject {
-  int node = -1;
+  NodeInstance at{-1};
   const Primitive* primitive = nullptr;
 };
 
 DrawnObject drawnObject(const Scene& scene, int object) {
-  int number = 0;
-  for (int node = 0; node < static_cast<int>(scene.nodes.size()); ++node) {
-    const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
-    if (mesh < 0) continue;
-    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(mesh)].primitives)
-      if (++number == object) return {node, &primitive};
+  int before = 0; // objects of the nodes before
+  for (int index = 0; index < static_cast<int>(scene.nodes.size()) && object > 0; ++index) {
+    const Node& node = scene.nodes[static_cast<std::size_t>(index)];
+    if (node.mesh < 0) continue;
+    const std::vector<Primitive>& primitives = scene.meshes[static_cast<std::size_t>(node.mesh)].primitives;
+    const int parts = static_cast<int>(primitives.size()), place = object - 1 - before;
+    if (place < parts * node.timesDrawn())
+      return {{index, place / parts}, &primitives[static_cast<std::size_t>(place % parts)]};
+    before += parts * node.timesDrawn();
   }
   return {};
 }
@@ -84,7 +87,7 @@ std::optional<Hit> meet(const Ray& ray, const std::array<glm::dvec3, 3>& corners
 }
 
 std::vector<glm::dvec3> viewPositions(const Scene& scene, const View& view, const DrawnObject& object) {
-  const Deformer deformer(scene, object.node, *object.primitive, view.pose, view.pose.time);
+  const Deformer deformer(scene, object.at, *object.primitive, view.pose, view.pose.time);
   const glm::dmat4 viewFromWorld(view.block.viewFromWorld);
   std::vector<glm::dvec3> positions;
   positions.reserve(object.primitive->vertices.size());
@@ -162,8 +165,8 @@ ProbeSpot spotOf(const Scene& scene, const View& view, const glm::ivec2& picture
   if (object.primitive) {
     if (std::ranges::max(anchor.vertices) >= object.primitive->vertices.size())
       return {.state = ProbeState::Gone};
-    if (!view.nodes[static_cast<std::size_t>(object.node)].isVisible) return {.state = ProbeState::Gone};
-    const Deformer deformer(scene, object.node, *object.primitive, view.pose, view.pose.time);
+    if (!view.nodes[static_cast<std::size_t>(object.at.node)].isVisible) return {.state = ProbeState::Gone};
+    const Deformer deformer(scene, object.at, *object.primitive, view.pose, view.pose.time);
     glm::dvec3 point(0.0);
     for (int corner = 0; corner < 3; ++corner)
       if (anchor.weights[corner] != 0.0f)

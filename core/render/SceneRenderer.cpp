@@ -120,7 +120,8 @@ struct SceneRenderer::Impl {
   /// The view, with which the passes are ready to draw.
   const View& prepare(const FrameRequest& request, int frame, const Progress& warmUp);
   void drawSurfaces(const View& view, const FrameInputs& out, const Progress& warmUp);
-  void drawBlended(const InputSettings& settings, const FrameInputs& out, const Progress& warmUp);
+  void drawBlended(const InputSettings& settings, const View& view, const FrameInputs& out,
+                   const Progress& warmUp);
   void drawFog(const FrameRequest& request, const View& view, FrameInputs& out);
 };
 
@@ -154,16 +155,17 @@ void SceneRenderer::Impl::drawSurfaces(const View& view, const FrameInputs& out,
   gl::Framebuffer target(attachments, &out.depth, "frame inputs");
   target.clearDepth(0.0f, view.part);
   if (out.mask) target.clearColor(GBufferPass::kMaskAttachment, glm::vec4(0.0f), view.part);
-  gbuffer.draw(*scene, resources, frame, target, warmUp);
+  gbuffer.draw({*scene, resources, view, frame}, target, warmUp);
   sky.draw(frame, background, view.part);
 }
 
-void SceneRenderer::Impl::drawBlended(const InputSettings& settings, const FrameInputs& out,
+void SceneRenderer::Impl::drawBlended(const InputSettings& settings, const View& view, const FrameInputs& out,
                                       const Progress& warmUp) {
+  const GBufferPass::Source source{*scene, resources, view, frame};
   if (out.overlay) {
     gl::Framebuffer layer({{&out.overlay}}, &out.depth, "overlay");
     layer.clearColor(0, glm::vec4(0.0f));
-    if (gbuffer.hasBlended()) gbuffer.drawBlended(*scene, resources, frame, layer, warmUp);
+    if (gbuffer.hasBlended()) gbuffer.drawBlended(source, layer, warmUp);
     return;
   }
   if (!gbuffer.hasBlended()) return;
@@ -171,7 +173,7 @@ void SceneRenderer::Impl::drawBlended(const InputSettings& settings, const Frame
   const gl::Framebuffer target(
       {{&out.color}, {writesMotion ? &out.motion : nullptr}, {}, {}, {}, {out.mask ? &out.mask : nullptr}},
       &out.depth, "blended");
-  gbuffer.drawBlended(*scene, resources, frame, target, warmUp);
+  gbuffer.drawBlended(source, target, warmUp);
 }
 
 void SceneRenderer::Impl::drawFog(const FrameRequest& request, const View& view, FrameInputs& out) {
@@ -190,7 +192,7 @@ void SceneRenderer::Impl::draw(const FrameRequest& request, int number, FrameInp
 
   drawSurfaces(view, out, warmUp);
   if (request.inputs.mask == MaskSource::AutoReactive) reactive.keepOpaque(out.color);
-  drawBlended(request.inputs, out, warmUp);
+  drawBlended(request.inputs, view, out, warmUp);
   if (request.inputs.mask == MaskSource::AutoReactive) reactive.draw(out.color, out.mask, view.part);
   drawFog(request, view, out);
   if (isFromDepth(request.inputs.motion)) cameraMotion.draw(request.inputs.motion, frame, out, view.part);

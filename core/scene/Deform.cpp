@@ -28,10 +28,10 @@ int cacheFrame(const VertexCache& cache, double time) {
   return static_cast<int>(frame % cache.frames);
 }
 
-Deformer::Deformer(const Scene& scene, int node, const Primitive& primitive, const Pose& pose,
+Deformer::Deformer(const Scene& scene, const NodeInstance& at, const Primitive& primitive, const Pose& pose,
                    double cacheTime, double secondsBack)
-    : scene_(scene), node_(scene.nodes[static_cast<std::size_t>(node)]), primitive_(primitive), pose_(pose),
-      worldFromNode_(pose.worldFromNode[static_cast<std::size_t>(node)]),
+    : scene_(scene), node_(scene.nodes[static_cast<std::size_t>(at.node)]), primitive_(primitive),
+      pose_(pose), worldFromModel_(worldFromInstance(scene, pose, at)),
       firstEntry_(static_cast<std::size_t>(cacheFrame(primitive.cache, cacheTime)) *
                   primitive.vertices.size()),
       secondsBack_(static_cast<float>(secondsBack)) {
@@ -54,7 +54,7 @@ glm::vec3 Deformer::position(std::size_t vertex) const {
         wind.waveNumber * (position.x + position.z) + wind.frequency * static_cast<float>(pose_.time);
     position += wind.direction * (wind.amplitude * primitive_.vertices[vertex].uv1.y * std::sin(phase));
   }
-  return joints_.empty() ? glm::vec3(worldFromNode_ * glm::vec4(position, 1.0f)) : skinned(vertex, position);
+  return joints_.empty() ? glm::vec3(worldFromModel_ * glm::vec4(position, 1.0f)) : skinned(vertex, position);
 }
 
 // Σ w_j M_j x over the joints of the vertex (3.4).

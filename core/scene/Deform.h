@@ -18,13 +18,13 @@ bool isDeformed(const Scene& scene, const Node& node, const Primitive& primitive
 /// The entry of the cache that counts at `time` seconds.
 int cacheFrame(const VertexCache& cache, double time);
 
-/// The vertices of one primitive at one node in one frame.
+/// The vertices of one primitive at one node, or at one of its instances, in one frame.
 class Deformer {
  public:
   /// `secondsBack` moves cached vertices against their velocity: 0 for this frame, Δt for the previous one,
   /// whose `pose` is then that of the previous frame while `cacheTime` stays that of this one.
-  Deformer(const Scene& scene, int node, const Primitive& primitive, const Pose& pose, double cacheTime,
-           double secondsBack = 0.0);
+  Deformer(const Scene& scene, const NodeInstance& at, const Primitive& primitive, const Pose& pose,
+           double cacheTime, double secondsBack = 0.0);
 
   /// World position: cache, morph targets, wind, then the skin or the node's transform.
   glm::vec3 position(std::size_t vertex) const;
@@ -36,7 +36,7 @@ class Deformer {
   const Node& node_;
   const Primitive& primitive_;
   const Pose& pose_;
-  const glm::mat4& worldFromNode_;
+  glm::mat4 worldFromModel_;
   std::size_t firstEntry_ = 0; ///< of the cache
   float secondsBack_;
   std::vector<glm::mat4> joints_;

@@ -142,10 +142,23 @@ void updateBounds(Primitive& primitive) {
 
 namespace {
 
-void addDeformed(Bounds& bounds, const Scene& scene, int node, const Primitive& primitive, const Pose& pose) {
-  const Deformer deformer(scene, node, primitive, pose, 0.0);
-  for (std::size_t vertex = 0; vertex < primitive.vertices.size(); ++vertex)
-    bounds.add(deformer.position(vertex));
+/// `pose`: of the scene at rest.
+void addBounds(Bounds& bounds, const Scene& scene, const NodeInstance& at, const Primitive& primitive,
+               const Pose& pose) {
+  if (primitive.bounds.isEmpty()) return;
+  if (isDeformed(scene, scene.nodes[static_cast<std::size_t>(at.node)], primitive)) {
+    const Deformer deformer(scene, at, primitive, pose, 0.0);
+    for (std::size_t vertex = 0; vertex < primitive.vertices.size(); ++vertex)
+      bounds.add(deformer.position(vertex));
+    return;
+  }
+  const glm::mat4 world = worldFromInstance(scene, pose, at);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec3 point(corner & 1 ? primitive.bounds.max.x : primitive.bounds.min.x,
+                          corner & 2 ? primitive.bounds.max.y : primitive.bounds.min.y,
+                          corner & 4 ? primitive.bounds.max.z : primitive.bounds.min.z);
+    bounds.add(glm::vec3(world * glm::vec4(point, 1.0f)));
+  }
 }
 
 } // namespace
@@ -156,22 +169,11 @@ Bounds restBounds(const Scene& scene) {
   Pose pose = poseAt(atRest, 0.0);
   pose.morphWeights = scene.morphWeights;
   Bounds bounds;
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    if (scene.nodes[i].mesh < 0) continue;
-    for (const Primitive& primitive :
-         scene.meshes[static_cast<std::size_t>(scene.nodes[i].mesh)].primitives) {
-      if (primitive.bounds.isEmpty()) continue;
-      if (isDeformed(scene, scene.nodes[i], primitive)) {
-        addDeformed(bounds, scene, static_cast<int>(i), primitive, pose);
-        continue;
-      }
-      for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec3 point(corner & 1 ? primitive.bounds.max.x : primitive.bounds.min.x,
-                              corner & 2 ? primitive.bounds.max.y : primitive.bounds.min.y,
-                              corner & 4 ? primitive.bounds.max.z : primitive.bounds.min.z);
-        bounds.add(glm::vec3(pose.worldFromNode[i] * glm::vec4(point, 1.0f)));
-      }
-    }
+  for (int index = 0; index < static_cast<int>(scene.nodes.size()); ++index) {
+    const Node& node = scene.nodes[static_cast<std::size_t>(index)];
+    for (int instance = 0; instance < node.timesDrawn(); ++instance)
+      for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives)
+        addBounds(bounds, scene, {index, instance}, primitive, pose);
   }
   return bounds;
 }

@@ -166,6 +166,20 @@ Pose poseAt(const Scene& scene, double time) {
   return pose;
 }
 
+glm::mat4 worldFromInstance(const Scene& scene, const Pose& pose, const NodeInstance& at) {
+  const glm::mat4& worldFromNode = pose.worldFromNode[static_cast<std::size_t>(at.node)];
+  const Node& node = scene.nodes[static_cast<std::size_t>(at.node)];
+  if (node.firstInstance < 0) return worldFromNode;
+  assert(at.instance >= 0 && at.instance < node.instanceCount);
+  return worldFromNode *
+         glm::mat4(scene.instances[static_cast<std::size_t>(node.firstInstance + at.instance)]);
+}
+
+glm::mat4x3 instanceTransform(const glm::vec3& translation, const glm::quat& rotation,
+                              const glm::vec3& scale) {
+  return glm::mat4x3(matrixOf({translation, rotation, scale}));
+}
+
 glm::vec4 animatedUv(const UvAnimation& animation, double time) {
   constexpr double kEarly = 1e-6; // cells: a frame whose time was rounded down shows its own cell
   const auto count = static_cast<long long>(animation.columns) * animation.rows;

@@ -19,6 +19,20 @@ struct Pose {
 /// the same bits.
 Pose poseAt(const Scene& scene, double time);
 
+/// One of the places that a node draws its mesh at: its instances, or itself as number 0.
+struct NodeInstance {
+  int node = -1, instance = 0;
+  // NOLINTNEXTLINE(google-explicit-constructor): most nodes have none
+  NodeInstance(int node_, int instance_ = 0) : node(node_), instance(instance_) {}
+};
+
+/// World from model there.
+glm::mat4 worldFromInstance(const Scene& scene, const Pose& pose, const NodeInstance& at);
+
+/// An entry of Scene::instances: scaled, then turned, then moved.
+glm::mat4x3 instanceTransform(const glm::vec3& translation, const glm::quat& rotation,
+                              const glm::vec3& scale);
+
 /// What the first uv set is multiplied by (xy) and shifted by (zw) at `time` seconds.
 glm::vec4 animatedUv(const UvAnimation& animation, double time);
 

@@ -7,6 +7,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/mat4x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -28,7 +29,9 @@ struct Node {
   glm::mat4 matrix{1.0f}; ///< used instead of translation, rotation and scale when `hasMatrix`
   bool hasMatrix = false;
   int mesh = -1, camera = -1, light = -1;
-  int skin = -1;                ///< into Scene::skins; the node's own transform does not count then
+  int firstInstance = -1; ///< into Scene::instances, where its mesh is drawn; −1: once, at the node itself
+  int instanceCount = 0;  ///< how many of them
+  int skin = -1;          ///< into Scene::skins; the node's own transform does not count then
   std::uint32_t capturedId = 0; ///< of a capture: what the object's pixels have as object id; 0: none
   int firstWeight = -1; ///< into Scene::morphWeights, one for each target of the mesh; −1: it has none
   MotionMode motionMode = MotionMode::PerObject;
@@ -36,6 +39,9 @@ struct Node {
   double visibleFrom = 0.0;                                      ///< seconds; it is drawn from then on …
   double visibleUntil = std::numeric_limits<double>::infinity(); ///< … and not any more from then on
   std::vector<double> teleports; ///< seconds at which it jumps to another place, which is no motion
+
+  /// How often its mesh is drawn.
+  int timesDrawn() const { return mesh < 0 ? 0 : firstInstance < 0 ? 1 : instanceCount; }
 };
 
 struct Skin {
@@ -122,6 +128,7 @@ struct Scene {
   std::vector<Material> materials; ///< at least one
   std::vector<Mesh> meshes;
   std::vector<Node> nodes;
+  std::vector<glm::mat4x3> instances; ///< node from instance, of all nodes one after another
   std::vector<Skin> skins;
   std::vector<float> morphWeights;         ///< at rest, of all nodes one after another
   std::vector<Animation> animations;       ///< all of them play, each in a loop; later ones move over earlier

@@ -3,7 +3,9 @@
 #include "core/scene/ObjectFilter.h"
 #include "core/scene/Scene.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace taa {
@@ -21,9 +23,11 @@ NodeKind kindOf(const Node& node) {
 int SceneOutline::nodeOf(int object) const {
   if (const auto captured = nodeOfCaptured.find(object); captured != nodeOfCaptured.end())
     return captured->second;
-  return object > 0 && object < static_cast<int>(nodeOfObject.size())
-             ? nodeOfObject[static_cast<std::size_t>(object)]
-             : -1;
+  const auto firstOf = [this](int node) { return nodes[static_cast<std::size_t>(node)].firstObject; };
+  const auto after = std::ranges::upper_bound(drawing, object, {}, firstOf);
+  if (after == drawing.begin()) return -1;
+  const OutlineNode& node = nodes[static_cast<std::size_t>(*std::prev(after))];
+  return object < node.firstObject + node.objectCount ? *std::prev(after) : -1;
 }
 
 std::vector<int> SceneOutline::objectsBelow(int node) const {
@@ -39,13 +43,14 @@ std::vector<int> SceneOutline::objectsBelow(int node) const {
   return objects;
 }
 
-// Objects are numbered in the order in which GBufferPass makes its items: by node, then by primitive.
+// Objects are numbered as GBufferPass does: by node, then by instance, then by primitive.
 SceneOutline outlineOf(const Scene& scene, const std::string& source) {
   SceneOutline outline;
   outline.source = source;
   if (const float radius = scene.bounds.radius(); std::isfinite(radius) && radius > 0.0f)
     outline.radius = radius;
   outline.nodes.reserve(scene.nodes.size());
+  int objects = 0; // so far
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];
     OutlineNode item;
@@ -53,13 +58,14 @@ SceneOutline outlineOf(const Scene& scene, const std::string& source) {
     item.parent = node.parent;
     item.kind = kindOf(node);
     item.motion = node.motionMode;
-    if (node.mesh >= 0) {
-      item.firstObject = static_cast<int>(outline.nodeOfObject.size());
+    if (const int times = node.timesDrawn(); times > 0) {
+      item.firstObject = objects + 1;
       for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
-        outline.nodeOfObject.push_back(static_cast<int>(i));
-        item.triangles += primitive.indices.size() / 3;
-        ++item.objectCount;
+        item.triangles += static_cast<std::size_t>(times) * (primitive.indices.size() / 3);
+        item.objectCount += times;
       }
+      objects += item.objectCount;
+      if (item.objectCount > 0) outline.drawing.push_back(static_cast<int>(i));
     }
     if (node.capturedId > 0 && std::in_range<int>(node.capturedId)) {
       item.firstObject = static_cast<int>(node.capturedId);

@@ -21,7 +21,7 @@ struct OutlineNode {
   NodeKind kind{};     ///< Mesh: it is drawn
   MotionMode motion{}; ///< what the scene gives it
   int firstObject = 0; ///< number of its first object in the row objectId; 0: it draws none
-  int objectCount = 0; ///< one for each of its primitives
+  int objectCount = 0; ///< one for each of its primitives, and of each instance
   std::size_t triangles = 0;
 };
 
@@ -30,8 +30,8 @@ struct SceneOutline {
   std::string source;
   float radius = 1.0f;               ///< of the scene's bounds, world units
   std::vector<OutlineNode> nodes;    ///< as Scene::nodes
-  std::vector<int> nodeOfObject{-1}; ///< by the number of the object; −1: the sky
-  std::map<int, int> nodeOfCaptured; ///< the same of a capture, whose numbers are any
+  std::vector<int> drawing;          ///< those of them that draw objects, whose numbers rise along it
+  std::map<int, int> nodeOfCaptured; ///< by the number of the object: of a capture, whose numbers are any
   /// −1 for the sky and for numbers there are not.
   int nodeOf(int object) const;
   /// Numbers of all objects of a node and of what is below it.

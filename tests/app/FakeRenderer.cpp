@@ -33,7 +33,7 @@ std::shared_ptr<const SceneOutline> fakeOutline(const std::string& source) {
   add("floor", 0, NodeKind::Mesh, 1);
   add("rotor & hub", 0, NodeKind::Mesh, 2);
   add("lamp", -1, NodeKind::Light, 0);
-  outline.nodeOfObject = {-1, 1, 2};
+  outline.drawing = {1, 2};
   return std::make_shared<const SceneOutline>(std::move(outline));
 }
 

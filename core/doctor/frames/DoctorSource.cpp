@@ -48,10 +48,12 @@ DoctorSource openSceneForDoctor(const SourceRequest& request, const Progress& pr
   out.frames = std::move(opened.frames);
   out.frameCount = opened.scene->shot.frames;
   const SceneOutline outline = outlineOf(*opened.scene, request.source);
-  for (std::size_t object = 1; object < outline.nodeOfObject.size(); ++object)
-    if (const int node = outline.nodeOfObject[object]; node >= 0)
-      out.objectNames[static_cast<std::uint32_t>(object)] =
+  for (const int node : outline.drawing) {
+    const OutlineNode& item = outline.nodes[static_cast<std::size_t>(node)];
+    for (int object = 0; object < item.objectCount; ++object)
+      out.objectNames[static_cast<std::uint32_t>(item.firstObject + object)] =
           opened.scene->nodes[static_cast<std::size_t>(node)].name;
+  }
   out.request.camera = request.camera.empty() ? opened.scene->shot.camera : request.camera;
   out.request.width = request.sizePx.x;
   out.request.height = request.sizePx.y;

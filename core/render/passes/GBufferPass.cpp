@@ -24,32 +24,17 @@ glm::mat4 normalMatrix(const glm::mat3& m, float sign) {
       glm::mat3(sign * glm::cross(m[1], m[2]), sign * glm::cross(m[2], m[0]), sign * glm::cross(m[0], m[1])));
 }
 
-bool isBlended(BlendedAs blended) {
-  return blended == BlendedAs::Before || blended == BlendedAs::BeforeWithMotion ||
-         blended == BlendedAs::After;
-}
-
 } // namespace
 
 GBufferPass::GBufferPass(const Scene& scene) : lights_(lightCounts(scene)) {
   const std::vector<bool> moves = movingNodes(scene);
+  int objects = 0; // of the nodes before
   for (int node = 0; node < static_cast<int>(scene.nodes.size()); ++node) {
-    const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
-    if (mesh < 0) continue;
-    const std::vector<Primitive>& primitives = scene.meshes[static_cast<std::size_t>(mesh)].primitives;
-    for (int index = 0; index < static_cast<int>(primitives.size()); ++index) {
-      const Primitive& primitive = primitives[static_cast<std::size_t>(index)];
-      const Variant variant = variantFor(primitive, scene.nodes[static_cast<std::size_t>(node)], scene);
-      const ObjectClass objectClass = variant.deforms()                       ? ObjectClass::Deforming
-                                      : moves[static_cast<std::size_t>(node)] ? ObjectClass::Moving
-                                                                              : ObjectClass::Still;
-      items_.push_back({node, mesh, index, primitive.material, objectClass, variant});
-      if (variant.deforms() && !extents_.contains({mesh, index}))
-        extents_.emplace(
-            std::pair(mesh, index),
-            deformExtent(primitive, scene.materials[static_cast<std::size_t>(primitive.material)].wind));
-    }
+    const int times = scene.nodes[static_cast<std::size_t>(node)].timesDrawn();
+    if (times == 0) continue;
+    objects += times * addItems(scene, node, objects + 1, moves[static_cast<std::size_t>(node)]);
   }
+  items_.shrink_to_fit();
   findInstanced(scene);
   for (const Skin& skin : scene.skins) {
     firstJoints_.push_back(jointCount_);
@@ -61,12 +46,32 @@ GBufferPass::GBufferPass(const Scene& scene) : lights_(lightCounts(scene)) {
     morphWeights_ = gl::Buffer(2 * scene.morphWeights.size() * sizeof(float), nullptr, "morph weights");
 }
 
+int GBufferPass::addItems(const Scene& scene, int node, int firstObject, bool moves) {
+  const Node& source = scene.nodes[static_cast<std::size_t>(node)];
+  const std::vector<Primitive>& primitives = scene.meshes[static_cast<std::size_t>(source.mesh)].primitives;
+  const int parts = static_cast<int>(primitives.size());
+  for (int index = 0; index < parts; ++index) {
+    const Primitive& primitive = primitives[static_cast<std::size_t>(index)];
+    const MeshVariant variant = variantFor(primitive, source, scene);
+    const ObjectClass objectClass = variant.deforms() ? ObjectClass::Deforming
+                                    : moves           ? ObjectClass::Moving
+                                                      : ObjectClass::Still;
+    items_.push_back({node, source.mesh, index, primitive.material, source.timesDrawn(), firstObject + index,
+                      parts, objectClass, variant});
+    if (variant.deforms() && !extents_.contains({source.mesh, index}))
+      extents_.emplace(
+          std::pair(source.mesh, index),
+          deformExtent(primitive, scene.materials[static_cast<std::size_t>(primitive.material)].wind));
+  }
+  return parts;
+}
+
 // A call costs llvmpipe as much as some hundred vertices whose blocks it finds by the number of the instance.
 void GBufferPass::findInstanced(const Scene& scene) {
   constexpr int kMinInstances = 8;
   constexpr std::size_t kMostVerticesOfInstance = 128;
   std::map<std::pair<int, int>, int> counts; // by mesh and primitive
-  for (const Item& item : items_) ++counts[{item.mesh, item.primitive}];
+  for (const Item& item : items_) counts[{item.mesh, item.primitive}] += item.instances;
   for (Item& item : items_) {
     const Primitive& primitive = scene.meshes[static_cast<std::size_t>(item.mesh)]
                                      .primitives[static_cast<std::size_t>(item.primitive)];
@@ -75,47 +80,9 @@ void GBufferPass::findInstanced(const Scene& scene) {
   }
 }
 
-GBufferPass::Variant GBufferPass::variantFor(const Primitive& primitive, const Node& node,
-                                             const Scene& scene) {
-  const Material& material = scene.materials[static_cast<std::size_t>(primitive.material)];
-  // Lines and points have no side that could face a light.
-  const bool lit = !material.unlit && primitive.topology == Topology::Triangles;
-  return {textureMask(material),
-          material.alphaMode != AlphaMode::Opaque,
-          lit,
-          node.skin >= 0 ? primitive.influenceSets : 0,
-          node.firstWeight >= 0 && !primitive.targets.empty(),
-          primitive.cache.frames > 0,
-          material.wind.amplitude != 0.0f,
-          material.uvAnimation != UvAnimation{}};
-}
-
-gl::Program GBufferPass::compile(const Variant& variant) const {
-  const auto line = [](const char* name, int value) {
-    return std::string("const int ") + name + " = " + std::to_string(value) + ";\n";
-  };
-  const auto flag = [](const char* name, bool value) {
-    return std::string("const bool ") + name + " = " + (value ? "true" : "false") + ";\n";
-  };
-  const std::string prelude =
-      line("kTextures", static_cast<int>(variant.textures)) +
-      line("kDirectionalLights", lights_.directional) + line("kNearLights", lights_.near) +
-      flag("kMasked", variant.masked) + flag("kLit", variant.lit) + flag("kBiased", variant.biased) +
-      flag("kUnjittered", variant.unjittered) + flag("kDithered", variant.dithered) +
-      flag("kBlended", variant.blended) + line("kMask", variant.mask) +
-      flag("kPrintedMotion", variant.printedMotion) + flag("kInstanced", variant.instanced);
-  const std::string deform = line("kInfluenceSets", variant.influenceSets) +
-                             flag("kMorphed", variant.morphed) + flag("kCached", variant.cached) +
-                             flag("kWind", variant.wind) + flag("kSteady", variant.steady) +
-                             flag("kPrintedJitter", variant.printedJitter) +
-                             flag("kMovingUv", variant.movingUv) + flag("kInstanced", variant.instanced);
-  return {gl::ShaderSource("scene/mesh.vert", deform), gl::ShaderSource("scene/mesh.frag", prelude),
-          "GBufferPass"};
-}
-
 void GBufferPass::reloadShaders() {
-  std::map<Variant, gl::Program> programs;
-  for (const auto& [variant, program] : programs_) programs.emplace(variant, compile(variant));
+  std::map<MeshVariant, gl::Program> programs;
+  for (const auto& [variant, program] : programs_) programs.emplace(variant, compile(variant, lights_));
   programs_.swap(programs);
 }
 
@@ -132,20 +99,33 @@ void GBufferPass::prepareDeformation(const Scene& scene, const View& view) {
   morphWeights_.update(bytes, view.previousPose.morphWeights.data(), bytes);
 }
 
-shared::DrawBlock GBufferPass::drawBlock(const Scene& scene, const View& view, std::size_t index) const {
-  const Item& item = items_[index];
+GBufferPass::Place GBufferPass::placeOf(const Scene& scene, const View& view, const Item& item,
+                                        int instance) const {
+  const bool isSkinned = item.variant.influenceSets > 0;
+  // Joints lead to the world; glTF ignores the transform of a skinned node.
+  Place place;
+  if (!isSkinned) place.worldFromModel = worldFromInstance(scene, view.pose, {item.node, instance});
+  const int skin = scene.nodes[static_cast<std::size_t>(item.node)].skin;
+  const glm::mat3 turns(
+      isSkinned ? jointMatrices_[static_cast<std::size_t>(firstJoints_[static_cast<std::size_t>(skin)])]
+                : place.worldFromModel);
+  place.sign = glm::determinant(turns) < 0.0f ? -1.0f : 1.0f;
+  return place;
+}
+
+shared::DrawBlock GBufferPass::drawBlock(const Scene& scene, const View& view, const Visible& visible) const {
+  const Item& item = items_[visible.item];
+  const int instance = static_cast<int>(visible.instance);
   const Node& node = scene.nodes[static_cast<std::size_t>(item.node)];
   const Primitive& primitive =
       scene.meshes[static_cast<std::size_t>(item.mesh)].primitives[static_cast<std::size_t>(item.primitive)];
   const bool isSkinned = item.variant.influenceSets > 0;
   const int firstJoint = isSkinned ? firstJoints_[static_cast<std::size_t>(node.skin)] : 0;
-  // Joints lead to the world; glTF ignores the transform of a skinned node.
-  const glm::mat4 world =
-      isSkinned ? glm::mat4(1.0f) : view.pose.worldFromNode[static_cast<std::size_t>(item.node)];
+  const auto [world, sign] = placeOf(scene, view, item, instance);
   const MotionMode mode = view.nodes[static_cast<std::size_t>(item.node)].mode;
   const bool isFollowed = mode == MotionMode::PerObject && !item.variant.printedMotion;
   const glm::mat4 previousWorld =
-      isSkinned || !isFollowed ? world : view.previousPose.worldFromNode[static_cast<std::size_t>(item.node)];
+      isSkinned || !isFollowed ? world : worldFromInstance(scene, view.previousPose, {item.node, instance});
   shared::DrawBlock block{};
   block.worldFromModel = world;
   block.clipFromModel = view.block.clipFromWorld * world;
@@ -155,13 +135,11 @@ shared::DrawBlock GBufferPass::drawBlock(const Scene& scene, const View& view, s
     block.previousClipFromModel = block.clipFromModel;
     block.previousDepthRow = -glm::row(view.block.viewFromWorld * world, 2);
   }
-  const glm::mat3 turns(isSkinned ? jointMatrices_[static_cast<std::size_t>(firstJoint)] : world);
-  const float sign = glm::determinant(turns) < 0.0f ? -1.0f : 1.0f;
   block.normalFromModel = normalMatrix(glm::mat3(world), sign);
   const Material& material = scene.materials[static_cast<std::size_t>(item.material)];
   const std::optional<ObjectClass> given = view.classes[static_cast<std::size_t>(item.node)];
-  block.drawTerms = {static_cast<float>(index + 1), sign, material.responsive ? 1.0f : 0.0f,
-                     static_cast<float>(given.value_or(item.objectClass))};
+  block.drawTerms = {static_cast<float>(item.firstObject + instance * item.objectStep), sign,
+                     material.responsive ? 1.0f : 0.0f, static_cast<float>(given.value_or(item.objectClass))};
   block.uvCell = animatedUv(material.uvAnimation, view.pose.time);
   // What is not followed is deformed as it is now in the previous frame too.
   const double previousTime = isFollowed ? view.previousPose.time : view.pose.time;
@@ -196,7 +174,7 @@ Bounds GBufferPass::boundsOf(const Scene& scene, const View& view, const Item& i
 
 GBufferPass::IndexRange GBufferPass::indicesBeside(std::span<const HalfSpace> outside, const Item& item,
                                                    const Primitive& primitive, const Wind& wind) {
-  const Variant& variant = item.variant;
+  const MeshVariant& variant = item.variant;
   if (primitive.topology != Topology::Triangles || variant.influenceSets > 0 || variant.morphed ||
       variant.cached || primitive.indices.size() <= 3 * TriangleGroups::kMaxTriangles)
     return {};
@@ -206,7 +184,8 @@ GBufferPass::IndexRange GBufferPass::indicesBeside(std::span<const HalfSpace> ou
   const std::size_t first = partIndices_.size();
   groups->second.append(primitive, outside, partIndices_);
   const std::size_t count = partIndices_.size() - first;
-  if (count < primitive.indices.size()) return {false, first, count};
+  if (count < primitive.indices.size())
+    return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), false};
   partIndices_.resize(first);
   return {};
 }
@@ -216,43 +195,48 @@ void GBufferPass::findVisible(const Scene& scene, const View& view, bool culls) 
   blended_.clear();
   partIndices_.clear();
   counts_ = {};
-  const ClipSides sides = clipSides(view);
-  for (std::size_t index = 0; index < items_.size(); ++index) {
-    const Item& item = items_[index];
-    const Primitive& primitive = scene.meshes[static_cast<std::size_t>(item.mesh)]
-                                     .primitives[static_cast<std::size_t>(item.primitive)];
-    if (primitive.indices.empty() || !view.nodes[static_cast<std::size_t>(item.node)].isVisible) continue;
-    ++counts_.objects;
-    const shared::DrawBlock block = drawBlock(scene, view, index);
-    const bool isMirrored = block.drawTerms.y < 0.0f;
-    const glm::vec4 jitter = item.variant.printedJitter ? view.block.printedJitter : glm::vec4(0.0f);
-    const auto distance = farthestPoint(boundsOf(scene, view, item), block.clipFromModel, sides, jitter);
-    if (culls && !distance) continue;
-    IndexRange indices;
-    if (culls && view.part)
-      indices = indicesBeside(beyondSides(block.clipFromModel, sides, jitter), item, primitive,
-                              scene.materials[static_cast<std::size_t>(item.material)].wind);
-    if (!indices.isWhole && indices.count == 0) continue;
-    ++counts_.drawn;
-    counts_.triangles += (indices.isWhole ? primitive.indices.size() : indices.count) / 3;
-    if (item.variant.blended)
-      blended_.push_back(
-          {false, isMirrored, middleDistance(primitive.bounds, block.clipFromModel), index, indices});
-    else
-      // What deforms comes last.
-      visible_.push_back({item.variant.masked, isMirrored,
-                          item.variant.deforms() ? kBeyondAll : distance.value_or(kBeyondAll), index,
-                          indices});
-  }
+  for (std::uint32_t index = 0; index < items_.size(); ++index) findVisible(scene, view, culls, index);
   // Masked ones last, because they cannot hide what is behind them before they are shaded. The far end of a
   // thing decides, so that walls and grounds come after what stands before them.
   std::sort(visible_.begin(), visible_.end());
   std::sort(blended_.rbegin(), blended_.rend());
 }
 
+void GBufferPass::findVisible(const Scene& scene, const View& view, bool culls, std::uint32_t index) {
+  const Item& item = items_[index];
+  const Primitive& primitive =
+      scene.meshes[static_cast<std::size_t>(item.mesh)].primitives[static_cast<std::size_t>(item.primitive)];
+  if (primitive.indices.empty() || !view.nodes[static_cast<std::size_t>(item.node)].isVisible) return;
+  counts_.objects += item.instances;
+  const ClipSides sides = clipSides(view);
+  const Bounds bounds = boundsOf(scene, view, item);
+  const glm::vec4 jitter = item.variant.printedJitter ? view.block.printedJitter : glm::vec4(0.0f);
+  for (int instance = 0; instance < item.instances; ++instance) {
+    const auto [world, sign] = placeOf(scene, view, item, instance);
+    const glm::mat4 clipFromModel = view.block.clipFromWorld * world;
+    const auto distance = farthestPoint(bounds, clipFromModel, sides, jitter);
+    if (culls && !distance) continue;
+    IndexRange indices;
+    if (culls && view.part)
+      indices = indicesBeside(beyondSides(clipFromModel, sides, jitter), item, primitive,
+                              scene.materials[static_cast<std::size_t>(item.material)].wind);
+    if (!indices.isWhole && indices.count == 0) continue;
+    ++counts_.drawn;
+    counts_.triangles += (indices.isWhole ? primitive.indices.size() : indices.count) / 3;
+    Visible visible{kBeyondAll, index, static_cast<std::uint32_t>(instance), indices};
+    visible.masked = item.variant.masked;
+    visible.mirrored = sign < 0.0f;
+    if (item.variant.blended)
+      visible.distance = middleDistance(primitive.bounds, clipFromModel);
+    else if (!item.variant.deforms()) // what deforms comes last
+      visible.distance = distance.value_or(kBeyondAll);
+    (item.variant.blended ? blended_ : visible_).push_back(visible);
+  }
+}
+
 void GBufferPass::keepOneOfEach() {
   for (std::vector<Visible>* list : {&visible_, &blended_}) {
-    std::set<Variant> kept;
+    std::set<MeshVariant> kept;
     std::erase_if(*list,
                   [&](const Visible& visible) { return !kept.insert(items_[visible.item].variant).second; });
   }
@@ -260,7 +244,7 @@ void GBufferPass::keepOneOfEach() {
 
 // Each program is compiled, then drawn; what comes after them is the last step.
 void GBufferPass::reportWarmUp(const Progress& warmUp, std::size_t done) const {
-  std::set<Variant> variants;
+  std::set<MeshVariant> variants;
   for (const Item& item : items_) variants.insert(item.variant);
   report(warmUp, say<"Compiling shaders">(), static_cast<int>(done),
          static_cast<int>(2 * variants.size() + 1));
@@ -268,29 +252,16 @@ void GBufferPass::reportWarmUp(const Progress& warmUp, std::size_t done) const {
 
 void GBufferPass::apply(const InputSettings& settings, const Scene& scene, const View& view,
                         const Progress& warmUp) {
-  std::set<Variant> missing;
+  std::set<MeshVariant> missing;
   for (Item& item : items_) {
     const Material& material = scene.materials[static_cast<std::size_t>(item.material)];
-    Variant& variant = item.variant;
-    variant.biased = settings.mipBias != 0.0f && variant.textures != 0;
-    const bool blends = material.alphaMode == AlphaMode::Blend;
-    variant.dithered = settings.blended == BlendedAs::Dithered && blends;
-    variant.blended = isBlended(settings.blended) && blends;
-    variant.steady = settings.blended == BlendedAs::After && blends;
-    variant.masked = material.alphaMode != AlphaMode::Opaque && !variant.blended;
-    variant.unjittered = settings.unjitterTextures == Switch::On && variant.textures != 0 && !variant.steady;
-    variant.mask = settings.mask == MaskSource::None || variant.steady       ? 0
-                   : settings.mask == MaskSource::Opacity && variant.blended ? 2
-                                                                             : 1;
-    variant.printedJitter = view.projection != JitterProjection::Translation && !variant.steady;
-    // What is forced to have no motion has none in any form.
-    variant.printedMotion = settings.motion == MotionSource::ObjectsAsPrinted &&
-                            view.nodes[static_cast<std::size_t>(item.node)].mode != MotionMode::None;
-    if (!programs_.contains(variant)) missing.insert(variant);
+    const MotionMode mode = view.nodes[static_cast<std::size_t>(item.node)].mode;
+    item.variant.apply(settings, material, view.projection, mode);
+    if (!programs_.contains(item.variant)) missing.insert(item.variant);
   }
-  for (const Variant& variant : missing) {
+  for (const MeshVariant& variant : missing) {
     reportWarmUp(warmUp, programs_.size());
-    programs_.emplace(variant, compile(variant));
+    programs_.emplace(variant, compile(variant, lights_));
   }
 }
 
@@ -301,7 +272,7 @@ void GBufferPass::prepare(const Scene& scene, const InputSettings& settings, con
   prepareDeformation(scene, view);
   findVisible(scene, view, culls_ && !warmUp);
   if (warmUp) keepOneOfEach();
-  uploadPrepared(scene, view);
+  uploadPrepared(view);
   part_ = view.part;
 }
 
@@ -311,17 +282,15 @@ bool GBufferPass::drawAsOne(const Visible& first, const Visible& second) const {
          first.mirrored == second.mirrored && first.indices.isWhole && second.indices.isWhole;
 }
 
-void GBufferPass::makeCalls(const Scene& scene, const View& view, const std::vector<Visible>& items,
-                            DrawCalls& calls) const {
+void GBufferPass::makeCalls(const std::vector<Visible>& items, DrawCalls& calls) const {
   calls.clear();
   for (std::size_t i = 0; i < items.size(); ++i) calls.add(i > 0 && drawAsOne(items[i - 1], items[i]));
-  calls.fill([&](std::size_t i) { return drawBlock(scene, view, items[i].item); });
 }
 
-void GBufferPass::uploadPrepared(const Scene& scene, const View& view) {
+void GBufferPass::uploadPrepared(const View& view) {
   lightBlock_.update(0, &view.lights, sizeof(view.lights));
-  makeCalls(scene, view, visible_, calls_);
-  makeCalls(scene, view, blended_, blendedCalls_);
+  makeCalls(visible_, calls_);
+  makeCalls(blended_, blendedCalls_);
   if (partIndices_.empty()) return;
   const std::size_t bytes = partIndices_.size() * sizeof(std::uint32_t);
   if (partIndexBuffer_.bytes() < bytes) {
@@ -331,28 +300,27 @@ void GBufferPass::uploadPrepared(const Scene& scene, const View& view) {
   partIndexBuffer_.update(0, partIndices_.data(), bytes);
 }
 
-void GBufferPass::draw(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
-                       const gl::Framebuffer& target, const Progress& warmUp) {
+void GBufferPass::draw(const Source& source, const gl::Framebuffer& target, const Progress& warmUp) {
   if (items_.empty()) return;
   gl::RenderPass pass(target, {.depthTest = true, .depthWrite = true, .scissor = part_}, "GBufferPass");
-  drawItems(scene, resources, frame, false, pass, warmUp);
+  drawItems(source, false, pass, warmUp);
 }
 
-void GBufferPass::drawBlended(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
-                              const gl::Framebuffer& target, const Progress& warmUp) {
+void GBufferPass::drawBlended(const Source& source, const gl::Framebuffer& target, const Progress& warmUp) {
   gl::RenderPass pass(target, {.depthTest = true, .depthWrite = false, .scissor = part_},
                       "GBufferPass blended");
   pass.blending(0, gl::Blending::Over);
   pass.blending(kMaskAttachment, gl::Blending::Largest);
-  drawItems(scene, resources, frame, true, pass, warmUp);
+  drawItems(source, true, pass, warmUp);
 }
 
-void GBufferPass::drawItems(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
-                            bool ofBlended, gl::RenderPass& pass, const Progress& warmUp) const {
+void GBufferPass::drawItems(const Source& source, bool ofBlended, gl::RenderPass& pass,
+                            const Progress& warmUp) {
   const std::vector<Visible>& items = ofBlended ? blended_ : visible_;
-  const DrawCalls& calls = ofBlended ? blendedCalls_ : calls_;
+  DrawCalls& calls = ofBlended ? blendedCalls_ : calls_;
   std::size_t drawn = ofBlended ? visible_.size() : 0;
-  pass.uniformBlock(2, frame);
+  const auto blockOf = [&](std::size_t i) { return drawBlock(source.scene, source.view, items[i]); };
+  pass.uniformBlock(2, source.frame);
   pass.uniformBlock(3, lightBlock_);
   if (joints_.bytes() > 0) pass.storageBlock(3, joints_);
   if (morphWeights_.bytes() > 0) pass.storageBlock(4, morphWeights_);
@@ -361,11 +329,12 @@ void GBufferPass::drawItems(const Scene& scene, const SceneResources& resources,
     const Item& item = items_[visible.item];
     if (warmUp) reportWarmUp(warmUp, programs_.size() + drawn++);
     pass.program(programs_.at(item.variant));
-    calls.bind(pass, call, item.variant.instanced);
-    resources.bindMaterial(pass, item.material);
-    if (item.variant.deforms()) resources.bindDeformation(pass, item.mesh, item.primitive);
-    pass.culling(!scene.materials[static_cast<std::size_t>(item.material)].doubleSided, visible.mirrored);
-    const gl::Mesh& mesh = resources.mesh(item.mesh, item.primitive);
+    calls.bind(pass, call, item.variant.instanced, blockOf);
+    source.resources.bindMaterial(pass, item.material);
+    if (item.variant.deforms()) source.resources.bindDeformation(pass, item.mesh, item.primitive);
+    pass.culling(!source.scene.materials[static_cast<std::size_t>(item.material)].doubleSided,
+                 visible.mirrored);
+    const gl::Mesh& mesh = source.resources.mesh(item.mesh, item.primitive);
     if (visible.indices.isWhole)
       pass.draw(mesh, static_cast<int>(call.count));
     else

@@ -8,13 +8,13 @@
 #include "core/render/View.h"
 #include "core/render/passes/DrawCalls.h"
 #include "core/render/passes/Lights.h"
+#include "core/render/passes/MeshVariant.h"
 #include "core/scene/DeformBounds.h"
 #include "core/scene/ObjectClass.h"
 #include "core/scene/TriangleGroups.h"
 #include "core/settings/Settings.h"
 #include "shaders/shared/DrawBlock.h"
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -38,17 +38,22 @@ class GBufferPass {
   /// each drawn.
   void prepare(const Scene& scene, const InputSettings& settings, const View& view,
                const Progress& warmUp = {});
+  /// What everything is drawn from.
+  struct Source {
+    const Scene& scene;
+    const SceneResources& resources;
+    const View& view;        ///< that was prepared
+    const gl::Buffer& frame; ///< holds the view's block
+  };
   /// What was prepared, into `target`: attachments in the order of shaders/scene/mesh.frag, and depth.
-  /// `frame` holds the view's block. Leaves out what the settings blend.
-  void draw(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
-            const gl::Framebuffer& target, const Progress& warmUp = {});
+  /// Leaves out what the settings blend.
+  void draw(const Source& source, const gl::Framebuffer& target, const Progress& warmUp = {});
 
   /// Whether draw() left something out that may be seen.
   bool hasBlended() const { return !blended_.empty(); }
   /// What draw() left out of this frame, back to front: over the first attachment of `target`, in place of
   /// motion, and where it is larger than the mask. Other attachments are null; depth is only tested.
-  void drawBlended(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
-                   const gl::Framebuffer& target, const Progress& warmUp = {});
+  void drawBlended(const Source& source, const gl::Framebuffer& target, const Progress& warmUp = {});
 
   /// Of the last view, with what draw() leaves to drawBlended().
   const DrawCounts& counts() const { return counts_; }
@@ -59,59 +64,54 @@ class GBufferPass {
   void reloadShaders();
 
  private:
-  struct Variant {
-    unsigned textures = 0; ///< textureMask()
-    bool masked = false;
-    bool lit = true;
-    int influenceSets = 0;
-    bool morphed = false, cached = false, wind = false;
-    bool movingUv = false;
-    bool instanced = false;                                    ///< small things that are there often
-    bool biased = false, unjittered = false, dithered = false; ///< what the settings ask for
-    bool blended = false, steady = false;                      ///< likewise; steady: without jitter
-    bool printedJitter = false, printedMotion = false;         ///< likewise: forms as printed
-    int mask = 0;                                              ///< kMask of shaders/scene/mesh.frag
-    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a 0 in the comparison it makes
-    auto operator<=>(const Variant&) const = default;
-    bool deforms() const { return influenceSets > 0 || morphed || cached || wind; }
-  };
-  /// One primitive at one node.
+  /// One primitive at one node and at all of its instances.
   struct Item {
     int node = 0, mesh = 0, primitive = 0, material = 0;
+    int instances = 1;
+    int firstObject = 1, objectStep = 1; ///< object ids: of the first instance, and from one to the next
     ObjectClass objectClass = ObjectClass::Still;
-    Variant variant;
+    MeshVariant variant;
   };
-  static Variant variantFor(const Primitive& primitive, const Node& node, const Scene& scene);
-  gl::Program compile(const Variant& variant) const;
+  /// Those of a node, whose objects are numbered from `firstObject`; returns how many one instance has.
+  int addItems(const Scene& scene, int node, int firstObject, bool moves);
   /// Sets what the settings ask for in every item's variant and compiles what is new.
   void apply(const InputSettings& settings, const Scene& scene, const View& view, const Progress& warmUp);
   /// Which indices of an item's mesh are drawn: all, or some that stand among partIndices_.
   struct IndexRange {
+    std::uint32_t first = 0, count = 0;
     bool isWhole = true;
-    std::size_t first = 0, count = 0;
   };
-  /// An item that may be seen; drawn in their order, front to back, or back to front where it is blended.
+  /// An item, at one of its places, that may be seen; drawn in their order, front to back, or back to front
+  /// where it is blended. There may be a million of them.
   struct Visible {
+    float distance = 0.0f; ///< of its far end; of its middle where it is blended
+    std::uint32_t item = 0, instance = 0;
+    IndexRange indices;
     bool masked = false;
     bool mirrored = false; ///< its transform turns sides
-    float distance = 0.0f; ///< of its far end; of its middle where it is blended
-    std::size_t item = 0;
-    IndexRange indices;
     bool operator<(const Visible& other) const {
-      return std::tie(masked, distance, item) < std::tie(other.masked, other.distance, other.item);
+      return std::tie(masked, distance, item, instance) <
+             std::tie(other.masked, other.distance, other.item, other.instance);
     }
   };
+  /// Where a primitive is in this frame.
+  struct Place {
+    glm::mat4 worldFromModel{1.0f}; ///< of a skin: world from world
+    float sign = 1.0f;              ///< −1: it turns sides
+  };
+  Place placeOf(const Scene& scene, const View& view, const Item& item, int instance) const;
   /// Says of which items' primitives so many are drawn that one call draws many of them.
   void findInstanced(const Scene& scene);
   /// Fills `visible_` and `blended_`.
   void findVisible(const Scene& scene, const View& view, bool culls);
+  /// Those of an item.
+  void findVisible(const Scene& scene, const View& view, bool culls, std::uint32_t index);
   /// Those of triangles that do not lie wholly in one of the half spaces, as far as that is found out.
   IndexRange indicesBeside(std::span<const HalfSpace> outside, const Item& item, const Primitive& primitive,
                            const Wind& wind);
-  void uploadPrepared(const Scene& scene, const View& view);
+  void uploadPrepared(const View& view);
   /// The calls that draw a list in its order.
-  void makeCalls(const Scene& scene, const View& view, const std::vector<Visible>& items,
-                 DrawCalls& calls) const;
+  void makeCalls(const std::vector<Visible>& items, DrawCalls& calls) const;
   bool drawAsOne(const Visible& first, const Visible& second) const;
   /// What is in the lists, but one of each variant.
   void keepOneOfEach();
@@ -120,13 +120,12 @@ class GBufferPass {
   Bounds boundsOf(const Scene& scene, const View& view, const Item& item) const;
   /// Fills joint matrices and morph weights of both frames.
   void prepareDeformation(const Scene& scene, const View& view);
-  void drawItems(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame, bool ofBlended,
-                 gl::RenderPass& pass, const Progress& warmUp) const;
-  shared::DrawBlock drawBlock(const Scene& scene, const View& view, std::size_t index) const;
+  void drawItems(const Source& source, bool ofBlended, gl::RenderPass& pass, const Progress& warmUp);
+  shared::DrawBlock drawBlock(const Scene& scene, const View& view, const Visible& visible) const;
 
   LightCounts lights_;
-  std::vector<Item> items_; ///< object id − 1 is the index
-  std::map<Variant, gl::Program> programs_;
+  std::vector<Item> items_;
+  std::map<MeshVariant, gl::Program> programs_;
   gl::Buffer lightBlock_{sizeof(shared::LightBlock), nullptr, "lights"};
   std::vector<int> firstJoints_;         ///< of each skin among all joints
   int jointCount_ = 0;                   ///< of all skins

@@ -91,9 +91,10 @@ SceneCost costOf(const Scene& scene) {
     }
   for (const Node& node : scene.nodes) {
     if (node.mesh < 0) continue;
+    const auto times = static_cast<std::uint64_t>(node.timesDrawn());
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
-      ++cost.objects;
-      cost.triangles = cappedSum(cost.triangles, primitive.indices.size() / 3);
+      cost.objects += times;
+      cost.triangles = cappedSum(cost.triangles, cappedProduct(times, primitive.indices.size() / 3));
     }
   }
   cost.bytes += bytesOfImages(scene);

@@ -12,7 +12,7 @@ struct Scene;
 
 /// Of a whole scene, whatever a frame sees of it.
 struct SceneCost {
-  std::uint64_t objects = 0;   ///< primitives at nodes
+  std::uint64_t objects = 0;   ///< primitives at nodes and their instances
   std::uint64_t triangles = 0; ///< of all objects; three indices of lines and points count as one
   std::uint64_t vertices = 0;  ///< of all meshes
   std::uint64_t bytes = 0;     ///< of the buffers and textures that hold meshes and images on the GPU

@@ -3,11 +3,14 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
+#include "core/scene/Pose.h"
 #include "core/scene/gltf/GltfAccessor.h"
 #include "core/scene/gltf/GltfContext.h"
 #include "core/scene/gltf/GltfPrimitive.h"
 
+#include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/mat4x3.hpp>
 #include <tiny_gltf.h>
 
 #include <algorithm>
@@ -20,7 +23,7 @@ namespace taa {
 
 namespace {
 
-constexpr std::size_t kMaxInstances = 100000; ///< nodes made for EXT_mesh_gpu_instancing
+constexpr std::size_t kMaxInstances = 100000; ///< of EXT_mesh_gpu_instancing, of all nodes together
 constexpr std::size_t kMaxJoints = 65536;     ///< of all skins together
 constexpr std::size_t kMaxWeights = 1000000;  ///< of all nodes together
 
@@ -142,14 +145,14 @@ class MeshAdder {
         return values;
       };
       addInstances(read("TRANSLATION", 3), read("ROTATION", 4), read("SCALE", 3),
-                   context_.sceneNode[sourceNode], mesh);
+                   context_.scene.nodes[static_cast<std::size_t>(context_.sceneNode[sourceNode])], mesh);
     } catch (const Error& error) {
       throw Error(gltfPlace("nodes", sourceNode) + ".extensions.EXT_mesh_gpu_instancing: " + error.what());
     }
   }
 
   void addInstances(const AccessorValues& translations, const AccessorValues& rotations,
-                    const AccessorValues& scales, int parent, int mesh) {
+                    const AccessorValues& scales, Node& node, int mesh) {
     std::size_t count = 0;
     for (const AccessorValues* values : {&translations, &rotations, &scales}) {
       if (values->components == 0) continue;
@@ -158,17 +161,18 @@ class MeshAdder {
     }
     instances_ += count;
     if (instances_ > kMaxInstances) throw Error(say<"there are more than %1 instances">(kMaxInstances));
+    std::vector<glm::mat4x3>& all = context_.scene.instances;
+    node.mesh = mesh;
+    node.firstInstance = static_cast<int>(all.size());
+    node.instanceCount = static_cast<int>(count);
     for (std::size_t i = 0; i < count; ++i) {
-      Node node;
-      node.name = context_.scene.nodes[static_cast<std::size_t>(parent)].name;
-      node.parent = parent;
-      node.mesh = mesh;
-      if (translations.components != 0) node.translation = glm::vec3(translations.at(i));
-      if (scales.components != 0) node.scale = glm::vec3(scales.at(i));
       const glm::vec4 q = rotations.components != 0 ? rotations.at(i) : glm::vec4(0, 0, 0, 1);
+      glm::quat rotation(1.0f, 0.0f, 0.0f, 0.0f);
       if (const float length = glm::length(q); length > 0.0f)
-        node.rotation = {q.w / length, q.x / length, q.y / length, q.z / length};
-      context_.scene.nodes.push_back(std::move(node));
+        rotation = {q.w / length, q.x / length, q.y / length, q.z / length};
+      all.push_back(
+          instanceTransform(translations.components != 0 ? glm::vec3(translations.at(i)) : glm::vec3(0.0f),
+                            rotation, scales.components != 0 ? glm::vec3(scales.at(i)) : glm::vec3(1.0f)));
     }
   }
 
@@ -183,6 +187,8 @@ class MeshAdder {
 void addGltfMeshes(GltfContext& context) {
   MeshAdder meshes(context);
   for (std::size_t node = 0; node < context.model.nodes.size(); ++node) meshes.addTo(node);
+  context.scene.instances.shrink_to_fit();
+  context.scene.nodes.shrink_to_fit();
 }
 
 } // namespace taa

@@ -2,6 +2,7 @@
 // from meshes of their own, of which each is drawn by itself.
 #include "core/render/SceneRenderer.h"
 #include "core/render/passes/DrawCalls.h"
+#include "core/scene/Pose.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/frames/SmallScene.h"
 
@@ -14,6 +15,10 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 namespace taa {
 namespace {
@@ -151,10 +156,141 @@ TEST_F(InstancesTest, JoinTheCallBeforeThemWhereTheySay) {
     EXPECT_EQ(calls.calls()[i].offset % gl::storageAlignment(), 0u);
   }
   EXPECT_GE(calls.calls()[1].offset, 3 * sizeof(shared::DrawBlock));
-  calls.fill([](std::size_t) { return shared::DrawBlock{}; });
   calls.clear();
   EXPECT_TRUE(calls.calls().empty());
 }
+
+TEST_F(InstancesTest, AreUploadedInBatchesWhoseBlocksFitABufferOfThreeMiB) {
+  constexpr std::size_t kObjects = 30000;
+  DrawCalls calls;
+  calls.clear();
+  for (std::size_t i = 0; i < kObjects; ++i) calls.add(i % 10000 != 0); // three meshes
+  std::size_t next = 0, batches = 0;
+  for (const DrawCalls::Call& call : calls.calls()) {
+    EXPECT_EQ(call.first, next);
+    EXPECT_LE(call.offset + call.count * sizeof(shared::DrawBlock), std::size_t(3) << 20);
+    next += call.count;
+    batches = call.batch + 1;
+  }
+  EXPECT_EQ(next, kObjects);
+  EXPECT_GE(batches, 4u);
+  EXPECT_LE(calls.calls().size(), batches + 2) << "a call ends where a mesh or a batch does";
+}
+
+/// A node with instances, and one with a node below it for each of them.
+enum class InstancedBy { Instances, Nodes };
+
+Scene instancedQuads(InstancedBy by) {
+  Scene scene = emptyScene();
+  scene.materials[0].unlit = false;
+  const int parent = addQuad(scene, {0, 0, 0}, {0.7f, 0, 0}, {0, 0.6f, 0});
+  const int mesh = scene.nodes[static_cast<std::size_t>(parent)].mesh;
+  test::jump(scene, parent, AnimationPath::Translation, glm::vec4(0.0f), {0.3f, -0.2f, 0.5f, 0.0f});
+  if (by == InstancedBy::Instances) {
+    scene.nodes[static_cast<std::size_t>(parent)].firstInstance = 0;
+    scene.nodes[static_cast<std::size_t>(parent)].instanceCount = kSide * kSide;
+  } else {
+    scene.nodes[static_cast<std::size_t>(parent)].mesh = -1;
+  }
+  for (int i = 0; i < kSide * kSide; ++i) {
+    Node node;
+    node.parent = parent;
+    node.mesh = mesh;
+    node.translation = {1.3f * static_cast<float>(i % kSide) - 4.5f,
+                        0.9f * static_cast<float>(i / kSide) - 3.1f, -0.37f * static_cast<float>(i % 5)};
+    node.rotation = glm::angleAxis(0.11f * static_cast<float>(i), glm::normalize(glm::vec3(1, 2, 3)));
+    node.scale = {i % 3 == 1 ? -1.0f : 1.0f, 1.0f + 0.01f * static_cast<float>(i), 1.0f};
+    if (by == InstancedBy::Instances)
+      scene.instances.push_back(instanceTransform(node.translation, node.rotation, node.scale));
+    else
+      scene.nodes.push_back(node);
+  }
+  return scene;
+}
+
+TEST_F(InstancesTest, OfANodeAreDrawnAsNodesBelowItAre) {
+  SceneRenderer instances(std::make_shared<const Scene>(instancedQuads(InstancedBy::Instances)));
+  SceneRenderer nodes(std::make_shared<const Scene>(instancedQuads(InstancedBy::Nodes)));
+  FrameInputs one, other;
+  for (const int frame : {0, 1, 2}) {
+    instances.draw(request(BlendedAs::Mask), frame, one);
+    nodes.draw(request(BlendedAs::Mask), frame, other);
+    expectSameBits(one, other, "frame " + std::to_string(frame));
+    EXPECT_EQ(instances.counts().objects, kSide * kSide);
+    EXPECT_EQ(instances.counts().drawn, nodes.counts().drawn);
+    EXPECT_EQ(instances.counts().triangles, nodes.counts().triangles);
+  }
+}
+
+/// Many instances at one place and one more somewhere else, which is the farthest, so that its block is of
+/// the last batch.
+Scene crowdedInstances(int count) {
+  Scene scene = emptyScene();
+  Node& node = scene.nodes[static_cast<std::size_t>(addQuad(scene, {0, 0, 0}, {2, 0, 0}, {0, 2, 0}))];
+  node.firstInstance = 0;
+  node.instanceCount = count;
+  const glm::quat upright(1, 0, 0, 0);
+  for (int i = 0; i + 1 < count; ++i)
+    scene.instances.push_back(
+        instanceTransform({-4, 0, -1e-4f * static_cast<float>(i)}, upright, glm::vec3(1)));
+  scene.instances.push_back(instanceTransform({4, 0, -5}, upright, glm::vec3(1)));
+  return scene;
+}
+
+TEST_F(InstancesTest, MayBeMoreThanABufferHolds) {
+  constexpr int kCount = 20000;
+  const auto scene = std::make_shared<const Scene>(crowdedInstances(kCount));
+  SceneRenderer renderer(scene), anew(scene);
+  FrameInputs inputs, other;
+  FrameRequest asked = request(BlendedAs::Mask);
+  // 60° from bottom to top: 64 px are 2·10·tan 30° m at 10 m, and 1.5 times as many at 15 m.
+  const double pixelsOfMeter = kHeight / (20.0 * std::tan(glm::radians(30.0)));
+  const int near = static_cast<int>(kWidth / 2 - 4 * pixelsOfMeter);
+  const int far = static_cast<int>(kWidth / 2 + 4 * pixelsOfMeter / 1.5);
+  // The second time only the jitter is another: blocks of the first batch are not in the buffer any more.
+  for (const glm::vec2 jitter : {glm::vec2(0.0f), glm::vec2(0.25f, -0.25f)}) {
+    asked.jitterPx = jitter;
+    renderer.draw(asked, 1, inputs);
+    const Image ids = inputs.objectId.download();
+    EXPECT_EQ(ids.texel(near, kHeight / 2).x, 1.0f);
+    EXPECT_EQ(ids.texel(far, kHeight / 2).x, static_cast<float>(kCount));
+  }
+  anew.draw(asked, 1, other);
+  expectSameBits(inputs, other, "drawn again with another jitter");
+}
+
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+/// Bytes that are in use, those of llvmpipe's buffers among them.
+std::size_t bytesInUse() {
+  const struct mallinfo2 use = mallinfo2();
+  return use.uordblks + use.hblkhd;
+}
+
+/// What is in use for a scene of so many instances once it has been drawn.
+std::size_t bytesToDraw(int count) {
+  const std::size_t before = bytesInUse();
+  const auto scene = std::make_shared<const Scene>(crowdedInstances(count));
+  SceneRenderer renderer(scene);
+  FrameInputs inputs;
+  for (int frame = 0; frame < 3; ++frame) renderer.draw(request(BlendedAs::Mask), frame, inputs);
+  EXPECT_EQ(renderer.counts().drawn, count);
+  // The driver keeps some hundred bytes for each triangle of a frame until it has drawn the next one.
+  FrameRequest pixel = request(BlendedAs::Mask);
+  pixel.part = gl::Rect{0, 0, 1, 1};
+  for (int frame = 3; frame < 6; ++frame) {
+    renderer.draw(pixel, frame, inputs);
+    inputs.color.download();
+  }
+  return bytesInUse() - before;
+}
+
+TEST_F(InstancesTest, TakeLessThan200BytesEach) {
+  constexpr std::size_t kCount = 100000;
+  bytesToDraw(8); // what is made once
+  const std::size_t few = bytesToDraw(8), many = bytesToDraw(kCount);
+  EXPECT_LT(static_cast<double>(many - few) / kCount, 200.0);
+}
+#endif
 
 } // namespace
 } // namespace taa

@@ -96,13 +96,13 @@ class Rasterizer {
   std::vector<Nearest> pixels_;
 };
 
-void addPrimitive(const Scene& scene, const FrameInputs& inputs, int node, const Primitive& primitive,
-                  Rasterizer& rasterizer) {
+void addPrimitive(const Scene& scene, const FrameInputs& inputs, const NodeInstance& at,
+                  const Primitive& primitive, Rasterizer& rasterizer) {
   const int frame = inputs.info.frame;
   const double time = frameTime(scene, frame), previousTime = frameTime(scene, previousFrame(scene, frame));
   const Pose pose = poseAt(scene, time), previousPose = poseAt(scene, previousTime);
-  const Deformer now(scene, node, primitive, pose, time),
-      before(scene, node, primitive, previousPose, time, time - previousTime);
+  const Deformer now(scene, at, primitive, pose, time),
+      before(scene, at, primitive, previousPose, time, time - previousTime);
   const glm::dmat4 clip(inputs.block.clipFromWorld), previousClip(inputs.block.previousClipFromWorld);
   std::vector<Corner> corners;
   for (std::size_t vertex = 0; vertex < primitive.vertices.size(); ++vertex)
@@ -124,10 +124,11 @@ void addPrimitive(const Scene& scene, const FrameInputs& inputs, int node, const
 MotionAgreement compareMotion(const Scene& scene, const FrameInputs& inputs) {
   Rasterizer rasterizer(inputs);
   for (int node = 0; node < static_cast<int>(scene.nodes.size()); ++node) {
-    const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
-    if (mesh < 0) continue;
-    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(mesh)].primitives)
-      if (primitive.topology == Topology::Triangles) addPrimitive(scene, inputs, node, primitive, rasterizer);
+    const Node& drawn = scene.nodes[static_cast<std::size_t>(node)];
+    for (int instance = 0; instance < drawn.timesDrawn(); ++instance)
+      for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(drawn.mesh)].primitives)
+        if (primitive.topology == Topology::Triangles)
+          addPrimitive(scene, inputs, {node, instance}, primitive, rasterizer);
   }
   const Image motion = inputs.motion.download(), ids = inputs.objectId.download();
   MotionAgreement agreement;

@@ -27,27 +27,27 @@ glm::dvec3 rowOf(const glm::dvec4& clip) {
 
 SurfaceOracle::SurfaceOracle(const Scene& scene, const FrameInputs& inputs)
     : sizePx_(inputs.width(), inputs.height()), jitterPx_(inputs.block.jitterPx) {
-  int object = 0; // primitives of nodes in their order, as they are drawn
+  int object = 0; // primitives of instances of nodes in their order, as they are drawn
   for (int node = 0; node < static_cast<int>(scene.nodes.size()); ++node) {
-    const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
-    if (mesh < 0) continue;
-    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(mesh)].primitives) {
-      ++object;
-      const AlphaMode mode = scene.materials[static_cast<std::size_t>(primitive.material)].alphaMode;
-      if (primitive.topology == Topology::Triangles &&
-          mode != AlphaMode::Blend) // that has no depth of its own
-        add(scene, inputs, node, primitive, object);
-    }
+    const Node& drawn = scene.nodes[static_cast<std::size_t>(node)];
+    for (int instance = 0; instance < drawn.timesDrawn(); ++instance)
+      for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(drawn.mesh)].primitives) {
+        ++object;
+        const AlphaMode mode = scene.materials[static_cast<std::size_t>(primitive.material)].alphaMode;
+        if (primitive.topology == Topology::Triangles &&
+            mode != AlphaMode::Blend) // that has no depth of its own
+          add(scene, inputs, {node, instance}, primitive, object);
+      }
   }
 }
 
-void SurfaceOracle::add(const Scene& scene, const FrameInputs& inputs, int node, const Primitive& primitive,
-                        int object) {
+void SurfaceOracle::add(const Scene& scene, const FrameInputs& inputs, const NodeInstance& at,
+                        const Primitive& primitive, int object) {
   const int frame = inputs.info.frame;
   const double time = frameTime(scene, frame), timeBefore = frameTime(scene, previousFrame(scene, frame));
   const Pose pose = poseAt(scene, time), poseBefore = poseAt(scene, timeBefore);
-  const Deformer now(scene, node, primitive, pose, time),
-      before(scene, node, primitive, poseBefore, time, time - timeBefore);
+  const Deformer now(scene, at, primitive, pose, time),
+      before(scene, at, primitive, poseBefore, time, time - timeBefore);
   const std::array<glm::dmat4, 2> clip{glm::dmat4(inputs.block.clipFromWorld),
                                        glm::dmat4(inputs.block.previousClipFromWorld)};
   const std::array<glm::dmat4, 2> view{glm::dmat4(inputs.block.viewFromWorld),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/render/FrameInputs.h"
+#include "core/scene/Pose.h"
 #include "core/scene/Scene.h"
 
 #include <glm/vec2.hpp>
@@ -43,7 +44,8 @@ class SurfaceOracle {
     int object = 0;
     bool isDoubleSided = false;
   };
-  void add(const Scene& scene, const FrameInputs& inputs, int node, const Primitive& primitive, int object);
+  void add(const Scene& scene, const FrameInputs& inputs, const NodeInstance& at, const Primitive& primitive,
+           int object);
 
   std::vector<Triangle> triangles_;
   glm::dvec2 sizePx_, jitterPx_;

@@ -1,5 +1,6 @@
-// Normals of morphed meshes against closed forms.
+// Normals of morphed meshes against closed forms, and bounds of what is drawn.
 #include "core/scene/Geometry.h"
+#include "core/scene/Pose.h"
 #include "core/scene/builtin/MeshBuilder.h"
 
 #include <gtest/gtest.h>
@@ -41,6 +42,26 @@ TEST(MorphNormals, AreThoseOfTheMovedSurface) {
   EXPECT_LT(worst,
             0.03f); // a quarter of a facet of 1/64 of a turn at the seam, which has faces on one side only
   EXPECT_GT(change, 0.3f);
+}
+
+TEST(RestBounds, HoldEveryInstance) {
+  Scene scene;
+  scene.materials.resize(1);
+  MeshBuilder mesh;
+  mesh.ball({0, 0, 0}, 1.0f, 8);
+  scene.meshes.resize(1);
+  scene.meshes[0].primitives.push_back(mesh.build(0));
+  scene.nodes.resize(1);
+  scene.nodes[0].translation = {0, 5, 0};
+  scene.nodes[0].mesh = 0;
+  scene.nodes[0].firstInstance = 0;
+  scene.nodes[0].instanceCount = 2;
+  const glm::quat upright(1, 0, 0, 0);
+  scene.instances = {instanceTransform({-3, 0, 0}, upright, glm::vec3(1)),
+                     instanceTransform({4, 0, 0}, upright, glm::vec3(2))};
+  const Bounds ball = scene.meshes[0].primitives[0].bounds, bounds = restBounds(scene);
+  EXPECT_EQ(bounds.min.x, ball.min.x - 3);
+  EXPECT_EQ(bounds.max, 2.0f * ball.max + glm::vec3(4, 5, 0));
 }
 
 } // namespace

@@ -340,15 +340,24 @@ TEST(GltfLoader, ReadsTextureTransformEmissiveStrengthAndUnlit) {
   EXPECT_NEAR(turned.y, -1.0f, 1e-6f);
 }
 
-TEST(GltfLoader, ExpandsInstances) {
+TEST(GltfLoader, ReadsInstancesOfANode) {
   GltfSample sample;
   const int places = sample.addFloats({1, 0, 0, 2, 0, 0, 3, 0, 0}, "VEC3");
-  sample.json["nodes"][1]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = places;
+  const int scales = sample.addFloats({1, 1, 1, 2, 3, 4, 1, -1, 1}, "VEC3");
+  // Half turns about x, y and z; longer than 1.
+  const int turns = sample.addFloats({2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0}, "VEC4");
+  sample.json["nodes"][1]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {
+      {"TRANSLATION", places}, {"SCALE", scales}, {"ROTATION", turns}};
   const Scene scene = openScene(sample.writeEmbedded("instanced").string());
-  int drawn = 0;
-  for (const Node& node : scene.nodes) drawn += node.parent == 1 && node.mesh >= 0;
-  EXPECT_EQ(drawn, 3);
-  EXPECT_EQ(scene.nodes[1].mesh, -1);
+  EXPECT_EQ(scene.nodes.size(), GltfSample().json["nodes"].size()) << "they are no nodes";
+  const Node& node = scene.nodes[1];
+  EXPECT_EQ(node.timesDrawn(), 3);
+  ASSERT_EQ(node.firstInstance, 0);
+  // Columns: axes, then the place.
+  ASSERT_EQ(scene.instances.size(), 3u);
+  EXPECT_EQ(scene.instances[0], glm::mat4x3(1, 0, 0, 0, -1, 0, 0, 0, -1, 1, 0, 0));
+  EXPECT_EQ(scene.instances[1], glm::mat4x3(-2, 0, 0, 0, 3, 0, 0, 0, -4, 2, 0, 0));
+  EXPECT_EQ(scene.instances[2], glm::mat4x3(-1, 0, 0, 0, 1, 0, 0, 0, 1, 3, 0, 0));
 }
 
 TEST(GltfLoader, OpensFilesBesideItThroughPercentEncodedNames) {

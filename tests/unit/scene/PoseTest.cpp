@@ -40,6 +40,23 @@ glm::vec4 aboutZ(float degrees) {
 const std::vector<float> kTimes{0.0f, 1.0f, 2.0f};
 const std::vector<glm::vec4> kPlaces{{1, 0, 0, 0}, {3, 8, 0, 0}, {3, 0, 4, 0}};
 
+TEST(Pose, PlacesInstancesBelowTheirNode) {
+  Scene scene;
+  scene.nodes.resize(2);
+  scene.nodes[0].translation = {10, 0, 0};
+  scene.nodes[0].scale = {2, 2, 2};
+  scene.nodes[0].mesh = scene.nodes[1].mesh = 0;
+  scene.nodes[0].firstInstance = 1;
+  scene.nodes[0].instanceCount = 2;
+  const glm::quat upright(1, 0, 0, 0);
+  for (const float x : {5.0f, 1.0f, 3.0f})
+    scene.instances.push_back(instanceTransform({x, 0, 0}, upright, {1, 3, 1}));
+  const Pose pose = poseAt(scene, 0.0);
+  EXPECT_EQ(worldFromInstance(scene, pose, {0, 0}) * glm::vec4(0, 1, 0, 1), glm::vec4(12, 6, 0, 1));
+  EXPECT_EQ(worldFromInstance(scene, pose, {0, 1}) * glm::vec4(0, 0, 0, 1), glm::vec4(16, 0, 0, 1));
+  EXPECT_EQ(worldFromInstance(scene, pose, 1), glm::mat4(1.0f)) << "a node without instances";
+}
+
 TEST(Pose, HoldsAStepUntilTheNextKey) {
   const Scene scene = sceneWith(channelOf(AnimationPath::Translation, Interpolation::Step, kTimes, kPlaces));
   EXPECT_EQ(positionAt(scene, 0.0), glm::vec3(1, 0, 0));

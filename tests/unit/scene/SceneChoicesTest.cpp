@@ -103,6 +103,31 @@ TEST(SceneOutline, FindsTheNodeOfEachObject) {
   EXPECT_EQ(outline.nodeOf(objects + 1), -1);
 }
 
+TEST(SceneOutline, NumbersTheObjectsOfInstancesOneAfterAnother) {
+  Scene scene = treeScene();
+  scene.meshes.resize(2);
+  scene.meshes[0].primitives.resize(2);
+  scene.meshes[1].primitives.resize(1);
+  scene.meshes[0].primitives[0].indices.assign(6, 0);
+  scene.nodes[1].mesh = 0; // two primitives at three instances
+  scene.nodes[1].firstInstance = 0;
+  scene.nodes[1].instanceCount = 3;
+  scene.instances.resize(3);
+  scene.nodes[2].mesh = 1;
+  scene.nodes[2].firstInstance = 3; // none
+  scene.nodes[4].mesh = 1;
+  const SceneOutline outline = outlineOf(scene, "x");
+  EXPECT_EQ(outline.nodes[1].firstObject, 1);
+  EXPECT_EQ(outline.nodes[1].objectCount, 6);
+  EXPECT_EQ(outline.nodes[1].triangles, 6u);
+  EXPECT_EQ(outline.nodes[2].objectCount, 0);
+  EXPECT_EQ(outline.nodes[4].firstObject, 7);
+  std::vector<int> nodes;
+  for (int object = 0; object <= 8; ++object) nodes.push_back(outline.nodeOf(object));
+  EXPECT_EQ(nodes, (std::vector<int>{-1, 1, 1, 1, 1, 1, 1, 4, -1}));
+  EXPECT_EQ(outline.objectsBelow(0), (std::vector<int>{1, 2, 3, 4, 5, 6}));
+}
+
 TEST(CameraTrack, HoldsItsEnds) {
   CameraTrack track{"t", 5, {poseAtX(1)}};
   track.put(8, poseAtX(2));
