@@ -188,6 +188,7 @@ int run(QApplication& application, Arguments arguments) {
   } else {
     if (arguments.frame) session.seek(*arguments.frame);
     window.keeper().offerOrphan();
+    if (!arguments.reopens) window.offerTour();
   }
   return QApplication::exec();
 }

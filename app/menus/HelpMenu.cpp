@@ -1,6 +1,7 @@
 #include "app/menus/HelpMenu.h"
 
 #include "app/dialogs/ReferenceDialog.h"
+#include "app/learn/Learning.h"
 #include "app/menus/CommandLists.h"
 #include "app/session/Session.h"
 #include "app/style/Icons.h"
@@ -10,9 +11,19 @@
 
 namespace taa::app {
 
-HelpMenu::HelpMenu(Commands& commands, const Session& session, CommandLists& lists, QWidget* parent)
+HelpMenu::HelpMenu(Commands& commands, const Session& session, CommandLists& lists, Learning& learning,
+                   QWidget* parent)
     : CommandMenu(tr("&Help"), commands, parent) {
   QWidget* window = parent->window();
+  QAction* learn = addCheck(tr("&Learn"), QKeySequence(QStringLiteral("F12")), [&learning](bool shown) {
+    if (shown)
+      learning.open();
+    else
+      learning.close();
+  });
+  onRefresh([learn, &learning] { learn->setChecked(learning.isOpen()); });
+  add(tr("&Tour: your first ghost"), {}, [&learning] { learning.openTour(); });
+  add(tr("Lessons of a &folder…"), {}, [&learning] { learning.askForFolder(); });
   add(tr("&Keys"), keys({"?"}), [&lists] {
     lists.showKeys();
   })->setIcon(themedIcon(QStringLiteral("keyboard")));

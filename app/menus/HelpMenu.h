@@ -1,4 +1,4 @@
-// Keys and manual.
+// Lessons, keys and manual.
 #pragma once
 
 #include "app/menus/Commands.h"
@@ -6,12 +6,14 @@
 namespace taa::app {
 
 class CommandLists;
+class Learning;
 class Session;
 
 class HelpMenu : public CommandMenu {
   Q_OBJECT
  public:
-  HelpMenu(Commands& commands, const Session& session, CommandLists& lists, QWidget* parent);
+  HelpMenu(Commands& commands, const Session& session, CommandLists& lists, Learning& learning,
+           QWidget* parent);
 };
 
 } // namespace taa::app

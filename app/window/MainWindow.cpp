@@ -10,6 +10,9 @@
 #include "app/commands/ProbeCommands.h"
 #include "app/commands/ThemeSetting.h"
 #include "app/commands/ViewChoices.h"
+#include "app/learn/LearnPanel.h"
+#include "app/learn/Learning.h"
+#include "app/learn/RightArea.h"
 #include "app/menus/CommandLists.h"
 #include "app/menus/EditMenu.h"
 #include "app/menus/FileMenu.h"
@@ -43,6 +46,7 @@
 #include "app/views/legend/Legend.h"
 #include "app/widgets/Line.h"
 #include "app/widgets/bars/FlightBar.h"
+#include "app/widgets/bars/OfferBar.h"
 #include "app/widgets/bars/ProbeBar.h"
 #include "app/widgets/bars/WorkBar.h"
 #include "app/window/Dialogs.h"
@@ -103,7 +107,7 @@ MainWindow::MainWindow(Session& session, QSettings* settings, QWidget* parent)
   commands_->refresh();
   restore();
   // What rows_ holds besides the columns lies below them.
-  orderFocus(*this, {messages_, left_, views_, probe_, rows_, timeline_, statusLine_});
+  orderFocus(*this, {messages_, left_, views_, learn_, probe_, rows_, timeline_, statusLine_});
 }
 
 MainWindow::~MainWindow() {
@@ -119,6 +123,7 @@ void MainWindow::makePanels() {
   pipeline_ = new PipelinePanel;
   scene_ = new ScenePanel;
   left_ = new LeftArea(pipeline_, scene_);
+  learn_ = new LearnPanel;
   probe_ = new ProbePanel;
   profiler_ = new ProfilerPanel;
   plots_ = new PlotsPanel;
@@ -152,7 +157,7 @@ void MainWindow::layOut() {
   columns_->setChildrenCollapsible(false);
   columns_->addWidget(left_);
   columns_->addWidget(views_);
-  columns_->addWidget(probe_);
+  columns_->addWidget(new RightArea(learn_, probe_));
   columns_->setStretchFactor(1, 1);
   rows_ = new QSplitter(Qt::Vertical);
   rows_->setHandleWidth(1);
@@ -200,6 +205,9 @@ void MainWindow::makeCommands() {
   probeCommands_ = new ProbeCommands(session_, *views_, *probe_, this);
   prompts_ = new GoToPrompts(session_, *views_, *timeline_, this);
   choices_ = new ViewChoices(session_, *views_, presets_->folder(), this);
+  learning_ = new Learning(
+      {session_, *keeper_, *learn_, settings_, [this](const QString& name) { return partNamed(name); }},
+      this);
   commands_ = std::make_unique<Commands>();
   lists_ = new CommandLists(*commands_, session_.presets(), this);
 }
@@ -222,7 +230,7 @@ void MainWindow::makeMenus() {
                              {session_.probes(), session_.verdicts(), *views_, *probe_, *probeCommands_,
                               *prompts_, session_.scene()},
                              bar));
-  bar->addMenu(new HelpMenu(all, session_, *lists_, bar));
+  bar->addMenu(new HelpMenu(all, session_, *lists_, *learning_, bar));
 }
 
 void MainWindow::makeFeeds() {
@@ -247,6 +255,7 @@ void MainWindow::connectMenus() {
   connect(timeline_, &TimelinePanel::playbackEdited, all, &Commands::refresh);
   connect(timeline_, &TimelinePanel::metricChosen, all, &Commands::refresh);
   connect(flight_, &Flight::changed, all, &Commands::refresh);
+  connect(learning_, &Learning::changed, all, &Commands::refresh);
   connect(theme_, &ThemeSetting::changed, all, &Commands::refresh);
   connect(&session_, &Session::statusChanged, all, &Commands::refresh);
   connect(&session_.presets(), &PresetChoices::settingsChanged, all, &Commands::refresh);
@@ -303,6 +312,7 @@ void MainWindow::connectMessages() {
   connect(keeper_, &SessionKeeper::said, messages_, &MessagesBar::showNote);
   connect(keeper_, &SessionKeeper::failed, messages_, &MessagesBar::showError);
   connect(probeCommands_, &ProbeCommands::foundWorst, statusLine_, &StatusLine::setHover);
+  connect(learning_, &Learning::failed, messages_, &MessagesBar::showError);
   connect(exports_, &Exports::said, messages_, &MessagesBar::showNote);
   connect(exports_, &Exports::failed, messages_, &MessagesBar::showError);
   connect(cameras_, &CameraFiles::failed, messages_, &MessagesBar::showError);
@@ -375,6 +385,28 @@ void MainWindow::openPage(const std::string& name) {
   if (name == "colorspace") probe_->openTab(ProbeTab::ColorSpace);
   if (name == "whatif") probe_->openTab(ProbeTab::WhatIf);
   if (name == "scene") left_->openPage(LeftPage::Scene);
+  if (name == "learn") learning_->open();
+}
+
+/// As lessons call them (kLessonParts).
+QWidget* MainWindow::partNamed(const QString& name) const {
+  if (name == QLatin1String("views")) return views_;
+  if (name == QLatin1String("probe") || name == QLatin1String("verdict")) return probe_;
+  if (name == QLatin1String("pipeline")) return left_;
+  if (name == QLatin1String("timeline")) return timeline_;
+  if (name == QLatin1String("lower")) return lower_;
+  if (name == QLatin1String("menus")) return menuBar();
+  return nullptr;
+}
+
+void MainWindow::offerTour() {
+  if (!learning_->shouldOfferTour() || keeper_->offer()) return;
+  learning_->rememberOffer();
+  auto* bar = new OfferBar(
+      tr("New here? Your first ghost: a tour of five minutes. Help, Learn opens it at any time."),
+      tr("Start the tour"), tr("Not now"));
+  connect(bar, &OfferBar::accepted, learning_, &Learning::openTour);
+  qobject_cast<QBoxLayout*>(centralWidget()->layout())->insertWidget(0, bar);
 }
 
 void MainWindow::openDialog(const std::string& name) {

@@ -27,6 +27,8 @@ class FlightFeed;
 class GoToPrompts;
 class ImportFrames;
 class JitterPanel;
+class LearnPanel;
+class Learning;
 class LeftArea;
 class LineageFeed;
 class LineagePanel;
@@ -64,9 +66,11 @@ class MainWindow : public QMainWindow {
 
   ViewArea& views() { return *views_; }
   SessionKeeper& keeper() { return *keeper_; }
+  /// Offers the tour in a line across the window, unless that was done before.
+  void offerTour();
   void setTheme(ThemeChoice choice);
   /// Opens a page by its name: "profiler", "plots" … below, "colorspace" or "whatif" of the probe, "scene" on
-  /// the left; anything else: nothing.
+  /// the left, "learn"; anything else: nothing.
   void openPage(const std::string& name);
   /// One of dialogNames(); expects an open source.
   void openDialog(const std::string& name);
@@ -83,6 +87,7 @@ class MainWindow : public QMainWindow {
 
  private:
   void makePanels();
+  QWidget* partNamed(const QString& name) const;
   void layOut();
   void makeKeeper();
   void makeCommands();
@@ -110,6 +115,7 @@ class MainWindow : public QMainWindow {
   PipelinePanel* pipeline_ = nullptr;
   ScenePanel* scene_ = nullptr;
   LeftArea* left_ = nullptr;
+  LearnPanel* learn_ = nullptr;
   ProbePanel* probe_ = nullptr;
   LowerArea* lower_ = nullptr;
   ProfilerPanel* profiler_ = nullptr;
@@ -136,6 +142,7 @@ class MainWindow : public QMainWindow {
   ProbeCommands* probeCommands_ = nullptr;
   GoToPrompts* prompts_ = nullptr;
   ViewChoices* choices_ = nullptr;
+  Learning* learning_ = nullptr;
   CommandLists* lists_ = nullptr;
   // What ends before the panels do: they have more to say while they are destroyed
   std::unique_ptr<WindowState> state_;

@@ -14,6 +14,13 @@ using nlohmann::ordered_json;
 
 namespace {
 
+/// A small picture alone in the window is shown twice as large.
+constexpr double kAloneZoom = 2.0;
+
+ordered_json cameraJson(double zoom, const glm::dvec2& center) {
+  return {{"fit", false}, {"zoom", zoom}, {"center", {center.x, center.y}}};
+}
+
 ordered_json styleJson(const ViewStyle& style) {
   return {{"low", style.low},
           {"high", style.high},
@@ -37,9 +44,9 @@ ordered_json viewJson(const LessonView& view, const LessonState& state) {
                       {"arrows", style.arrows},
                       {"grid", true}}}};
   if (state.look)
-    json["camera"] = {{"fit", false},
-                      {"zoom", state.look->zoom},
-                      {"center", {state.look->pixel.x + 0.5, state.look->pixel.y + 0.5}}};
+    json["camera"] = cameraJson(state.look->zoom, glm::dvec2(state.look->pixel) + 0.5);
+  else if (state.views.size() == 1 && state.shot.size == kLessonSizePx)
+    json["camera"] = cameraJson(kAloneZoom, 0.5 * glm::dvec2(state.shot.size));
   return json;
 }
 

@@ -106,18 +106,27 @@ bool SessionKeeper::restore(const QString& path) {
     if (isFile(source) && !QFileInfo::exists(source))
       throw Error(say<"cannot open the session %1: its scene %2 is not there any more">(path.toStdString(),
                                                                                         file.source));
-    before_ = state_.capture();
-    pathBefore_ = path_;
-    session_.restore(file);
-    state_.apply(windowState(file));
-    restoring_ = std::move(file);
-    isFromSession_ = true;
+    restoreFile(std::move(file));
     return true;
   } catch (const std::exception& error) {
     lastError_ = QString::fromStdString(shownReason(error));
     Q_EMIT failed(lastError_);
     return false;
   }
+}
+
+void SessionKeeper::restoreFile(SessionFile file) {
+  before_ = state_.capture();
+  pathBefore_ = path_;
+  session_.restore(file);
+  state_.apply(windowState(file));
+  restoring_ = std::move(file);
+  isFromSession_ = true;
+}
+
+void SessionKeeper::openFile(SessionFile file) {
+  restoreFile(std::move(file));
+  path_.clear();
 }
 
 void SessionKeeper::openSource(const QString& source) {
@@ -217,11 +226,15 @@ void SessionKeeper::leave() {
   if (autosave_) autosave_->leave();
 }
 
-void SessionKeeper::startAnew() {
+void SessionKeeper::keepWhatIsOpen() {
   if (const auto kept = autosave_ && session_.isOpen() ? autosave_->keepForGood() : std::nullopt) {
     remember(*kept);
     Q_EMIT said(tr("What was open has been kept: File, Open recent, %1.").arg(QFileInfo(*kept).fileName()));
   }
+}
+
+void SessionKeeper::startAnew() {
+  keepWhatIsOpen();
   path_.clear();
   const glm::ivec2 size = firstSize(session_.status().driver);
   session_.open(QString::fromLatin1(kFirstSource));

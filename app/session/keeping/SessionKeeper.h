@@ -40,6 +40,10 @@ class SessionKeeper : public QObject {
   void askWhatToOpen();
   /// Reads a session and goes there; failed() when that is not possible, and nothing has changed.
   void open(const QString& path);
+  /// As open(), of one that is no file: the next save asks for a name.
+  void openFile(SessionFile file);
+  /// Keeps what is open as a file among the recent ones, and says so.
+  void keepWhatIsOpen();
   void save(); ///< where it came from, or asks
   void askWhereToSave();
   void saveTo(const QString& path);
@@ -77,6 +81,7 @@ class SessionKeeper : public QObject {
 
  private:
   bool restore(const QString& path);
+  void restoreFile(SessionFile file);
   SessionFile wholeFile() const;
   void placeWindow(const SessionFile& file);
   void noteOldNames(const SessionFile& file);

@@ -103,6 +103,7 @@ const std::vector<std::vector<std::string>>& floors() {
       {"app/views/legend", "app/views/plots", "app/views/timeline", "app/widgets/verdict"},
       {"app/views"},
       {"app/panels", "app/dialogs", "app/importing"},
+      {"app/learn"},
       {"app/commands"},
       {"app/menus"},
       {"app/menus/faults"},

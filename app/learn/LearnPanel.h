@@ -1,0 +1,58 @@
+// The page "Learn": a lesson's step, the way through it, and what became of its task.
+#pragma once
+
+#include "core/lessons/Lesson.h"
+
+#include <QString>
+#include <QStringList>
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace taa::app {
+
+class IconButton;
+class LessonText;
+
+/// Shows and asks; Learning acts.
+class LearnPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit LearnPanel(QWidget* parent = nullptr);
+
+  /// What may be said of a step besides its text.
+  struct StepNotes {
+    bool isDone = false;     ///< its task was solved
+    bool isChecking = false; ///< its task
+    QString answer{};        ///< of the last check, in the reader's language
+    int hints = 0;           ///< so many of them are shown
+    bool isSolutionShown = false;
+  };
+  /// In the order of the course; those that are done have a mark.
+  void setLessons(const QStringList& titles, int current);
+  void setStep(const Lesson& lesson, int step, const StepNotes& notes);
+
+ Q_SIGNALS:
+  void lessonChosen(int lesson);
+  void stepChosen(int step);
+  void returnRequested();
+  void checkRequested();
+  void hintRequested(); ///< after the last hint: the solution
+  void closeRequested();
+
+ private:
+  void makeHead();
+  void makeFoot();
+  void showTask(const LessonStep& step, const StepNotes& notes);
+
+  int step_ = 0;
+  QComboBox* lessons_ = nullptr;
+  IconButton* close_ = nullptr;
+  QLabel *title_ = nullptr, *place_ = nullptr, *answer_ = nullptr;
+  LessonText* text_ = nullptr;
+  QPushButton *back_ = nullptr, *next_ = nullptr, *return_ = nullptr, *check_ = nullptr, *hint_ = nullptr;
+};
+
+} // namespace taa::app

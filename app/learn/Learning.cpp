@@ -1,0 +1,230 @@
+#include "app/learn/Learning.h"
+
+#include "app/background/LessonWork.h"
+#include "app/learn/PartFrame.h"
+#include "app/session/Session.h"
+#include "app/session/keeping/SessionKeeper.h"
+#include "app/style/Text.h"
+
+#include <QFileDialog>
+#include <QSettings>
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <string>
+
+namespace taa::app {
+
+namespace {
+
+QString doneKey(const Lesson& lesson, int step) {
+  return QStringLiteral("lessons/done/%1/%2").arg(qtext(lesson.id)).arg(step);
+}
+QString lessonKey() {
+  return QStringLiteral("lessons/lesson");
+}
+QString stepKey() {
+  return QStringLiteral("lessons/step");
+}
+QString lessonFolderKey() {
+  return QStringLiteral("lessons/folder");
+}
+QString tourKey() {
+  return QStringLiteral("lessons/tourOffered");
+}
+
+} // namespace
+
+Learning::Learning(const Holders& of, QWidget* window)
+    : QObject(window), of_(of), window_(window), work_(new LessonWork({}, this)),
+      frame_(new PartFrame(window)) {
+  LearnPanel& panel = of_.panel;
+  connect(&panel, &LearnPanel::lessonChosen, this, &Learning::chooseLesson);
+  connect(&panel, &LearnPanel::stepChosen, this, &Learning::chooseStep);
+  connect(&panel, &LearnPanel::returnRequested, this, &Learning::setState);
+  connect(&panel, &LearnPanel::checkRequested, this, &Learning::check);
+  connect(&panel, &LearnPanel::hintRequested, this, &Learning::giveHint);
+  connect(&panel, &LearnPanel::closeRequested, this, &Learning::close);
+  connect(work_, &LessonWork::checked, this, &Learning::takeChecked);
+  connect(work_, &LessonWork::ended, this, [this](const QString& error) {
+    notes_.isChecking = false;
+    if (!error.isEmpty()) notes_.answer = sentence(error.toStdString());
+    show();
+  });
+}
+
+void Learning::readLessons() {
+  lessons_ = builtinLessons();
+  if (folder().isEmpty()) return;
+  LessonFolder own = taa::readLessons(folder().toStdString());
+  for (Lesson& lesson : own.lessons) lessons_.push_back(std::move(lesson));
+  for (const std::string& error : own.errors) Q_EMIT failed(sentence(error));
+}
+
+bool Learning::isOpen() const {
+  return !of_.panel.isHidden();
+}
+
+void Learning::open() {
+  readLessons();
+  int lesson = 0, step = 0;
+  if (of_.settings) {
+    const std::string id = of_.settings->value(lessonKey()).toString().toStdString();
+    const auto found = std::ranges::find(lessons_, id, &Lesson::id);
+    if (found != lessons_.end()) {
+      lesson = static_cast<int>(found - lessons_.begin());
+      step = of_.settings->value(stepKey()).toInt();
+    }
+  }
+  lesson_ = lesson;
+  of_.panel.show();
+  showLessons();
+  chooseStep(std::clamp(step, 0, static_cast<int>(shown().steps.size()) - 1));
+  Q_EMIT changed();
+}
+
+void Learning::openTour() {
+  readLessons();
+  of_.panel.show();
+  chooseLesson(0);
+  Q_EMIT changed();
+}
+
+void Learning::close() {
+  work_->cancel();
+  notes_ = {};
+  frame_->surround(nullptr);
+  of_.panel.hide();
+  Q_EMIT changed();
+}
+
+void Learning::chooseLesson(int lesson) {
+  lesson_ = lesson;
+  showLessons();
+  chooseStep(0);
+}
+
+/// Beyond the last step the next lesson begins.
+void Learning::chooseStep(int step) {
+  const int last = static_cast<int>(shown().steps.size()) - 1;
+  if (of_.settings && step > step_ && !shownStep().task)
+    of_.settings->setValue(doneKey(shown(), step_), true);
+  if (step > last) return chooseLesson(lesson_ + 1);
+  work_->cancel();
+  step_ = std::max(0, step);
+  notes_ = {.isDone = isDone(shown(), step_)};
+  if (of_.settings) {
+    of_.settings->setValue(lessonKey(), qtext(shown().id));
+    of_.settings->setValue(stepKey(), step_);
+  }
+  setState();
+  show();
+}
+
+void Learning::setState() {
+  openState(shownStep().state);
+  frame_->surround(of_.part(qtext(shownStep().state.highlight)));
+}
+
+// What was open before the first lesson is kept, as when the program begins anew.
+void Learning::openState(const LessonState& state) {
+  if (!isBegun_) of_.keeper.keepWhatIsOpen();
+  isBegun_ = true;
+  of_.keeper.openFile(lessonSession(state));
+  if (state.plays) of_.session.setPlaying(true);
+}
+
+void Learning::show() {
+  of_.panel.setStep(shown(), step_, notes_);
+}
+
+void Learning::showLessons() {
+  QStringList titles;
+  for (const Lesson& lesson : lessons_) {
+    int done = 0;
+    const int steps = static_cast<int>(lesson.steps.size());
+    for (int step = 0; step < steps; ++step) done += isDone(lesson, step) ? 1 : 0;
+    const QString title = qtext(lesson.title);
+    titles << (done == steps ? tr("%1 (done)").arg(title)
+               : done > 0    ? tr("%1 (%2 of %3)").arg(title).arg(done).arg(steps)
+                             : title);
+  }
+  of_.panel.setLessons(titles, lesson_);
+}
+
+bool Learning::isDone(const Lesson& lesson, int step) const {
+  return of_.settings && of_.settings->value(doneKey(lesson, step)).toBool();
+}
+
+/// Of what is open now, by the step's own lanes and samples.
+void Learning::check() {
+  LessonState now = shownStep().state;
+  const SessionFile file = of_.session.file();
+  if (file.source != now.shot.source || file.size != now.shot.size) {
+    notes_.answer = tr("Another scene or size is open: return to the step first.");
+    return show();
+  }
+  now.shot = file;
+  now.probes.clear();
+  if (const auto pixel = of_.session.probes().pixel()) now.probes.push_back(*pixel);
+  notes_.answer.clear();
+  notes_.isChecking = true;
+  show();
+  work_->begin(now, shownStep().task->conditions);
+}
+
+void Learning::takeChecked(const std::vector<CheckedCondition>& conditions) {
+  notes_.isChecking = false;
+  if (allHold(conditions)) {
+    notes_.isDone = true;
+    notes_.answer = tr("Solved.");
+    if (of_.settings) of_.settings->setValue(doneKey(shown(), step_), true);
+    showLessons();
+    return show();
+  }
+  QStringList missing;
+  for (const CheckedCondition& checked : conditions)
+    if (!checked.holds) missing << qtext(checkedText(checked));
+  notes_.answer = tr("Not yet: %1.").arg(missing.join(QStringLiteral("; ")));
+  show();
+}
+
+void Learning::giveHint() {
+  const Task& task = *shownStep().task;
+  if (notes_.hints < static_cast<int>(task.hints.size())) {
+    ++notes_.hints;
+    return show();
+  }
+  notes_.isSolutionShown = true;
+  openState(task.solution);
+  notes_.answer = tr("This is a solution: check it.");
+  show();
+}
+
+QString Learning::folder() const {
+  return of_.settings ? of_.settings->value(lessonFolderKey()).toString() : QString();
+}
+
+void Learning::setFolder(const QString& folder) {
+  if (of_.settings) of_.settings->setValue(lessonFolderKey(), folder);
+  open();
+}
+
+void Learning::askForFolder() {
+  auto* dialog = new QFileDialog(window_, tr("Folder of lessons"), folder());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  connect(dialog, &QFileDialog::fileSelected, this, &Learning::setFolder);
+  dialog->open();
+}
+
+bool Learning::shouldOfferTour() const {
+  return of_.settings && !of_.settings->value(tourKey()).toBool();
+}
+
+void Learning::rememberOffer() {
+  if (of_.settings) of_.settings->setValue(tourKey(), true);
+}
+
+} // namespace taa::app

@@ -1,0 +1,19 @@
+// A lesson's text: Markdown of anybody's, which shows nothing but itself.
+#pragma once
+
+#include <QTextBrowser>
+
+namespace taa::app {
+
+/// Loads neither pictures nor pages, from wherever they are; links to the web open in the desktop's browser.
+class LessonText : public QTextBrowser {
+  Q_OBJECT
+ public:
+  explicit LessonText(QWidget* parent = nullptr);
+  void setText(const QString& markdown);
+
+ protected:
+  QVariant loadResource(int, const QUrl&) override { return {}; }
+};
+
+} // namespace taa::app

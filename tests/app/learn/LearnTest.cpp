@@ -1,0 +1,105 @@
+// The page Learn: lessons by keys and buttons, what a step sets, and how far the reader got.
+#include "app/background/LessonWork.h"
+#include "app/learn/LearnPanel.h"
+#include "app/learn/Learning.h"
+#include "app/learn/LessonText.h"
+#include "app/learn/PartFrame.h"
+#include "core/lessons/Lesson.h"
+#include "tests/app/WindowFixture.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+
+#include <string>
+#include <vector>
+
+using namespace taa::app;
+using namespace taa::app::test;
+
+namespace {
+
+const taa::Lesson& tour() {
+  return taa::builtinLessons().front();
+}
+
+} // namespace
+
+class LearnTest : public FakeWindow {
+ protected:
+  LearnPanel* panel() { return window.findChild<LearnPanel*>(); }
+  Learning* learning() { return window.findChild<Learning*>(); }
+  PartFrame* frame() { return window.findChild<PartFrame*>(); }
+  void press(const QString& text) {
+    for (QPushButton* button : panel()->findChildren<QPushButton*>())
+      if (button->text() == text && button->isVisible()) return button->click();
+    ADD_FAILURE() << "there is no button " << text.toStdString();
+  }
+  bool says(const QString& text) {
+    for (const QLabel* label : panel()->findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains(text)) return true;
+    return false;
+  }
+};
+
+TEST_F(LearnTest, F12OpensTheTourWhichSetsItsSceneFrameAndSettings) {
+  EXPECT_TRUE(panel()->isHidden());
+  key(Qt::Key_F12);
+  ASSERT_TRUE(panel()->isVisible());
+  const taa::LessonState& state = tour().steps.front().state;
+  ASSERT_TRUE(waitFor([&] { return session.status().source == state.shot.source; }));
+  EXPECT_TRUE(waitFor([&] { return session.status().info.frame == state.shot.frame; }));
+  EXPECT_EQ(glm::ivec2(session.status().width, session.status().height), state.shot.size);
+  EXPECT_TRUE(session.presets().settings() == state.shot.settings.settings);
+  EXPECT_TRUE(panel()->findChild<LessonText*>()->toPlainText().contains(QStringLiteral("ghost")));
+  key(Qt::Key_F12);
+  EXPECT_TRUE(panel()->isHidden());
+}
+
+TEST_F(LearnTest, StepsGoOnAndBackAndSurroundWhatTheySpeakOf) {
+  key(Qt::Key_F12);
+  EXPECT_EQ(static_cast<QWidget*>(frame()->part()), reinterpret_cast<QWidget*>(window.views()));
+  press(QStringLiteral("Next"));
+  press(QStringLiteral("Next"));
+  EXPECT_EQ(learning()->step(), 2);
+  EXPECT_EQ(static_cast<QWidget*>(frame()->part()), reinterpret_cast<QWidget*>(window.probe()));
+  ASSERT_TRUE(waitFor([&] { return session.probes().pixel().has_value(); }));
+  EXPECT_EQ(*session.probes().pixel(), tour().steps[2].state.probes.front());
+  press(QStringLiteral("Back"));
+  EXPECT_EQ(learning()->step(), 1);
+  key(Qt::Key_F12);
+  EXPECT_FALSE(frame()->isVisible());
+}
+
+TEST_F(LearnTest, ReturnBringsBackWhatWasChanged) {
+  key(Qt::Key_F12);
+  settle();
+  session.presets().setParameter("weight.alpha", 0.5);
+  EXPECT_EQ(session.presets().settings().weight.alpha, 0.5f);
+  press(QStringLiteral("Return to the step"));
+  EXPECT_TRUE(session.presets().settings() == tour().steps.front().state.shot.settings.settings);
+}
+
+TEST_F(LearnTest, HintsComeOneByOneAndTheSolutionLast) {
+  key(Qt::Key_F12);
+  press(QStringLiteral("Next"));
+  const taa::Task& task = *tour().steps[1].task;
+  EXPECT_FALSE(says(QStringLiteral("Hint:")));
+  press(QStringLiteral("Hint"));
+  EXPECT_TRUE(says(QString::fromStdString(task.hints.front())));
+  for (std::size_t hint = 1; hint < task.hints.size(); ++hint) press(QStringLiteral("Hint"));
+  press(QStringLiteral("Show the solution"));
+  ASSERT_TRUE(waitFor([&] { return session.probes().pixel().has_value(); }));
+  EXPECT_EQ(*session.probes().pixel(), task.solution.probes.front());
+}
+
+TEST_F(LearnTest, SaysWhatATaskLacksAndThatItIsSolved) {
+  key(Qt::Key_F12);
+  press(QStringLiteral("Next"));
+  taa::CheckedCondition checked{tour().steps[1].task->conditions.front(), 0.0, 1.0, false};
+  Q_EMIT learning()->work()->checked({checked});
+  EXPECT_TRUE(says(QStringLiteral("Not yet: verdict picked ghost")));
+  checked.holds = true;
+  Q_EMIT learning()->work()->checked({checked});
+  EXPECT_TRUE(says(QStringLiteral("Solved.")));
+}
