@@ -62,6 +62,7 @@ struct Undecided {
 
 struct Diagnosis {
   int frames = 0, pairs = 0;
+  glm::ivec2 sizePx{0}; ///< of the frames, which boxes and pixels of regions lie in
   std::vector<Finding> findings;
   std::vector<Undecided> undecided;
   std::vector<std::string> healthy; ///< sentences: what was examined and is right

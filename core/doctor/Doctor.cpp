@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,14 +26,15 @@ class Examiner {
   Examiner(const Examination& examination, const Patient& patient, const Progress& progress)
       : examination_(examination), patient_(patient), progress_(progress) {}
 
-  /// `out`: counts frames and pairs.
-  void look(const FrameReader& read, Diagnosis& out) {
+  /// `out`: counts frames and pairs. `firstSeen`: called after kFirstLook frames, where more follow.
+  void look(const FrameReader& read, Diagnosis& out, const std::function<void()>& firstSeen = {}) {
     const int count = examination_.frames;
     out.frames = out.pairs = 0;
     std::optional<DoctorFrame> before, now = readNext(read, 0), after;
     for (int frame = 0; frame < count; ++frame) {
       if (frame + 1 < count) after = readNext(read, frame + 1);
       add(before ? &*before : nullptr, *now, after ? &*after : nullptr, out);
+      if (firstSeen && frame + 1 == kFirstLook && frame + 1 < count) firstSeen();
       before = std::exchange(now, std::exchange(after, {}));
     }
     report(progress_, say<"Examining frames">(), count, count);
@@ -46,7 +48,7 @@ class Examiner {
  private:
   DoctorFrame readNext(const FrameReader& read, int frame) const {
     report(progress_, say<"Examining frames">(), frame, examination_.frames);
-    return read(frame);
+    return read(examination_.first + frame);
   }
 
   void add(const DoctorFrame* before, const DoctorFrame& now, const DoctorFrame* after, Diagnosis& out) {
@@ -80,7 +82,7 @@ FrameReader mendedReader(const Examination& examination, const JitterMender& men
   return [&examination, mender](int frame) {
     DoctorFrame out = examination.read(frame);
     const auto jitter = mender(frame);
-    if (!jitter || (frame > 0 && !mender(frame - 1))) out.startsHistory = true;
+    if (!jitter || (frame > examination.first && !mender(frame - 1))) out.startsHistory = true;
     if (!jitter) return out;
     out.jitterPx = *jitter;
     if (examination.known.depthJittered) out.depthJitterPx = *jitter;
@@ -90,7 +92,7 @@ FrameReader mendedReader(const Examination& examination, const JitterMender& men
 
 Patient sizedPatient(const Examination& examination) {
   Patient patient = examination.patient;
-  if (patient.sizePx.x == 0) patient.sizePx = examination.read(0).sizePx();
+  if (patient.sizePx.x == 0) patient.sizePx = examination.read(examination.first).sizePx();
   if (patient.outputPx.x == 0) patient.outputPx = patient.sizePx;
   return patient;
 }
@@ -121,15 +123,34 @@ void withholdMotion(Diagnosis& out) {
        say<"Mend jitter first.">()});
 }
 
+/// Jitter, and where that is right the planes. Returns what mends it, where that is known.
+JitterMender tellSeen(const Examiner& examiner, const Examination& examination, const Patient& patient,
+                      Diagnosis& out) {
+  const auto [mender, isJitterContradicted] =
+      tellJitter(examiner.jitter(), examination.known.camera, patient, out);
+  if (!examination.known.motion) {
+    out.undecided.push_back(
+        {say<"Motion">(), say<"the capture has none">(), say<"Capture the plane of motion vectors, too.">()});
+    tellRims(examiner.rims(), false, out);
+    return {};
+  }
+  if (mender) return mender;
+  tellPlanes(examiner, examination, out);
+  if (isJitterContradicted) withholdMotion(out);
+  return {};
+}
+
 } // namespace
 
-Examination examinationOf(const DoctorSource& source, int frames) {
-  if (source.frameCount < kLeastDoctorFrames)
+Examination examinationOf(const DoctorSource& source, int frames, int first) {
+  const int count = std::max(0, source.frameCount - first);
+  if (count < kLeastDoctorFrames)
     throw Error(say<"there are %1 frames, and the doctor compares each with the one before it: capture at "
-                    "least 8, better 32">(source.frameCount));
+                    "least 8, better 32">(count));
   Examination out;
   out.read = readerOf(source);
-  out.frames = std::min(frames, source.frameCount);
+  out.first = first;
+  out.frames = std::min(frames, count);
   out.known = source.known;
   out.patient.outputPx = {source.request.width, source.request.height};
   out.patient.objectNames = source.objectNames;
@@ -137,24 +158,19 @@ Examination examinationOf(const DoctorSource& source, int frames) {
   return out;
 }
 
-Diagnosis examine(const Examination& examination, const Progress& progress) {
+Diagnosis examine(const Examination& examination, const Progress& progress, const DiagnosisTold& told) {
   const Patient patient = sizedPatient(examination);
   Diagnosis out;
+  out.sizePx = patient.sizePx;
   Examiner first(examination, patient, progress);
-  first.look(examination.read, out);
-  const auto [mender, isJitterContradicted] =
-      tellJitter(first.jitter(), examination.known.camera, patient, out);
-  if (!examination.known.motion) {
-    out.undecided.push_back(
-        {say<"Motion">(), say<"the capture has none">(), say<"Capture the plane of motion vectors, too.">()});
-    tellRims(first.rims(), false, out);
-    return out;
-  }
-  if (!mender) {
-    tellPlanes(first, examination, out);
-    if (isJitterContradicted) withholdMotion(out);
-    return out;
-  }
+  first.look(examination.read, out, [&] {
+    if (!told) return;
+    Diagnosis early = out;
+    tellSeen(first, examination, patient, early);
+    told(early);
+  });
+  const JitterMender mender = tellSeen(first, examination, patient, out);
+  if (!mender) return out;
   // Wrong jitter makes motion look wrong: it is looked at again with the jitter that pictures hold.
   Examiner second(examination, patient, progress);
   second.look(mendedReader(examination, mender), out);

@@ -7,20 +7,29 @@
 #include "core/doctor/Patient.h"
 #include "core/doctor/frames/DoctorSource.h"
 
+#include <functional>
+
 namespace taa::doctor {
 
 /// Frames to examine, and what is known of them.
 struct Examination {
   FrameReader read;
-  int frames = kDoctorFrames; ///< from frame 0 on; as many as there are, at most
+  int first = 0;              ///< number of the first frame
+  int frames = kDoctorFrames; ///< from that one on; as many as there are, at most
   KnownPlanes known;
   Patient patient; ///< its sizes are those of the first frame where they are 0
 };
 
-/// Of the frames of a source. Throws Error where there are fewer than two.
-Examination examinationOf(const DoctorSource& source, int frames);
+/// Of `frames` frames of a source, or as many as it has from `first` on. Throws Error where those are fewer
+/// than two.
+Examination examinationOf(const DoctorSource& source, int frames, int first = 0);
+
+/// What is known after kFirstLook frames; what examine() returns takes its place.
+using DiagnosisTold = std::function<void(const Diagnosis&)>;
+inline constexpr int kFirstLook = 8;
 
 /// Looks at each frame with those before and after it. Throws Error, Cancelled.
-Diagnosis examine(const Examination& examination, const Progress& progress = {});
+Diagnosis examine(const Examination& examination, const Progress& progress = {},
+                  const DiagnosisTold& told = {});
 
 } // namespace taa::doctor

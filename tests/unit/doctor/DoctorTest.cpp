@@ -6,11 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace taa::doctor {
 namespace {
@@ -65,6 +67,40 @@ TEST(Doctor, FindsNothingWhereNothingIsWrong) {
       EXPECT_EQ(diagnosis.frames, kFrames);
       EXPECT_EQ(diagnosis.pairs, kFrames - 1);
     }
+}
+
+TEST(Doctor, TellsWhatTheFirstFramesShowBeforeItHasSeenAll) {
+  const PaintedShot shot;
+  Examination examination =
+      paintedExamination(shot, 12, onAll([](const glm::vec2& m) { return glm::vec2(m.x, -m.y); }));
+  std::vector<Diagnosis> early;
+  const Diagnosis diagnosis = examine(examination, {}, [&](const Diagnosis& seen) { early.push_back(seen); });
+  ASSERT_EQ(early.size(), 1u);
+  EXPECT_EQ(early[0].frames, kFirstLook);
+  EXPECT_EQ(told(early[0]), "motionNegatedY in all");
+  EXPECT_EQ(told(diagnosis), "motionNegatedY in all");
+  EXPECT_EQ(diagnosis.frames, 12);
+  examination.frames = kFirstLook;
+  examine(examination, {}, [&](const Diagnosis& seen) { early.push_back(seen); });
+  EXPECT_EQ(early.size(), 1u) << "what is returned says it all";
+}
+
+TEST(Doctor, BeginsAtTheFirstFrameThatIsAskedFor) {
+  const PaintedShot shot;
+  Examination examination = paintedExamination(shot, 16, [](DoctorFrame& frame) {
+    if (frame.frame < 6) changeMotion(frame, kBoardId, [](const glm::vec2& m) { return -m; });
+  });
+  examination.first = 6;
+  examination.frames = 8;
+  const FrameReader read = examination.read;
+  int last = 0;
+  examination.read = [&](int frame) {
+    EXPECT_GE(frame, 6);
+    last = std::max(last, frame);
+    return read(frame);
+  };
+  EXPECT_EQ(told(examine(examination)), "");
+  EXPECT_EQ(last, 13);
 }
 
 TEST(Doctor, NamesAFaultOfTheWholePicture) {
