@@ -57,4 +57,8 @@ void BackgroundBar::setNote(const QString& note) {
   note_->setText(note);
 }
 
+QString BackgroundBar::note() const {
+  return note_->text();
+}
+
 } // namespace taa::app

@@ -25,6 +25,7 @@ class BackgroundBar : public QWidget {
   void setReady(bool canStart, const QString& note);
   /// Until setReady() says something else.
   void setNote(const QString& note);
+  QString note() const;
 
  Q_SIGNALS:
   void startRequested();

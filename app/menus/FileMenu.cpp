@@ -1,5 +1,6 @@
 #include "app/menus/FileMenu.h"
 
+#include "app/commands/DoctorCommands.h"
 #include "app/commands/Exports.h"
 #include "app/commands/ImportFrames.h"
 #include "app/session/keeping/SessionKeeper.h"
@@ -11,9 +12,11 @@
 
 namespace taa::app {
 
-FileMenu::FileMenu(Commands& commands, SessionKeeper& keeper, ImportFrames& imports, Exports& exports,
-                   QWidget* parent)
-    : CommandMenu(tr("&File"), commands, parent), keeper_(keeper), exports_(exports) {
+FileMenu::FileMenu(Commands& commands, const Targets& on, QWidget* parent)
+    : CommandMenu(tr("&File"), commands, parent), keeper_(on.keeper), exports_(on.exports),
+      doctor_(on.doctor) {
+  SessionKeeper& keeper = on.keeper;
+  ImportFrames& imports = on.imports;
   add(tr("&Open…"), keys({"Ctrl+O"}), [&keeper] {
     keeper.askWhatToOpen();
   })->setIcon(themedIcon(QStringLiteral("open")));
@@ -62,6 +65,9 @@ void FileMenu::addExports() {
   commands_.add(menu, tr("View with its &legend as PNG…"), keys({"Ctrl+Alt+E"}),
                 [this] { exports_.askForView(true); });
   commands_.add(menu, tr("&Range of frames…"), keys({"Ctrl+Shift+E"}), [this] { exports_.askForRange(); });
+  QAction* report =
+      commands_.add(menu, tr("Report of the &doctor as HTML…"), {}, [this] { doctor_.askForReport(); });
+  onRefresh([this, report] { allow(report, doctor_.whyNoReport()); });
 }
 
 } // namespace taa::app

@@ -5,6 +5,7 @@
 
 namespace taa::app {
 
+class DoctorCommands;
 class Exports;
 class ImportFrames;
 class SessionKeeper;
@@ -12,8 +13,13 @@ class SessionKeeper;
 class FileMenu : public CommandMenu {
   Q_OBJECT
  public:
-  FileMenu(Commands& commands, SessionKeeper& keeper, ImportFrames& imports, Exports& exports,
-           QWidget* parent);
+  struct Targets {
+    SessionKeeper& keeper;
+    ImportFrames& imports;
+    Exports& exports;
+    DoctorCommands& doctor;
+  };
+  FileMenu(Commands& commands, const Targets& on, QWidget* parent);
 
  private:
   void addRecent();
@@ -21,6 +27,7 @@ class FileMenu : public CommandMenu {
 
   SessionKeeper& keeper_;
   Exports& exports_;
+  DoctorCommands& doctor_;
 };
 
 } // namespace taa::app

@@ -14,7 +14,8 @@
 namespace taa::app {
 
 namespace {
-constexpr std::array<const char*, kLowerPageCount> kIds{"profiler", "plots", "jitter", "weights", "lineage"};
+constexpr std::array<const char*, kLowerPageCount> kIds{"profiler", "plots",   "jitter",
+                                                        "weights",  "lineage", "doctor"};
 } // namespace
 
 QString lowerPageId(LowerPage page) {

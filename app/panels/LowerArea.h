@@ -1,4 +1,5 @@
-// The pages above the timeline, one of them at a time: profiler, plots, jitter, weights, lineage.
+// The pages above the timeline, one of them at a time: profiler, plots, jitter, weights, lineage,
+// doctor.
 #pragma once
 
 #include <QWidget>
@@ -12,8 +13,8 @@ class QTabBar;
 namespace taa::app {
 
 /// In the order of the tabs.
-enum class LowerPage { Profiler, Plots, Jitter, Weights, Lineage };
-inline constexpr int kLowerPageCount = 5;
+enum class LowerPage { Profiler, Plots, Jitter, Weights, Lineage, Doctor };
+inline constexpr int kLowerPageCount = 6;
 
 /// "profiler", "plots" …: for command lines and files; anything else: nothing.
 QString lowerPageId(LowerPage page);

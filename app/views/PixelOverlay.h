@@ -35,6 +35,8 @@ class PixelOverlay {
   void paintPath(QPainter& painter, const std::vector<PathPlace>& path) const;
   /// The corners of a box of pixels.
   void paintFrame(QPainter& painter, const gl::Rect& box) const;
+  /// A dashed line around a box of pixels.
+  void paintRegion(QPainter& painter, const gl::Rect& box) const;
   /// Logical rectangle of a pixel.
   ScreenRect pixelRect(glm::ivec2 pixel) const;
 

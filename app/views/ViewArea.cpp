@@ -189,6 +189,10 @@ void ViewArea::setFramed(const std::optional<gl::Rect>& box) {
   for (ViewPanel* view : views_) view->viewport()->setFramed(box);
 }
 
+void ViewArea::setRegions(const std::vector<gl::Rect>& boxes) {
+  for (ViewPanel* view : views_) view->viewport()->setRegions(boxes);
+}
+
 std::vector<ViewRequest> ViewArea::requests() const {
   const QStringList presets = comparedPresets();
   std::vector<ViewRequest> requests;

@@ -68,6 +68,12 @@ void Viewport::setFramed(const std::optional<gl::Rect>& box) {
   update();
 }
 
+void Viewport::setRegions(const std::vector<gl::Rect>& boxes) {
+  if (boxes == regions_) return;
+  regions_ = boxes;
+  update();
+}
+
 void Viewport::setCamera(const ViewCamera& camera) {
   if (camera == camera_) return;
   camera_ = camera;
@@ -113,6 +119,7 @@ void Viewport::paintEvent(QPaintEvent*) {
   paintOver(painter, shown());
   const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
   if (framed_) overlay.paintFrame(painter, *framed_);
+  for (const gl::Rect& box : regions_) overlay.paintRegion(painter, box);
   paintLegend(painter);
 }
 

@@ -54,6 +54,9 @@ class Viewport : public QWidget, public Draggable {
   const std::vector<PathPlace>& path() const { return path_; }
   /// Draws a frame around these pixels.
   void setFramed(const std::optional<gl::Rect>& box);
+  /// Draws an outline around each of these boxes of pixels.
+  void setRegions(const std::vector<gl::Rect>& boxes);
+  const std::vector<gl::Rect>& regions() const { return regions_; }
   void setCamera(const ViewCamera& camera);
 
   const ViewCamera& camera() const { return camera_; }
@@ -142,6 +145,7 @@ class Viewport : public QWidget, public Draggable {
   std::vector<PathPlace> path_;
   std::optional<glm::ivec2> hovered_;
   std::optional<gl::Rect> framed_;
+  std::vector<gl::Rect> regions_;
   QPointF cursor_;
   Qt::MouseButton drag_ = Qt::NoButton;
 };

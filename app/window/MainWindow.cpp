@@ -1,6 +1,7 @@
 #include "app/window/MainWindow.h"
 
 #include "app/commands/CameraFiles.h"
+#include "app/commands/DoctorCommands.h"
 #include "app/commands/EscapeKey.h"
 #include "app/commands/Exports.h"
 #include "app/commands/Flight.h"
@@ -10,6 +11,7 @@
 #include "app/commands/ProbeCommands.h"
 #include "app/commands/ThemeSetting.h"
 #include "app/commands/ViewChoices.h"
+#include "app/doctor/DoctorPanel.h"
 #include "app/learn/LearnPanel.h"
 #include "app/learn/Learning.h"
 #include "app/learn/RightArea.h"
@@ -130,6 +132,7 @@ void MainWindow::makePanels() {
   jitter_ = new JitterPanel;
   weights_ = new WeightsPanel;
   lineage_ = new LineagePanel;
+  doctor_ = new DoctorPanel;
   timeline_ = new TimelinePanel;
   messages_ = new MessagesBar;
   statusLine_ = new StatusLine;
@@ -145,6 +148,7 @@ void MainWindow::makePanels() {
   lower_->add(jitter_, tr("Jitter"));
   lower_->add(weights_, tr("Weights"));
   lower_->add(lineage_, tr("Lineage"));
+  lower_->add(doctor_, tr("Doctor"));
   for (QWidget* panel : {static_cast<QWidget*>(pipeline_), static_cast<QWidget*>(probe_)}) {
     panel->setAutoFillBackground(true);
     panel->setBackgroundRole(QPalette::AlternateBase);
@@ -203,6 +207,7 @@ void MainWindow::makeCommands() {
   cameras_ = new CameraFiles(session_, this);
   presets_ = new OwnPresets(session_, *pipeline_, settings_, this);
   probeCommands_ = new ProbeCommands(session_, *views_, *probe_, this);
+  doctorCommands_ = new DoctorCommands(session_, *views_, *doctor_, this);
   prompts_ = new GoToPrompts(session_, *views_, *timeline_, this);
   choices_ = new ViewChoices(session_, *views_, presets_->folder(), this);
   learning_ = new Learning(
@@ -215,7 +220,7 @@ void MainWindow::makeCommands() {
 void MainWindow::makeMenus() {
   QMenuBar* bar = menuBar();
   Commands& all = *commands_;
-  bar->addMenu(new FileMenu(all, *keeper_, *imports_, *exports_, bar));
+  bar->addMenu(new FileMenu(all, {*keeper_, *imports_, *exports_, *doctorCommands_}, bar));
   bar->addMenu(new EditMenu(
       all, {session_, *escape_, *probeCommands_, *exports_, *profiler_, *left_, *pipeline_, *lists_}, bar));
   bar->addMenu(new ViewMenu(all,
@@ -225,7 +230,7 @@ void MainWindow::makeMenus() {
   bar->addMenu(new FrameMenu(all, session_, *timeline_, *prompts_, bar));
   bar->addMenu(new SceneMenu(all, {session_.scene(), *flight_, *cameras_, *left_, *scene_}, bar));
   bar->addMenu(new PipelineMenu(all, {session_, *pipeline_, *presets_, *views_, *lower_, *exports_}, bar));
-  bar->addMenu(new FaultsMenu(all, session_, bar));
+  bar->addMenu(new FaultsMenu(all, session_, *lower_, *doctorCommands_, bar));
   bar->addMenu(new ProbeMenu(all,
                              {session_.probes(), session_.verdicts(), *views_, *probe_, *probeCommands_,
                               *prompts_, session_.scene()},
@@ -262,6 +267,7 @@ void MainWindow::connectMenus() {
   connect(&session_.probes(), &ProbeChoices::changed, all, &Commands::refresh);
   connect(&session_.verdicts(), &VerdictChoices::changed, all, &Commands::refresh);
   connect(&session_.undoStack(), &UndoStack::changed, all, &Commands::refresh);
+  connect(doctorCommands_, &DoctorCommands::reportChanged, all, &Commands::refresh);
 }
 
 void MainWindow::connectPanels() {
@@ -316,6 +322,8 @@ void MainWindow::connectMessages() {
   connect(exports_, &Exports::said, messages_, &MessagesBar::showNote);
   connect(exports_, &Exports::failed, messages_, &MessagesBar::showError);
   connect(cameras_, &CameraFiles::failed, messages_, &MessagesBar::showError);
+  connect(doctorCommands_, &DoctorCommands::said, messages_, &MessagesBar::showNote);
+  connect(doctorCommands_, &DoctorCommands::failed, messages_, &MessagesBar::showError);
   connect(plots_, &PlotsPanel::failed, messages_, &MessagesBar::showError);
   connect(messages_, &MessagesBar::hintClosed, this, [this] {
     if (settings_) settings_->setValue(QStringLiteral("hintClosed"), true);
@@ -417,9 +425,9 @@ void MainWindow::takeScreenshot(const QString& file, int frame, const std::strin
                                 std::function<void(int code, const QString& text)> done) {
   std::function<void()> opens;
   if (!dialog.empty()) opens = [this, dialog] { openDialog(dialog); };
-  new Screenshot(
-      {*this, session_, *views_, *pipeline_, *profiler_, *plots_, *jitter_, *weights_, *lineage_, opens},
-      file, frame, std::move(done));
+  new Screenshot({*this, session_, *views_, *pipeline_, *profiler_, *plots_, *jitter_, *weights_, *lineage_,
+                  *doctor_, opens},
+                 file, frame, std::move(done));
 }
 
 void MainWindow::restore() {

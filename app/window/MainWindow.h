@@ -19,6 +19,8 @@ namespace taa::app {
 class CameraFiles;
 class CommandLists;
 class Commands;
+class DoctorCommands;
+class DoctorPanel;
 class EscapeKey;
 class Exports;
 class Flight;
@@ -123,6 +125,7 @@ class MainWindow : public QMainWindow {
   JitterPanel* jitter_ = nullptr;
   WeightsPanel* weights_ = nullptr;
   LineagePanel* lineage_ = nullptr;
+  DoctorPanel* doctor_ = nullptr;
   TimelinePanel* timeline_ = nullptr;
   MessagesBar* messages_ = nullptr;
   StatusLine* statusLine_ = nullptr;
@@ -140,6 +143,7 @@ class MainWindow : public QMainWindow {
   CameraFiles* cameras_ = nullptr;
   OwnPresets* presets_ = nullptr;
   ProbeCommands* probeCommands_ = nullptr;
+  DoctorCommands* doctorCommands_ = nullptr;
   GoToPrompts* prompts_ = nullptr;
   ViewChoices* choices_ = nullptr;
   Learning* learning_ = nullptr;

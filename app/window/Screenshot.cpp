@@ -1,5 +1,6 @@
 #include "app/window/Screenshot.h"
 
+#include "app/doctor/DoctorPanel.h"
 #include "app/panels/JitterPanel.h"
 #include "app/panels/LineagePanel.h"
 #include "app/panels/PipelinePanel.h"
@@ -101,6 +102,13 @@ bool Screenshot::isLineageComplete() const {
   return !of_.lineage.isVisible() || !of_.session.probes().pixel() || of_.lineage.isCurrent();
 }
 
+// What the doctor says is of use, and what it would look at is not.
+bool Screenshot::isDoctorComplete() {
+  if (!of_.doctor.isVisible()) return true;
+  if (!std::exchange(examines_, true)) Q_EMIT of_.doctor.examineRequested();
+  return !of_.doctor.work().isRunning();
+}
+
 void Screenshot::look() {
   Session& session = of_.session;
   if (!session.isOpen()) return;
@@ -109,8 +117,8 @@ void Screenshot::look() {
     frame_ = std::clamp(frame_, 0, session.status().frameCount - 1);
     session.seek(frame_);
   }
-  if (!areTracesComplete() || !isLineageComplete() || !isComplete() || !areProfilesComplete() ||
-      !areDialogsComplete()) {
+  if (!areTracesComplete() || !isLineageComplete() || !isDoctorComplete() || !isComplete() ||
+      !areProfilesComplete() || !areDialogsComplete()) {
     quiet_ = 0;
     if (isGivenUp()) finish(1, lastError_);
     return;

@@ -9,6 +9,7 @@
 
 namespace taa::app {
 
+class DoctorPanel;
 class JitterPanel;
 class LineagePanel;
 class PipelinePanel;
@@ -29,6 +30,7 @@ struct ScreenshotPanels {
   JitterPanel& jitter;
   WeightsPanel& weights;
   LineagePanel& lineage;
+  DoctorPanel& doctor;
   std::function<void()> openDialog; ///< before the picture; null: none
 };
 
@@ -48,6 +50,7 @@ class Screenshot : public QObject {
   bool areProfilesComplete();
   bool areTracesComplete();
   bool isLineageComplete() const;
+  bool isDoctorComplete();
   bool isGivenUp();
   void take();
   void finish(int code, const QString& text);
@@ -56,7 +59,7 @@ class Screenshot : public QObject {
   QString file_;
   int frame_;
   Done done_;
-  bool asked_ = false, measures_ = false;
+  bool asked_ = false, measures_ = false, examines_ = false;
   bool asksForTraces_ = false, sawTracing_ = false;
   int quiet_ = 0; ///< polls since all was there
   int idle_ = 0;  ///< polls since something came or was done, after an error

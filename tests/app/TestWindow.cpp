@@ -1,11 +1,13 @@
 #include "tests/app/TestWindow.h"
 
+#include "app/commands/DoctorCommands.h"
 #include "app/commands/Exports.h"
 #include "app/commands/Flight.h"
 #include "app/commands/GoToPrompts.h"
 #include "app/commands/OwnPresets.h"
 #include "app/commands/ProbeCommands.h"
 #include "app/commands/ViewChoices.h"
+#include "app/doctor/DoctorPanel.h"
 #include "app/menus/CommandLists.h"
 #include "app/panels/JitterPanel.h"
 #include "app/panels/LeftArea.h"
@@ -72,6 +74,10 @@ LineagePanel* TestWindow::lineage() const {
   return findChild<LineagePanel*>();
 }
 
+DoctorPanel* TestWindow::doctor() const {
+  return findChild<DoctorPanel*>();
+}
+
 TimelinePanel* TestWindow::timeline() const {
   return findChild<TimelinePanel*>();
 }
@@ -106,6 +112,10 @@ OwnPresets* TestWindow::presets() const {
 
 ProbeCommands* TestWindow::probeCommands() const {
   return findChild<ProbeCommands*>();
+}
+
+DoctorCommands* TestWindow::doctorCommands() const {
+  return findChild<DoctorCommands*>();
 }
 
 GoToPrompts* TestWindow::prompts() const {

@@ -23,6 +23,7 @@ class TestWindow : public MainWindow {
   JitterPanel* jitter() const;
   WeightsPanel* weights() const;
   LineagePanel* lineage() const;
+  DoctorPanel* doctor() const;
   TimelinePanel* timeline() const;
   MessagesBar* messages() const;
   StatusLine* statusLine() const;
@@ -32,6 +33,7 @@ class TestWindow : public MainWindow {
   Flight* flight() const;
   OwnPresets* presets() const;
   ProbeCommands* probeCommands() const;
+  DoctorCommands* doctorCommands() const;
   GoToPrompts* prompts() const;
   ViewChoices* choices() const;
   CommandLists* lists() const;

@@ -1,5 +1,7 @@
 #include "app/menus/faults/FaultsMenu.h"
 
+#include "app/commands/DoctorCommands.h"
+#include "app/panels/LowerArea.h"
 #include "app/session/PresetChoices.h"
 #include "app/session/Session.h"
 #include "app/style/Text.h"
@@ -53,14 +55,25 @@ void setInjected(PresetChoices& presets, const FaultInfo& info, bool isOn) {
 
 } // namespace
 
-FaultsMenu::FaultsMenu(Commands& commands, Session& session, QWidget* parent)
+FaultsMenu::FaultsMenu(Commands& commands, Session& session, LowerArea& lower, DoctorCommands& doctor,
+                       QWidget* parent)
     : CommandMenu(tr("Fa&ults"), commands, parent) {
   setToolTipsVisible(true);
+  addExamine(lower, doctor);
   addNone(session);
   addSeparator();
   constexpr std::array kParts{FaultPart::Jitter, FaultPart::Motion, FaultPart::Depth, FaultPart::Color,
                               FaultPart::Resolve};
   for (const FaultPart part : kParts) addPart(session, part);
+}
+
+void FaultsMenu::addExamine(LowerArea& lower, DoctorCommands& doctor) {
+  QAction* examine = add(tr("&Examine the frames"), keys({"Shift+F12"}), [&lower, &doctor] {
+    lower.setShown(LowerPage::Doctor, true);
+    doctor.examine();
+  });
+  examine->setToolTip(
+      tr("The doctor says what is wrong with jitter, depth and motion vectors, and what to change"));
 }
 
 void FaultsMenu::addNone(Session& session) {

@@ -6,14 +6,17 @@
 
 namespace taa::app {
 
+class DoctorCommands;
+class LowerArea;
 class Session;
 
 class FaultsMenu : public CommandMenu {
   Q_OBJECT
  public:
-  FaultsMenu(Commands& commands, Session& session, QWidget* parent);
+  FaultsMenu(Commands& commands, Session& session, LowerArea& lower, DoctorCommands& doctor, QWidget* parent);
 
  private:
+  void addExamine(LowerArea& lower, DoctorCommands& doctor);
   void addNone(Session& session);
   void addPart(Session& session, FaultPart part);
   void addFault(Session& session, QMenu* menu, const FaultInfo& info);

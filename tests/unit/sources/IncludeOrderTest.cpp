@@ -102,7 +102,7 @@ const std::vector<std::vector<std::string>>& floors() {
       {"app/models/alternatives", "app/models/verdict"},
       {"app/views/legend", "app/views/plots", "app/views/timeline", "app/widgets/verdict"},
       {"app/views"},
-      {"app/panels", "app/dialogs", "app/importing"},
+      {"app/panels", "app/dialogs", "app/importing", "app/doctor"},
       {"app/learn"},
       {"app/commands"},
       {"app/menus"},

@@ -1,0 +1,50 @@
+// Has the frames that are open examined by the doctor, goes to what it finds, and hands its report on.
+#pragma once
+
+#include "core/settings/Settings.h"
+
+#include <QObject>
+#include <QString>
+
+#include <string>
+
+namespace taa::app {
+
+class DoctorPanel;
+class Session;
+class ViewArea;
+
+class DoctorCommands : public QObject {
+  Q_OBJECT
+ public:
+  /// Regions are outlined in `views` while the page is open. Places are asked for over `window`.
+  DoctorCommands(Session& session, ViewArea& views, DoctorPanel& panel, QWidget* window);
+
+  /// The frames that the page says, as they are with the present settings.
+  void examine();
+  /// The frame of what is chosen, with the plane that is wrong in the active view.
+  void goToFinding();
+  /// Why there is no report to save; empty: there is one.
+  QString whyNoReport() const;
+  void askForReport();
+  void writeReport(const QString& path);
+
+ Q_SIGNALS:
+  void said(const QString& sentence);
+  void failed(const QString& sentence);
+  void reportChanged();
+
+ private:
+  void takeStatus();
+  void showOutlines();
+
+  Session& session_;
+  ViewArea& views_;
+  DoctorPanel& panel_;
+  QWidget* window_;
+  std::string source_; ///< that the page is about
+  int frameCount_ = 0; ///< of it
+  Settings examined_;  ///< that the frames were examined with
+};
+
+} // namespace taa::app

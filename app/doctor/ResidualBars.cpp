@@ -1,0 +1,115 @@
+#include "app/doctor/ResidualBars.h"
+
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
+#include "core/doctor/NumberText.h"
+
+#include <QHelpEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace taa::app {
+
+namespace {
+
+constexpr int kResidualRow = 18, kResidualBar = 8; ///< px
+constexpr double kLabelShare = 0.6;                ///< of what words and bars have
+
+int widestOf(const std::vector<ResidualBars::Bar>& bars, const QFontMetrics& metrics,
+             QString ResidualBars::Bar::*text) {
+  int widest = 0;
+  for (const ResidualBars::Bar& bar : bars) widest = std::max(widest, metrics.horizontalAdvance(bar.*text));
+  return widest;
+}
+
+} // namespace
+
+ResidualBars::ResidualBars(QWidget* parent) : QWidget(parent) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setAccessibleName(tr("What each explanation leaves"));
+}
+
+void ResidualBars::setResiduals(const std::vector<doctor::Residual>& residuals) {
+  bars_.clear();
+  double largest = 0.0;
+  for (const doctor::Residual& residual : residuals)
+    if (std::isfinite(residual.value)) largest = std::max(largest, residual.value);
+  QStringList said;
+  for (const doctor::Residual& residual : residuals) {
+    const QString mark = residual.isBest ? tr("fits") : residual.isGiven ? tr("what is stored") : QString();
+    const double share = largest > 0.0 ? std::clamp(residual.value / largest, 0.0, 1.0) : 0.0;
+    bars_.push_back({qtext(residual.text), mark, qtext(doctor::shortNumber(residual.value)), share,
+                     residual.isGiven, residual.isBest});
+    said << bars_.back().label + QLatin1Char(' ') + bars_.back().number +
+                (mark.isEmpty() ? QString() : QStringLiteral(", ") + mark);
+  }
+  setAccessibleDescription(said.join(QStringLiteral("; ")));
+  updateGeometry();
+  update();
+}
+
+QSize ResidualBars::sizeHint() const {
+  return {320, kResidualRow * static_cast<int>(bars_.size())};
+}
+
+QSize ResidualBars::minimumSizeHint() const {
+  return {160, sizeHint().height()};
+}
+
+ResidualBars::Columns ResidualBars::columns() const {
+  const QFontMetrics words(secondaryFont()), numbers(numberFont());
+  const int mark = widestOf(bars_, words, &Bar::mark) + 2 * kUnit,
+            number = widestOf(bars_, numbers, &Bar::number) + 2 * kUnit;
+  const int room = std::max(0, width() - mark - number);
+  const int label = std::min(widestOf(bars_, words, &Bar::label) + 2 * kUnit,
+                             static_cast<int>(std::lround(kLabelShare * room)));
+  return {0, label, label + mark, label + mark + number};
+}
+
+QRectF ResidualBars::barRect(int line) const {
+  const Columns at = columns();
+  const double longest = std::max(0, width() - at.bar - kUnit);
+  return {static_cast<double>(at.bar), line * kResidualRow + (kResidualRow - kResidualBar) / 2.0,
+          std::max(1.0, bars_[static_cast<std::size_t>(line)].share * longest),
+          static_cast<double>(kResidualBar)};
+}
+
+void ResidualBars::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  for (int line = 0; line < static_cast<int>(bars_.size()); ++line) paintLine(painter, line);
+}
+
+void ResidualBars::paintLine(QPainter& painter, int line) const {
+  const ThemeColors& colors = themeColors(this);
+  const Bar& bar = bars_[static_cast<std::size_t>(line)];
+  const Columns at = columns();
+  const auto cell = [line](int from, int to) {
+    return QRect(from, line * kResidualRow, std::max(0, to - from - 2 * kUnit), kResidualRow);
+  };
+  painter.setFont(secondaryFont());
+  const bool isMarked = bar.isBest || bar.isGiven;
+  painter.setPen(isMarked ? colors.text : colors.secondary);
+  painter.drawText(
+      cell(at.label, at.mark), Qt::AlignVCenter | Qt::AlignLeft,
+      QFontMetrics(secondaryFont()).elidedText(bar.label, Qt::ElideRight, cell(at.label, at.mark).width()));
+  painter.drawText(cell(at.mark, at.number), Qt::AlignVCenter | Qt::AlignLeft, bar.mark);
+  painter.setFont(numberFont());
+  painter.drawText(cell(at.number, at.bar), Qt::AlignVCenter | Qt::AlignRight, bar.number);
+  painter.fillRect(barRect(line), bar.isBest ? colors.right : bar.isGiven ? colors.wrong : colors.secondary);
+}
+
+bool ResidualBars::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const int line = help->pos().y() / kResidualRow;
+  if (line < 0 || line >= static_cast<int>(bars_.size())) return QWidget::event(event);
+  const Bar& bar = bars_[static_cast<std::size_t>(line)];
+  QToolTip::showText(help->globalPos(), bar.label + QStringLiteral(": ") + bar.number, this);
+  return true;
+}
+
+} // namespace taa::app

@@ -1,0 +1,257 @@
+// The doctor's page, on an examination that is written by hand: what it is asked for, what is shown of its
+// answer, and where a finding leads.
+#include "app/doctor/DoctorPanel.h"
+
+#include "app/commands/DoctorCommands.h"
+#include "app/doctor/FindingDetails.h"
+#include "app/doctor/FindingList.h"
+#include "app/doctor/ResidualBars.h"
+#include "app/panels/LowerArea.h"
+#include "app/views/ViewArea.h"
+#include "app/views/Viewport.h"
+#include "core/base/Error.h"
+#include "core/base/Files.h"
+#include "tests/app/WindowFixture.h"
+
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTemporaryDir>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace taa::app::test {
+namespace {
+
+using doctor::Diagnosis;
+using doctor::Finding;
+using doctor::RegionPlace;
+
+/// y of the sky's motion is negated, in frames of half the picture's size.
+Finding skyFinding() {
+  Finding finding;
+  finding.id = "motionNegatedY";
+  finding.name = "Motion's y negated";
+  finding.regions = {RegionPlace{"the sky", 12, {4, 2, 20, 10}, {6, 3}, 0.25}};
+  finding.reason = "another explanation leaves less";
+  finding.measure = "mean difference of luma";
+  finding.residuals = {{"negatedY", "y negated", 2.0, false, true},
+                       {"asGiven", "as given", 8.0, true, false}};
+  finding.symptom = "Ghosts grow with speed.";
+  finding.change = "Negate y.";
+  return finding;
+}
+
+Diagnosis wrongSky() {
+  Diagnosis diagnosis;
+  diagnosis.frames = 32;
+  diagnosis.pairs = 31;
+  diagnosis.sizePx = {32, 18};
+  diagnosis.findings = {skyFinding()};
+  diagnosis.undecided = {{"Motion of the floor", "it is plain", "Capture it with a texture."}};
+  diagnosis.healthy = {"jitter fits"};
+  diagnosis.notes = {"frame 0 is not jittered"};
+  return diagnosis;
+}
+
+/// What the doctor does, for its thread, which may outlive a test.
+struct Script {
+  std::mutex mutex;
+  std::optional<ExaminationRequest> asked;
+  std::atomic<bool> isHeld = false; ///< between what the first frames show and all
+  std::atomic<bool> fails = false;
+  Diagnosis early = wrongSky(), all = wrongSky();
+};
+
+class DoctorPageTest : public FakeWindow {
+ protected:
+  void SetUp() override {
+    FakeWindow::SetUp();
+    window.doctor()->work().setExamine([script = script_](const ExaminationRequest& request,
+                                                          const doctor::DiagnosisTold& told,
+                                                          const Progress& progress) {
+      {
+        const std::lock_guard lock(script->mutex);
+        script->asked = request;
+      }
+      if (script->fails) throw Error("the capture has no frame 3");
+      told(script->early);
+      while (script->isHeld) report(progress, "Examining frames", 8, 32);
+      return script->all;
+    });
+    key(Qt::Key_F12);
+  }
+  DoctorPanel* panel() const { return window.doctor(); }
+  QPushButton* button(const QString& text) const {
+    for (QPushButton* each : panel()->findChildren<QPushButton*>())
+      if (each->text() == text) return each;
+    return nullptr;
+  }
+  void examine() {
+    QTest::mouseClick(button("Examine"), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return !panel()->work().isRunning(); }));
+    settle();
+  }
+  ExaminationRequest asked() const {
+    const std::lock_guard lock(script_->mutex);
+    return *script_->asked;
+  }
+  /// Chooses a line below a heading by a click.
+  void choose(int group, int line) {
+    FindingList* list = panel()->list();
+    const QTreeWidgetItem* item = list->topLevelItem(group)->child(line);
+    list->scrollToItem(item);
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(item).center());
+  }
+  QString rowOf(const QString& of) const {
+    for (const FindingDetails::Row& row : panel()->details()->rows())
+      if (row.first == of) return row.second;
+    return {};
+  }
+  const std::vector<gl::Rect>& outlines() const { return window.views()->active()->viewport()->regions(); }
+
+  std::shared_ptr<Script> script_ = std::make_shared<Script>();
+};
+
+TEST_F(DoctorPageTest, SaysWhatItWillLookAtBeforeAnythingIsKnown) {
+  EXPECT_TRUE(window.lower()->shows(LowerPage::Doctor));
+  EXPECT_EQ(panel()->note(), "Frames 0 to 31 are looked at, each beside the one before it.");
+  EXPECT_FALSE(panel()->saveButton()->isEnabled());
+  panel()->setFrames(5, 5);
+  EXPECT_EQ(panel()->note(), "At least two frames are examined: each is compared with the one before it.");
+  EXPECT_FALSE(button("Examine")->isEnabled());
+  key(Qt::Key_F12);
+  EXPECT_FALSE(panel()->isVisible());
+}
+
+TEST_F(DoctorPageTest, ExaminesTheFramesThatAreChosenWithThePresentSettings) {
+  session.presets().setParameter("fault.motionY", -1.0);
+  settle();
+  panel()->setFrames(4, 13);
+  examine();
+  EXPECT_EQ(asked().shot.source, "builtin:fan");
+  EXPECT_EQ(asked().shot.size, glm::ivec2(64, 36));
+  EXPECT_EQ(asked().shot.settings.settings.fault.motionY, -1.0f);
+  EXPECT_EQ(asked().first, 4);
+  EXPECT_EQ(asked().frames, 10);
+  EXPECT_EQ(panel()->note(), "32 frames, 31 pairs compared.");
+}
+
+TEST_F(DoctorPageTest, AKeyOpensThePageAndBegins) {
+  key(Qt::Key_F12);
+  key(Qt::Key_F12, Qt::ShiftModifier);
+  EXPECT_TRUE(panel()->isVisible());
+  ASSERT_TRUE(waitFor([&] { return panel()->isComplete(); }));
+}
+
+TEST_F(DoctorPageTest, ShowsTheFirstFindingsWhileItGoesOnAndKeepsThemWhereItIsStopped) {
+  script_->isHeld = true;
+  script_->early.frames = 8;
+  QTest::mouseClick(button("Examine"), Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return panel()->diagnosis().has_value(); }));
+  EXPECT_TRUE(panel()->work().isRunning());
+  ASSERT_TRUE(panel()->finding());
+  EXPECT_EQ(panel()->details()->title(), "Motion's y negated");
+  EXPECT_FALSE(panel()->saveButton()->isEnabled()) << "it is not all";
+  QTest::mouseClick(button("Stop"), Qt::LeftButton);
+  settle();
+  EXPECT_FALSE(panel()->work().isRunning());
+  EXPECT_TRUE(panel()->finding());
+  EXPECT_TRUE(panel()->note().startsWith("8 frames")) << panel()->note().toStdString();
+  EXPECT_TRUE(panel()->note().endsWith("stopped before it had seen all.")) << panel()->note().toStdString();
+}
+
+TEST_F(DoctorPageTest, ShowsAFindingWithItsEvidence) {
+  examine();
+  EXPECT_EQ(rowOf("How sure"), "sure");
+  EXPECT_EQ(rowOf("Where"), "the sky: 25 % of all pixels, largest in frame 12");
+  EXPECT_EQ(rowOf("One sees"), "Ghosts grow with speed.");
+  EXPECT_EQ(rowOf("Change"), "Negate y.");
+  const ResidualBars* bars = panel()->details()->bars();
+  ASSERT_EQ(bars->bars().size(), 2u);
+  EXPECT_EQ(bars->bars()[0].mark, "fits");
+  EXPECT_EQ(bars->bars()[1].mark, "what is stored");
+  EXPECT_EQ(bars->bars()[1].number, "8");
+  EXPECT_NEAR(bars->barRect(0).width(), 0.25 * bars->barRect(1).width(), 1e-9) << "2 of 8";
+}
+
+TEST_F(DoctorPageTest, EnterGoesToFrameAndPlaneAndOutlinesTheRegion) {
+  examine();
+  EXPECT_TRUE(outlines().empty()) << "in frame 0 it lies elsewhere";
+  panel()->list()->setFocus();
+  QTest::keyClick(panel()->list(), Qt::Key_Return);
+  settle();
+  EXPECT_EQ(renderer->status.info.frame, 12);
+  EXPECT_EQ(window.views()->active()->id(), IntermediateId::motion);
+  ASSERT_EQ(outlines().size(), 1u);
+  EXPECT_EQ(outlines()[0], (gl::Rect{8, 4, 32, 16})) << "the picture is twice as large";
+  session.seek(13);
+  settle();
+  EXPECT_TRUE(outlines().empty());
+  QTest::mouseClick(panel()->details()->goButton(), Qt::LeftButton);
+  settle();
+  EXPECT_EQ(renderer->status.info.frame, 12);
+  key(Qt::Key_F12);
+  EXPECT_TRUE(outlines().empty()) << "nobody looks";
+}
+
+TEST_F(DoctorPageTest, SaysWhyItIsUndecidedAndWhatToCapture) {
+  examine();
+  choose(1, 0);
+  EXPECT_EQ(panel()->details()->title(), "Motion of the floor");
+  EXPECT_EQ(rowOf("Not decided"), "It is plain.");
+  EXPECT_EQ(rowOf("Capture"), "Capture it with a texture.");
+  EXPECT_FALSE(panel()->finding());
+  choose(3, 0);
+  EXPECT_EQ(rowOf(""), "Frame 0 is not jittered.");
+  EXPECT_TRUE(panel()->details()->goButton()->isHidden());
+}
+
+TEST_F(DoctorPageTest, SaysThatNothingIsWrong) {
+  script_->early = script_->all = Diagnosis{.frames = 32, .pairs = 31, .healthy = {"jitter fits"}};
+  examine();
+  EXPECT_EQ(panel()->details()->title(), "Nothing wrong was found.");
+  EXPECT_EQ(rowOf("Right"), "Jitter fits.");
+  EXPECT_TRUE(outlines().empty());
+}
+
+TEST_F(DoctorPageTest, SaysWhatWentWrongWithTheExamination) {
+  script_->fails = true;
+  examine();
+  EXPECT_EQ(panel()->note(), "the capture has no frame 3");
+  EXPECT_TRUE(button("Examine")->isEnabled());
+}
+
+TEST_F(DoctorPageTest, SavesTheReportOnceAllIsKnown) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("doctor.html");
+  EXPECT_FALSE(window.doctorCommands()->whyNoReport().isEmpty());
+  examine();
+  EXPECT_TRUE(window.doctorCommands()->whyNoReport().isEmpty());
+  EXPECT_TRUE(panel()->saveButton()->isEnabled());
+  window.doctorCommands()->writeReport(path);
+  const std::string text = readFile(path.toStdString());
+  EXPECT_NE(text.find("Motion's y negated"), std::string::npos) << text;
+  EXPECT_NE(text.find("builtin:fan"), std::string::npos);
+}
+
+TEST_F(DoctorPageTest, SaysThatSettingsHaveChangedAndForgetsAnotherShot) {
+  examine();
+  session.presets().setParameter("fault.motionX", 2.0);
+  settle();
+  EXPECT_EQ(panel()->note(), "32 frames, 31 pairs compared; settings have changed since.");
+  session.presets().setParameter("fault.motionX", 1.0);
+  settle();
+  EXPECT_EQ(panel()->note(), "32 frames, 31 pairs compared.");
+  window.openSource("builtin:fence");
+  ASSERT_TRUE(waitFor([&] { return session.status().source == "builtin:fence"; }));
+  settle();
+  EXPECT_FALSE(panel()->diagnosis());
+}
+
+} // namespace
+} // namespace taa::app::test
