@@ -106,7 +106,8 @@ struct VerdictArguments {
 struct DoctorArguments {
   ShotArguments shot;
   int frames = doctor::kDoctorFrames;
-  std::string html; ///< a file; empty: none is written
+  std::string html;                      ///< a file; empty: none is written
+  std::string baseline, writtenBaseline; ///< of known findings: read, written; empty: none
   bool json = false, force = false;
 };
 

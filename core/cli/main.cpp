@@ -210,6 +210,10 @@ void addDoctor(CLI::App& app, DoctorArguments& doctor, const taa::Progress& prog
       ->capture_default_str();
   command->add_option("--html", doctor.html,
                       "Also write all of it as one page of HTML, without scripts, to put into a bug tracker");
+  command->add_option("--baseline", doctor.baseline,
+                      "A JSON file of findings that are known: where there are no others, it ends with 0");
+  command->add_option("--write-baseline", doctor.writtenBaseline,
+                      "Also write all that is found as such a file, and end with 0");
   addForce(*command, doctor.force);
   command->add_flag("--json", doctor.json, "Print JSON");
   command->callback(

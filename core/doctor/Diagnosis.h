@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -47,6 +48,7 @@ struct Finding {
   std::string symptom;             ///< a sentence: what one sees because of it
   std::string change;              ///< sentences: what to change, in the engine's own convention
   std::vector<std::string> alike;  ///< ids of what these frames do not tell it from
+  bool isKnown = false;            ///< by a baseline: it is no news
 };
 
 /// A sure one with id, name and symptom of the fault's row.
@@ -69,6 +71,10 @@ struct Diagnosis {
   std::vector<std::string> notes;   ///< sentences: what is worth knowing and no fault
 
   bool isHealthy() const { return findings.empty(); }
+  /// Whether a finding is not known.
+  bool hasNews() const {
+    return std::any_of(findings.begin(), findings.end(), [](const Finding& found) { return !found.isKnown; });
+  }
 };
 
 } // namespace taa::doctor

@@ -9,7 +9,7 @@ std::string doctorManual() {
   return std::string(R"(
 ## The doctor
 
-The doctor says what is wrong with the jitter, depth and motion vectors of somebody's frames, in which part of the picture, how sure that is, and what to change. It measures: nothing is concluded from settings or conventions. `taa-batch doctor SOURCE` takes a capture, a folder of an engine's frames, a built-in scene or a glTF file, looks at its first 32 frames (`--frames`), and ends with 0 where nothing is wrong and with 3 where something is; `--json` prints every figure, `--html FILE` writes one page without scripts. What it finds has the name of the table above that says the same.
+The doctor says what is wrong with the jitter, depth and motion vectors of somebody's frames, in which part of the picture, how sure that is, and what to change. It measures: nothing is concluded from settings or conventions. `taa-batch doctor SOURCE` takes a capture, a folder of an engine's frames, a built-in scene or a glTF file, looks at its first 32 frames (`--frames`), and ends with 0 where nothing is wrong and with 3 where something is; `--json` prints every figure, `--html FILE` writes one page without scripts. `--write-baseline FILE` writes what is found as a JSON file of ids and regions, `{"known": [{"id": "motionZero", "region": "the sky"}]}`; with `--baseline FILE` such findings are said as known and fail no build: it ends with 3 where another one is there. A line with an empty region stands for the whole picture and all its regions. What it finds has the name of the table above that says the same.
 
 ### Regions
 

@@ -72,7 +72,8 @@ std::string regionText(const RegionPlace& region) {
 std::string findingHtml(const Finding& finding, int number) {
   const bool isSure = finding.sureness == doctor::Sureness::Sure;
   std::string text = htmlTag("h2", std::to_string(number) + ". " + finding.name +
-                                       (isSure ? std::string() : " (" + say<"likely">() + ")"));
+                                       (isSure ? std::string() : " (" + say<"likely">() + ")") +
+                                       (finding.isKnown ? " (" + say<"known">() + ")" : std::string()));
   text += "<dl>\n";
   if (finding.isWholePicture) text += htmlTerm(say<"Where">(), say<"the whole picture">());
   for (const RegionPlace& region : finding.regions) text += htmlTerm(say<"Where">(), regionText(region));

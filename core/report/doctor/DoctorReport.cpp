@@ -41,6 +41,7 @@ std::string residualLine(const Residual& residual, std::size_t width) {
 std::string findingText(const doctor::Finding& finding) {
   std::string text = finding.name;
   text += finding.sureness == doctor::Sureness::Sure ? "" : " (" + say<"likely">() + ")";
+  text += finding.isKnown ? " (" + say<"known">() + ")" : "";
   text += ": " + regionsText(finding) + "\n";
   const auto line = [&](const std::string& sentence) { text += "  " + sentence + "\n"; };
   line(say<"Seen as: %1">(finding.symptom));
@@ -97,6 +98,7 @@ ordered_json foundJson(const doctor::Finding& finding) {
   return {{"id", finding.id},
           {"name", finding.name},
           {"sure", finding.sureness == doctor::Sureness::Sure},
+          {"known", finding.isKnown},
           {"wholePicture", finding.isWholePicture},
           {"regions", listJson(finding.regions, regionJson)},
           {"reason", finding.reason},
@@ -112,7 +114,10 @@ ordered_json foundJson(const doctor::Finding& finding) {
 std::string doctorText(const Diagnosis& diagnosis, const std::string& source) {
   std::string text =
       say<"%1: %2 frames, %3 pairs compared">(source, diagnosis.frames, diagnosis.pairs) + "\n";
-  text += diagnosis.isHealthy() ? say<"Nothing wrong was found.">() + "\n" : std::string();
+  if (diagnosis.isHealthy())
+    text += say<"Nothing wrong was found.">() + "\n";
+  else if (!diagnosis.hasNews())
+    text += say<"Nothing was found that is not known.">() + "\n";
   int number = 0;
   for (const doctor::Finding& finding : diagnosis.findings)
     text += "\n" + std::to_string(++number) + ". " + findingText(finding);

@@ -12,7 +12,8 @@ namespace taa {
 /// Findings with their evidence, then what is undecided, what is right, and notes.
 std::string doctorText(const doctor::Diagnosis& diagnosis, const std::string& source);
 
-/// {"source", "frames", "pairs", "healthy": bool, "findings": [{"id", "name", "sure", "wholePicture",
+/// {"source", "frames", "pairs", "healthy": bool, "findings": [{"id", "name", "sure", "known",
+/// "wholePicture",
 /// "regions": [{"name", "frame", "box": [left, top, right, bottom], "pixel": [x, y], "share"}], "reason",
 /// "measure", "residuals": [{"id", "text", "value", "given", "best"}], "symptom", "change"}], "undecided":
 /// [{"question", "reason", "capture"}], "right": [""], "notes": [""]}

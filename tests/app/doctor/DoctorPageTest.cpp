@@ -212,7 +212,11 @@ TEST_F(DoctorPageTest, SaysWhyItIsUndecidedAndWhatToCapture) {
 }
 
 TEST_F(DoctorPageTest, SaysThatNothingIsWrong) {
-  script_->early = script_->all = Diagnosis{.frames = 32, .pairs = 31, .healthy = {"jitter fits"}};
+  Diagnosis healthy;
+  healthy.frames = 32;
+  healthy.pairs = 31;
+  healthy.healthy = {"jitter fits"};
+  script_->early = script_->all = healthy;
   examine();
   EXPECT_EQ(panel()->details()->title(), "Nothing wrong was found.");
   EXPECT_EQ(rowOf("Right"), "Jitter fits.");

@@ -73,16 +73,17 @@ TEST(DoctorReport, SaysSoWhereNothingIsWrong) {
 }
 
 TEST(DoctorReport, SaysTheSameInJson) {
-  EXPECT_EQ(doctorJson(diagnosis(), "shot").dump(),
-            R"j({"source":"shot","frames":8,"pairs":7,"healthy":false,"findings":[{"id":"motionNegatedY",)j"
-            R"j("name":"Motion's y negated","sure":false,"wholePicture":false,"regions":[{"name":)j"
-            R"j("object 2 (board)","frame":3,"box":[70,40,106,76],"pixel":[88,58],"share":0.125}],)j"
-            R"j("reason":"It fits.","measure":"mean difference of luma, × 1000","residuals":[{"id":)j"
-            R"j("mirroredY","text":"y negated","value":4.25,"given":false,"best":true},{"id":"asGiven",)j"
-            R"j("text":"as given","value":61.5,"given":true,"best":false}],"symptom":"Ghosts.","change":)j"
-            R"j("Negate y.","alike":["motionNegated"]}],"undecided":[{"question":"Motion of the sky",)j"
-            R"j("reason":"it has no detail","capture":"Capture clouds.","faults":["skyWithoutMotion"]}],)j"
-            R"j("right":["Jitter is right."],"notes":["The first frame is not jittered."]})j");
+  EXPECT_EQ(
+      doctorJson(diagnosis(), "shot").dump(),
+      R"j({"source":"shot","frames":8,"pairs":7,"healthy":false,"findings":[{"id":"motionNegatedY",)j"
+      R"j("name":"Motion's y negated","sure":false,"known":false,"wholePicture":false,"regions":[{"name":)j"
+      R"j("object 2 (board)","frame":3,"box":[70,40,106,76],"pixel":[88,58],"share":0.125}],)j"
+      R"j("reason":"It fits.","measure":"mean difference of luma, × 1000","residuals":[{"id":)j"
+      R"j("mirroredY","text":"y negated","value":4.25,"given":false,"best":true},{"id":"asGiven",)j"
+      R"j("text":"as given","value":61.5,"given":true,"best":false}],"symptom":"Ghosts.","change":)j"
+      R"j("Negate y.","alike":["motionNegated"]}],"undecided":[{"question":"Motion of the sky",)j"
+      R"j("reason":"it has no detail","capture":"Capture clouds.","faults":["skyWithoutMotion"]}],)j"
+      R"j("right":["Jitter is right."],"notes":["The first frame is not jittered."]})j");
 }
 
 } // namespace taa
