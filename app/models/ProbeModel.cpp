@@ -14,6 +14,7 @@
 #include <QFontMetrics>
 #include <QSize>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -21,13 +22,13 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kFraction = 12; ///< characters kept free after the whole part of a value
+constexpr int kFraction = 7; ///< characters kept free after the whole part of a value
 
 QString cellText(const Intermediate& row, const glm::vec4& value, const SpaceSettings& space) {
   const std::vector<std::string> names = channelNames(row, space);
   QStringList lines;
   for (int channel = 0; channel < row.channels; ++channel) {
-    const QString number = alignedText(value[channel], kFraction);
+    const QString number = alignedText(roundedText(value[channel]), kFraction);
     lines << (row.channels == 1 ? number
                                 : QString::fromStdString(names[static_cast<std::size_t>(channel)]) +
                                       QChar(QChar::Nbsp) + number);
@@ -127,6 +128,23 @@ QString ProbeModel::cell(const Intermediate& row, int column) const {
   return cellText(row, twin::at(*record_, row.id), settings.space);
 }
 
+void ProbeModel::setDecided(const std::vector<IntermediateId>& rows) {
+  if (rows == decided_) return;
+  decided_ = rows;
+  for (int row = 0; row < rowCount(); ++row) {
+    const QModelIndex branch = index(row, 0);
+    Q_EMIT dataChanged(index(0, Name, branch), index(rowCount(branch) - 1, Name, branch));
+  }
+}
+
+// The exact value stands in front of what happened.
+QString ProbeModel::toolTip(const Intermediate& row) const {
+  const QString story = storyHtml(row.id, storyOf(row.id));
+  if (!record_ || !twin::isKnown(*record_, row.id)) return story;
+  return tr("exactly %1").arg(rowText(row, twin::at(*record_, row.id)).toHtmlEscaped()) +
+         QStringLiteral("<br>") + story;
+}
+
 QVariant ProbeModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   if (index.internalId() == 0)
@@ -138,9 +156,12 @@ QVariant ProbeModel::data(const QModelIndex& index, int role) const {
   case Qt::DisplayRole:
     return cell(row, index.column());
   case Qt::ToolTipRole:
-    return storyHtml(row.id, storyOf(row.id));
-  case Qt::FontRole:
-    return index.column() == Value ? numberFont() : secondaryFont();
+    return toolTip(row);
+  case Qt::FontRole: {
+    QFont font = index.column() == Value ? numberFont() : secondaryFont();
+    font.setBold(index.column() == Name && std::ranges::find(decided_, row.id) != decided_.end());
+    return font;
+  }
   case Qt::TextAlignmentRole:
     return QVariant::fromValue(
         Qt::Alignment(Qt::AlignTop | (index.column() == Value ? Qt::AlignRight : Qt::AlignLeft)));

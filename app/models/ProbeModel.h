@@ -29,6 +29,8 @@ class ProbeModel : public QAbstractItemModel {
   /// A row of the other side, and the difference; empty without one. `comparison`: what that is of.
   QString comparedText(IntermediateId id, const Comparison& comparison) const;
   void setRecord(const std::optional<twin::PixelRecord>& record);
+  /// The rows that the verdict on the pixel was made from; their names are bold.
+  void setDecided(const std::vector<IntermediateId>& rows);
   /// The intermediate of a row; nothing for a stage.
   std::optional<IntermediateId> idOf(const QModelIndex& index) const;
   /// The stage of a top-level row.
@@ -51,11 +53,13 @@ class ProbeModel : public QAbstractItemModel {
   };
   QVariant stageData(const Branch& branch, int column, int role) const;
   QString cell(const Intermediate& row, int column) const;
+  QString toolTip(const Intermediate& row) const;
 
   std::vector<Branch> branches_;
   /// A row is as high as its channels, whatever their values: a view need not lay out all texts anew for each
   /// pixel, which took it longer than everything else that a new pixel changes.
   int lineHeight_;
+  std::vector<IntermediateId> decided_;
   std::optional<twin::PixelRecord> record_;
   std::optional<ProbeResult> pixel_; ///< whose record that is
 };

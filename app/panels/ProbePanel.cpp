@@ -59,7 +59,7 @@ double finite(const QJsonValue& value, double otherwise) {
 
 constexpr IntermediateId kNeighbors[] = {IntermediateId::color, IntermediateId::historyRectified,
                                          IntermediateId::resolved};
-constexpr int kValueColumn = 18;  ///< characters
+constexpr int kValueColumn = 15;  ///< characters
 constexpr int kValueMargins = 14; ///< beside the text of a cell: 4 a side by the style sheet, 3 by Fusion
 
 } // namespace

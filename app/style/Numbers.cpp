@@ -1,10 +1,12 @@
 #include "app/style/Numbers.h"
 
 #include <QObject>
+#include <QRegularExpression>
 #include <QStringList>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace taa::app {
 
@@ -42,10 +44,21 @@ QString tupleText(std::span<const float> values, int digits) {
   return texts.size() == 1 ? texts[0] : QStringLiteral("(%1)").arg(texts.join(QStringLiteral(", ")));
 }
 
-QString alignedText(float value, int fraction) {
-  const QString text = shownText(value);
-  const qsizetype after = text.size() - wholeLength(text);
-  return text + QString(std::max<qsizetype>(0, fraction - after), QChar(QChar::Nbsp));
+QString roundedText(float value) {
+  constexpr int kDigits = 5, kMostDecimals = 6;
+  if (!std::isfinite(value) || std::abs(value) >= 1e9f) return shortText(static_cast<double>(value), kDigits);
+  if (value == 0.0f) return QStringLiteral("0");
+  if (std::abs(value) < 0.5e-6f) return QStringLiteral("≈ 0");
+  const int before = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+  const int decimals = std::clamp(kDigits - before, 0, kMostDecimals);
+  QString text = QString::number(static_cast<double>(value), 'f', decimals);
+  if (decimals > 0) text.remove(QRegularExpression(QStringLiteral("\\.?0+$")));
+  return withMinus(text);
+}
+
+QString alignedText(const QString& number, int fraction) {
+  const qsizetype after = number.size() - wholeLength(number);
+  return number + QString(std::max<qsizetype>(0, fraction - after), QChar(QChar::Nbsp));
 }
 
 QString percentText(double percent) {

@@ -17,8 +17,10 @@ QString shortText(double value, int digits = 3);
 QString tupleText(std::span<const float> values, int digits = 4);
 /// "< 0.1 %", "3.2 %", "45 %".
 QString percentText(double percent);
-/// shownText padded so that `fraction` characters follow the whole part: in a column aligned to the right the
+/// Five significant digits, six decimals at most; "≈ 0" where nothing of a value is left, 0 never has a sign.
+QString roundedText(float value);
+/// A number padded so that `fraction` characters follow its whole part: in a column aligned to the right the
 /// decimal points line up. Padded with spaces that do not break.
-QString alignedText(float value, int fraction);
+QString alignedText(const QString& number, int fraction);
 
 } // namespace taa::app

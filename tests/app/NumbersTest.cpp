@@ -25,9 +25,23 @@ TEST(Numbers, ExactTextReadsBackAsTheSameFloat) {
 
 TEST(Numbers, AlignedTextsHaveTheirPointsInOneColumn) {
   const QChar space(QChar::Nbsp);
-  EXPECT_EQ(alignedText(3.25f, 6), "3.25" + QString(3, space));
-  EXPECT_EQ(alignedText(-100.0f, 6), QStringLiteral("−100") + QString(6, space));
-  EXPECT_EQ(alignedText(0.00125f, 6), "0.00125");
+  EXPECT_EQ(alignedText("3.25", 6), "3.25" + QString(3, space));
+  EXPECT_EQ(alignedText("−100", 6), QStringLiteral("−100") + QString(6, space));
+  EXPECT_EQ(alignedText("0.00125", 6), "0.00125");
+}
+
+TEST(Numbers, RoundedTextsHaveFiveDigitsAndNoSignOfZero) {
+  EXPECT_EQ(roundedText(0.17883301f), "0.17883");
+  EXPECT_EQ(roundedText(-8.575681f), QStringLiteral("−8.5757"));
+  EXPECT_EQ(roundedText(0.005830441f), "0.00583");
+  EXPECT_EQ(roundedText(0.25f), "0.25");
+  EXPECT_EQ(roundedText(100.0f), "100");
+  EXPECT_EQ(roundedText(1234567.0f), "1234567") << "no digit of an id is lost";
+  EXPECT_EQ(roundedText(-0.0f), "0");
+  EXPECT_EQ(roundedText(8.05e-6f), "0.000008");
+  EXPECT_EQ(roundedText(-1e-9f), QStringLiteral("≈ 0")) << "which is not 0";
+  EXPECT_EQ(roundedText(std::nanf("")), "nan");
+  EXPECT_EQ(roundedText(-INFINITY), QStringLiteral("−inf"));
 }
 
 TEST(Numbers, TuplesNameEveryChannel) {

@@ -44,18 +44,31 @@ TEST(ProbeModel, HasEveryIntermediateOnceBelowItsStage) {
   EXPECT_EQ(rows, kIntermediateCount);
 }
 
-TEST(ProbeModel, ValuesReadBackAsTheSameFloats) {
+TEST(ProbeModel, ValuesAreRoundedAndTheirToolTipsExact) {
   ProbeModel model;
   twin::PixelRecord record;
   record.fill(glm::vec4(0.1f, -1.0f / 3.0f, 12345.678f, 0));
   model.setRecord(record);
   const QStringList lines = cell(&model, IntermediateId::color, ProbeModel::Value).split('\n');
   ASSERT_EQ(lines.size(), 3);
-  for (int channel = 0; channel < 3; ++channel) {
-    QString number = lines[channel].mid(1).trimmed(); // without the channel's letter
-    number.replace(QChar(0x2212), '-');
-    EXPECT_EQ(number.toFloat(), record[0][channel]) << lines[channel].toStdString();
-  }
+  const char* const expected[] = {"0.1", "−0.33333", "12346"};
+  for (int channel = 0; channel < 3; ++channel) // without the channel's letter
+    EXPECT_EQ(lines[channel].mid(1).trimmed(), QString::fromUtf8(expected[channel]));
+  const QModelIndex value = model.indexOf(IntermediateId::color, ProbeModel::Value);
+  EXPECT_TRUE(model.data(value, Qt::ToolTipRole).toString().startsWith("exactly 0.1 -0.33333334 12345.678<br>"))
+      << model.data(value, Qt::ToolTipRole).toString().toStdString();
+}
+
+TEST(ProbeModel, NamesOfRowsThatDecidedAreBold) {
+  ProbeModel model;
+  const auto isBold = [&](IntermediateId id) {
+    return model.data(model.indexOf(id, ProbeModel::Name), Qt::FontRole).value<QFont>().bold();
+  };
+  model.setDecided({IntermediateId::clipAmount});
+  EXPECT_TRUE(isBold(IntermediateId::clipAmount));
+  EXPECT_FALSE(isBold(IntermediateId::alpha));
+  model.setDecided({});
+  EXPECT_FALSE(isBold(IntermediateId::clipAmount));
 }
 
 // A view asks for the size of every row whenever the pixel changes: laying out their texts for it took most

@@ -1,5 +1,6 @@
 #include "app/window/verdict/VerdictFeed.h"
 
+#include "app/models/ProbeModel.h"
 #include "app/panels/ProbePanel.h"
 #include "app/session/Session.h"
 #include "app/views/ViewArea.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace taa::app {
 
@@ -52,6 +54,10 @@ void VerdictFeed::show() {
     panel_.verdictDetails()->wait();
   else
     panel_.verdictDetails()->setVerdict(verdict);
+  std::vector<IntermediateId> decided;
+  if (verdict && verdict->answer)
+    for (const VerdictRow& row : verdict->answer->verdict.rows) decided.push_back(row.id);
+  panel_.model()->setDecided(decided);
   showSentence();
   showWork();
 }
