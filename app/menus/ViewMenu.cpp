@@ -2,10 +2,12 @@
 
 #include "app/commands/ThemeSetting.h"
 #include "app/commands/ViewChoices.h"
+#include "app/dialogs/MessagesDialog.h"
 #include "app/menus/CompareMenu.h"
 #include "app/menus/PlotsMenu.h"
 #include "app/panels/LeftArea.h"
 #include "app/panels/LowerArea.h"
+#include "app/panels/MessagesBar.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ProbePanel.h"
 #include "app/session/SceneChoices.h"
@@ -32,6 +34,7 @@ ViewMenu::ViewMenu(Commands& commands, const Targets& on, QWidget* parent)
   addPictures(on.views);
   addMenu(new OverlayMenu(commands_, on.views, this));
   addThemes(on.theme);
+  addMessages(on.messages);
 }
 
 void ViewMenu::addViews(const Targets& on) {
@@ -40,6 +43,9 @@ void ViewMenu::addViews(const Targets& on) {
       [&views, &choices = on.choices] { choices.chooseIntermediate(views.activeIndex()); });
   add(tr("&Next number of views: one, two, four"), keys({"V"}), [&views] { views.showNextCount(); });
   addMenu(new ViewCountMenu(commands_, views, this));
+  QAction* maximized = addCheck(tr("The active view a&lone"), QKeySequence(QStringLiteral("Ctrl+M")),
+                                [&views](bool isAlone) { views.setMaximized(isAlone); });
+  onRefresh([&views, maximized] { maximized->setChecked(views.isMaximized()); });
   addMenu(new CompareMenu(commands_, on.presets, views, on.choices, this));
   QAction* linked = addCheck(tr("&Look at the same place in all"), QKeySequence(QStringLiteral("L")),
                              [&views](bool isLinked) { views.setLinked(isLinked); });
@@ -143,6 +149,11 @@ void ViewMenu::addPictures(ViewArea& views) {
   for (int channel = 0; channel < 3; ++channel)
     commands_.add(menu, channels[channel], {QKeySequence(QStringLiteral("Alt+%1").arg(channel + 1))},
                   [&views, channel] { views.active()->toggleChannel(channel); });
+}
+
+void ViewMenu::addMessages(const MessagesBar& messages) {
+  add(tr("Messa&ges so far"), keys({"Ctrl+Alt+H"}),
+      [this, &messages] { (new MessagesDialog(messages.history(), parentWidget()->window()))->open(); });
 }
 
 void ViewMenu::addThemes(ThemeSetting& theme) {

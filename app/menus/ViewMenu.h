@@ -7,6 +7,7 @@ namespace taa::app {
 
 class LeftArea;
 class LowerArea;
+class MessagesBar;
 class PipelinePanel;
 class PlotsPanel;
 class PresetChoices;
@@ -30,6 +31,7 @@ class ViewMenu : public CommandMenu {
     LowerArea& lower;
     PlotsPanel& plots; ///< a page of `lower`
     ThemeSetting& theme;
+    const MessagesBar& messages;
   };
   ViewMenu(Commands& commands, const Targets& on, QWidget* parent);
 
@@ -42,6 +44,7 @@ class ViewMenu : public CommandMenu {
   void addArrangement(ViewArea& views);
   void addPictures(ViewArea& views);
   void addThemes(ThemeSetting& theme);
+  void addMessages(const MessagesBar& messages);
 };
 
 } // namespace taa::app

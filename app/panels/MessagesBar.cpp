@@ -2,6 +2,7 @@
 
 #include "app/widgets/bars/Strip.h"
 
+#include <QTime>
 #include <QVBoxLayout>
 
 namespace taa::app {
@@ -10,6 +11,7 @@ namespace {
 constexpr int kShown = 3;     ///< sentences of a kind that are shown at once
 constexpr int kNoteMs = 6000; ///< long enough to be read
 constexpr int kMaxLines = 12; ///< of a compiler's messages
+constexpr int kRemembered = 500;
 } // namespace
 
 MessagesBar::MessagesBar(QWidget* parent)
@@ -39,6 +41,11 @@ QString MessagesBar::joined(const QStringList& sentences) {
   return text;
 }
 
+void MessagesBar::remember(const QString& sentence) {
+  history_.prepend(QTime::currentTime().toString(Qt::ISODate) + QLatin1Char(' ') + sentence);
+  if (history_.size() > kRemembered) history_.removeLast();
+}
+
 void MessagesBar::refresh() {
   error_->setText(joined(errors_));
   error_->setVisible(!errors_.isEmpty());
@@ -47,6 +54,7 @@ void MessagesBar::refresh() {
 }
 
 void MessagesBar::showError(const QString& sentence) {
+  remember(sentence);
   errors_.removeAll(sentence);
   errors_.prepend(sentence);
   refresh();
@@ -55,6 +63,7 @@ void MessagesBar::showError(const QString& sentence) {
 void MessagesBar::showShaders(const QString& error) {
   const bool wasWrong = !shaderError_.isEmpty();
   shaderError_ = QStringList(error.split(QLatin1Char('\n')).mid(0, kMaxLines)).join(QLatin1Char('\n'));
+  if (!error.isEmpty()) remember(shaderError_);
   if (!error.isEmpty()) shaderError_ += tr("\nThe shaders from before stay in use.");
   shader_->setText(shaderError_);
   shader_->setVisible(!error.isEmpty());
@@ -63,12 +72,14 @@ void MessagesBar::showShaders(const QString& error) {
 }
 
 void MessagesBar::showNote(const QString& sentence) {
+  remember(sentence);
   note_->setText(sentence);
   note_->show();
   noteEnds_.start();
 }
 
 void MessagesBar::setWarnings(const QStringList& warnings) {
+  for (const QString& warning : warnings) remember(warning);
   warnings_ = warnings;
   refresh();
 }

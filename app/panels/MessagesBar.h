@@ -29,6 +29,8 @@ class MessagesBar : public QWidget {
   void showHint(const QString& text);
   /// All errors and warnings in sight.
   QString text() const;
+  /// All that was said so far, the latest first: "14:03:21 cannot write …".
+  const QStringList& history() const { return history_; }
   void clear();
 
  Q_SIGNALS:
@@ -36,9 +38,10 @@ class MessagesBar : public QWidget {
 
  private:
   void refresh();
+  void remember(const QString& sentence);
   static QString joined(const QStringList& sentences);
 
-  QStringList errors_, warnings_;
+  QStringList errors_, warnings_, history_;
   QString shaderError_;
   Strip *error_, *shader_, *warning_, *note_, *hint_;
   QTimer noteEnds_;

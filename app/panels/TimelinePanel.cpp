@@ -1,5 +1,6 @@
 #include "app/panels/TimelinePanel.h"
 
+#include "app/style/Numbers.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/views/timeline/Timeline.h"
@@ -59,6 +60,9 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
       tr("Place in the jitter pattern, and the displacement of the picture in px (x right, y down)"));
   lower->addStretch(1);
   time_ = makeReadout(QStringLiteral("t = 00.000 s"), lower);
+  time_->setToolTip(
+      tr("Time of the shot; while it plays the frames that are shown a second, of those wished for"));
+  clock_.start();
 }
 
 void TimelinePanel::makeButtons() {
@@ -187,7 +191,21 @@ void TimelinePanel::setStatus(const Status& status) {
                              .arg(minus(QString::number(static_cast<double>(info.jitterPx.x), 'f', 2)),
                                   minus(QString::number(static_cast<double>(info.jitterPx.y), 'f', 2)))
                        : tr("no jitter"));
-  time_->setText(tr("t = %1 s").arg(info.time, 0, 'f', 3));
+  time_->setText(timeText(status));
+}
+
+// While it plays how fast that really is: a slow machine shows every frame, later.
+QString TimelinePanel::timeText(const Status& status) {
+  if (!status.playing) {
+    shownRate_.stop();
+    return tr("t = %1 s").arg(status.info.time, 0, 'f', 3);
+  }
+  shownRate_.note(status.info.frame, 1e-3 * static_cast<double>(clock_.elapsed()));
+  const double rate = playback_.framesPerSecond > 0.0 ? playback_.framesPerSecond : shotRate_;
+  const auto shown = shownRate_.value();
+  const QString wanted = shortText(rate * playback_.speed);
+  return shown ? tr("%1 of %2 fps").arg(shortText(*shown, *shown < 10.0 ? 2 : 3), wanted)
+               : tr("%1 fps").arg(wanted);
 }
 
 void TimelinePanel::setLooping(bool looping) {

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "app/models/FrameMarks.h"
+#include "app/views/timeline/PlaybackRate.h"
 #include "core/requests/Results.h"
 
+#include <QElapsedTimer>
 #include <QJsonObject>
 #include <QWidget>
 
@@ -79,6 +81,7 @@ class TimelinePanel : public QWidget {
   void setRange(std::optional<FrameSpan> range);
   void showNotes();
   void showRates();
+  QString timeText(const Status& status);
 
   IconButton* play_ = nullptr;
   IconButton* loop_ = nullptr;
@@ -88,6 +91,8 @@ class TimelinePanel : public QWidget {
   QLabel *count_ = nullptr, *jitter_ = nullptr, *time_ = nullptr;
   int frameCount_ = 0;
   double shotRate_ = 0.0; ///< frames per second
+  PlaybackRate shownRate_;
+  QElapsedTimer clock_;
   std::vector<int> cuts_, restarts_;
   Playback playback_;
   std::optional<Metric> stripMetric_;

@@ -71,6 +71,7 @@ void ViewArea::connectView(ViewPanel* view) {
   connect(view->viewport(), &Viewport::hoverChanged, this, [this, index] { Q_EMIT hoverChanged(index); });
   connect(view->viewport(), &Viewport::probed, this, &ViewArea::probed);
   connect(view->viewport(), &Viewport::otherProbed, this, &ViewArea::otherProbed);
+  connect(view->viewport(), &Viewport::doubleClicked, this, [this] { setMaximized(!isMaximized_); });
   connect(view->viewport(), &Viewport::probeMoved, this, &ViewArea::probeMoved);
   connect(view->viewport(), &Viewport::cameraChanged, this, [this, index](const ViewCamera& camera) {
     if (!linked_) return;
@@ -82,6 +83,22 @@ void ViewArea::connectView(ViewPanel* view) {
 void ViewArea::setActive(int index) {
   active_ = index < count_ ? index : 0;
   for (ViewPanel* view : views_) view->setActive(view->index() == active_);
+  if (isMaximized_) showViews();
+  Q_EMIT shownChanged();
+}
+
+void ViewArea::showViews() {
+  for (ViewPanel* view : views_)
+    view->setVisible(isMaximized_ ? view->index() == active_ : view->index() < count_);
+  upper_->setVisible(!isMaximized_ || active_ < 2);
+  lower_->setVisible(isMaximized_ ? active_ >= 2 : count_ > 2);
+  Q_EMIT requestsChanged();
+}
+
+void ViewArea::setMaximized(bool maximized) {
+  if (maximized == isMaximized_) return;
+  isMaximized_ = maximized;
+  showViews();
   Q_EMIT shownChanged();
 }
 
@@ -99,8 +116,8 @@ void ViewArea::showIntermediate(IntermediateId id, bool inOtherView) {
 void ViewArea::setViewCount(int count) {
   if (count == count_ || (count != 1 && count != 2 && count != kViewCount)) return;
   count_ = count;
-  for (ViewPanel* view : views_) view->setVisible(view->index() < count);
-  lower_->setVisible(count > 2);
+  isMaximized_ = false;
+  showViews();
   setActive(active_);
   arrange();
   if (count > 2) {
@@ -238,6 +255,7 @@ QJsonObject ViewArea::state() const {
   QJsonArray views;
   for (const ViewPanel* view : views_) views.append(view->state());
   return {{QStringLiteral("count"), count_},
+          {QStringLiteral("maximized"), isMaximized_},
           {QStringLiteral("active"), active_},
           {QStringLiteral("linked"), linked_},
           {QStringLiteral("arrangement"),
@@ -256,6 +274,7 @@ void ViewArea::setState(const QJsonObject& state) {
     if (views.at(index).isObject()) view(index)->setState(views.at(index).toObject());
   setViewCount(state.value(QLatin1String("count")).toInt(count_));
   setActive(std::clamp(state.value(QLatin1String("active")).toInt(), 0, count_ - 1));
+  setMaximized(state.value(QLatin1String("maximized")).toBool());
 }
 
 } // namespace taa::app

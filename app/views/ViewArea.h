@@ -45,6 +45,9 @@ class ViewArea : public QWidget {
   /// 1, 2 or 4; shows as many.
   void setViewCount(int count);
   void showNextCount(); ///< one, two, four, one …
+  /// The active view alone, in the place of all of them.
+  void setMaximized(bool maximized);
+  bool isMaximized() const { return isMaximized_; }
   void setArrangement(Arrangement arrangement);
   Arrangement arrangement() const { return arrangement_; }
   bool areLinked() const { return linked_; }
@@ -90,12 +93,13 @@ class ViewArea : public QWidget {
  private:
   void connectView(ViewPanel* view);
   void arrange();
+  void showViews();
   void peek(bool peeking);
 
   std::array<ViewPanel*, kViewCount> views_{};
   QSplitter *halves_, *upper_, *lower_;
   int active_ = 0, count_ = 2;
-  bool linked_ = true;
+  bool linked_ = true, isMaximized_ = false;
   Arrangement arrangement_ = Arrangement::Automatic;
   glm::ivec2 pictureSize_{16, 9};
 };

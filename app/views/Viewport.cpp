@@ -181,6 +181,8 @@ void Viewport::cancelDrag() {
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton && isOnDivider(event->position()))
     setDivider(0.5);
+  else if (event->button() == Qt::LeftButton)
+    Q_EMIT doubleClicked();
   else
     mousePressEvent(event);
 }

@@ -98,6 +98,7 @@ class Viewport : public QWidget, public Draggable {
   void hoverChanged();
   void probed(glm::ivec2 pixel);
   void otherProbed(glm::ivec2 pixel); ///< another probe
+  void doubleClicked();
   void probeMoved(int dx, int dy);
   void activated();
   void dividerMoved();

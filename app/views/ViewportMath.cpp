@@ -11,7 +11,7 @@ double ViewGeometry::fitZoom() const {
   if (isEmpty()) return 1.0;
   const double zoom = std::min(static_cast<double>(viewport.x) / picture.x,
                                static_cast<double>(viewport.y - covered) / picture.y);
-  return std::clamp(zoom >= 1.0 ? std::floor(zoom) : zoom, kMinZoom, kGreatestZoom);
+  return std::clamp(zoom >= kSharpZoom ? std::floor(zoom) : zoom, kMinZoom, kGreatestZoom);
 }
 
 ViewCamera ViewGeometry::settled(const ViewCamera& camera) const {

@@ -225,7 +225,7 @@ void MainWindow::makeMenus() {
       all, {session_, *escape_, *probeCommands_, *exports_, *profiler_, *left_, *pipeline_, *lists_}, bar));
   bar->addMenu(new ViewMenu(all,
                             {session_.presets(), session_.scene(), *views_, *choices_, *left_, *pipeline_,
-                             *probe_, *lower_, *plots_, *theme_},
+                             *probe_, *lower_, *plots_, *theme_, *messages_},
                             bar));
   bar->addMenu(new FrameMenu(all, session_, *timeline_, *prompts_, bar));
   bar->addMenu(new SceneMenu(all, {session_.scene(), *flight_, *cameras_, *left_, *scene_}, bar));

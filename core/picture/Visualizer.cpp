@@ -37,13 +37,13 @@ struct VisualVariant {
   Visual visual = Visual::Color;
   int channels = 1, alone = -1;
   ColorMap map = ColorMap::Gray;
-  bool marksInvalid = true, isMinified = false;
+  bool marksInvalid = true, isAveraged = false;
   bool isDifference = false, marksClipped = false, tintsRejected = false, outlines = false, hasArrows = false;
   bool isPartial = false, isMinusPartial = false, hasVectors = false;
   Readings readings{};
 
   auto key() const {
-    return std::tuple(visual, channels, alone, map, marksInvalid, isMinified, isDifference, marksClipped,
+    return std::tuple(visual, channels, alone, map, marksInvalid, isAveraged, isDifference, marksClipped,
                       tintsRejected, outlines, hasArrows, isPartial, isMinusPartial, hasVectors, readings);
   }
   bool operator<(const VisualVariant& other) const { return key() < other.key(); }
@@ -97,7 +97,7 @@ std::string prelude(const VisualVariant& variant) {
   add("int", "kAlone", variant.alone);
   add("int", "kMap", static_cast<int>(variant.map));
   add("bool", "kMarksInvalid", variant.marksInvalid);
-  add("bool", "kIsMinified", variant.isMinified);
+  add("bool", "kIsAveraged", variant.isAveraged);
   add("bool", "kIsDifference", variant.isDifference);
   add("bool", "kMarksClipped", variant.marksClipped);
   add("bool", "kTintsRejected", variant.tintsRejected);
@@ -140,7 +140,7 @@ VisualVariant variantOf(const DrawnLayers& layers, const Intermediate& row, cons
           .alone = isDifference ? -1 : channelAlone(row, style),
           .map = style.map,
           .marksInvalid = style.markInvalid,
-          .isMinified = transform.zoom < 1.0f,
+          .isAveraged = transform.zoom < kSharpZoom && transform.zoom != std::floor(transform.zoom),
           .isDifference = isDifference,
           .marksClipped = style.markClipped,
           .tintsRejected = style.markRejected && layers.rejectReason.texture,

@@ -41,6 +41,11 @@ ViewStyle defaultStyle(const Intermediate& row);
 ViewStyle differenceStyle(const Intermediate& row);
 std::string_view colorMapName(ColorMap map);
 
+/// From this zoom on each screen pixel shows one picture pixel at any zoom; below it, where a picture pixel
+/// is not a whole number of screen pixels, a screen pixel shows the mean of what lies under it, so that
+/// picture pixels look equally large.
+inline constexpr float kSharpZoom = 8.0f;
+
 /// Which part of the picture is shown where. Screen pixel s shows picture position origin + s / zoom.
 struct ViewTransform {
   glm::vec2 origin{0.0f}; ///< picture position (px) at the top-left corner of the viewport

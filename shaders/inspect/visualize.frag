@@ -1,7 +1,7 @@
 // A part of one intermediate as a picture for the screen. In: the color maps, ViewBlock; from the prelude
 // fetch_<name>(texel, layer) of the textures that are read (layer, minus, rejectReason, objectId), kVisual and
 // kVisual_<name>, kChannels (of the row), kAlone (the channel shown alone, or -1), kMap (row of the table of color
-// maps), kMarksInvalid, kIsMinified, kIsDifference, kMarksClipped, kTintsRejected, kOutlines, kHasArrows, kIsPartial
+// maps), kMarksInvalid, kIsAveraged, kIsDifference, kMarksClipped, kTintsRejected, kOutlines, kHasArrows, kIsPartial
 // and kIsMinusPartial (the fourth channel says where there is no value), kHasVectors (the row's). Constants, because a
 // software rasterizer runs every branch. Out: sRGB, alpha: how much of the screen pixel the picture covers.
 // Colors are linear Rec. 709 until the last line; averages are taken of what would be displayed.
@@ -77,7 +77,7 @@ vec3 colorAt(ivec2 texel, inout int clipped) {
 
 // The mean over the part, every texel weighted by the area it has there; `clipped`: ends that any of it lies beyond.
 vec3 meanColor(Part part, inout int clipped) {
-  if (!kIsMinified) return colorAt(ivec2(part.from), clipped);
+  if (!kIsAveraged) return colorAt(ivec2(part.from), clipped);
   ivec2 first = ivec2(floor(part.from)), last = ivec2(ceil(part.to)) - 1;
   vec3 sum = vec3(0.0);
   for (int y = first.y; y <= last.y; ++y) {
@@ -131,7 +131,7 @@ vec3 withReason(vec3 color, ivec2 texel, vec2 corner) {
 
 void main() {
   vec2 corner = floor(gl_FragCoord.xy);
-  Part part = kIsMinified ? areaBelow(corner) : texelBelow(corner);
+  Part part = kIsAveraged ? areaBelow(corner) : texelBelow(corner);
   if (!all(lessThan(part.from, part.to))) {
     o_color = vec4(0.0);
     return;
@@ -139,7 +139,7 @@ void main() {
   int clipped = 0;
   vec3 color = meanColor(part, clipped);
   if (kMarksClipped) color = hatched(color, clipped, corner);
-  if (kTintsRejected && !kIsMinified) color = withReason(color, ivec2(part.from), corner);
+  if (kTintsRejected && !kIsAveraged) color = withReason(color, ivec2(part.from), corner);
   if (kOutlines) color = outlined(color, corner);
   if (kHasArrows) color = pointed(color, corner);
   o_color = vec4(encoded(color), part.covered);

@@ -2,6 +2,7 @@
 #include "app/window/MainWindow.h"
 #include "app/commands/GoToPrompts.h"
 #include "app/dialogs/KeysDialog.h"
+#include "app/dialogs/MessagesDialog.h"
 #include "app/dialogs/ReferenceDialog.h"
 #include "app/menus/CommandLists.h"
 #include "app/panels/MessagesBar.h"
@@ -25,6 +26,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QMimeData>
+#include <QPlainTextEdit>
 #include <QTextBrowser>
 #include <QTextCursor>
 #include <QUrl>
@@ -55,6 +57,19 @@ QPoint placeOf(const Viewport* viewport, glm::ivec2 pixel) {
 }
 
 } // namespace
+
+TEST_F(Window, RemembersWhatItHasSaid) {
+  window.messages()->showError("cannot read fan.glb");
+  window.messages()->clear();
+  window.messages()->showNote("The session was saved.");
+  key(Qt::Key_H, Qt::ControlModifier | Qt::AltModifier);
+  const auto* dialog = window.findChild<MessagesDialog*>();
+  ASSERT_TRUE(dialog);
+  const QStringList lines = dialog->findChild<QPlainTextEdit*>()->toPlainText().split('\n');
+  ASSERT_GE(lines.size(), 2);
+  EXPECT_TRUE(lines[0].endsWith(" The session was saved.")) << lines[0].toStdString();
+  EXPECT_TRUE(lines[1].endsWith(" cannot read fan.glb")) << lines[1].toStdString();
+}
 
 TEST_F(Window, KeysPlayStepAndSeek) {
   key(Qt::Key_Space);

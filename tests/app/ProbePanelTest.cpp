@@ -55,7 +55,8 @@ TEST(ProbeModel, ValuesAreRoundedAndTheirToolTipsExact) {
   for (int channel = 0; channel < 3; ++channel) // without the channel's letter
     EXPECT_EQ(lines[channel].mid(1).trimmed(), QString::fromUtf8(expected[channel]));
   const QModelIndex value = model.indexOf(IntermediateId::color, ProbeModel::Value);
-  EXPECT_TRUE(model.data(value, Qt::ToolTipRole).toString().startsWith("exactly 0.1 -0.33333334 12345.678<br>"))
+  EXPECT_TRUE(
+      model.data(value, Qt::ToolTipRole).toString().startsWith("exactly 0.1 -0.33333334 12345.678<br>"))
       << model.data(value, Qt::ToolTipRole).toString().toStdString();
 }
 

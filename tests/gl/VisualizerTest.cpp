@@ -42,7 +42,7 @@ constexpr std::string_view kPrelude =
     "kVisual_Signed = 4, kVisual_Vector = 5,\n"
     "  kVisual_Position = 6, kVisual_Normal = 7, kVisual_Index = 9;\n"
     "const int kVisual = 0, kChannels = 3, kAlone = -1, kMap = 0;\n"
-    "const bool kMarksInvalid = true, kIsMinified = true, kIsDifference = true,\n"
+    "const bool kMarksInvalid = true, kIsAveraged = true, kIsDifference = true,\n"
     "  kMarksClipped = true, kTintsRejected = true, kOutlines = true, "
     "kHasArrows = true,\n"
     "  kIsPartial = true, kIsMinusPartial = true, kHasVectors = true;\n"
@@ -429,6 +429,18 @@ TEST_F(VisualizerTest, AveragesLightOverTheAreaBelowOneToOne) {
   const float below = (1.0f + third * 1.0f) / (4.0f / 3.0f);
   EXPECT_EQ(pixel(shrunk, 0, 1)[0], byteOf(below));
   EXPECT_NEAR(pixel(shrunk, 0, 1)[3], 127.5, 0.5) << "half way between two bytes";
+}
+
+TEST_F(VisualizerTest, TexelsAreEquallyLargeAtFractionalZoom) {
+  Image image(2, 1, 4);
+  image.at(1, 0)[0] = 1.0f;
+  // Three screen pixels over two texels: the one in the middle lies half in either.
+  const Picture enlarged = show(row(IntermediateId::color), ViewStyle{}, image, {.zoom = 1.5f}, 3, 1);
+  const std::array<float, 3> expected = {0.0f, 0.5f, 1.0f};
+  for (int x = 0; x < 3; ++x)
+    EXPECT_EQ(pixel(enlarged, x)[0], byteOf(expected[static_cast<std::size_t>(x)])) << x;
+  const Picture large = show(row(IntermediateId::color), ViewStyle{}, image, {.zoom = 8.5f}, 17, 1);
+  for (int x = 0; x < 17; ++x) EXPECT_EQ(pixel(large, x)[0], x < 8 ? 0 : 255) << "sharp from 8 on, " << x;
 }
 
 TEST_F(VisualizerTest, ShowsTheSameFromAnotherTextureAndASecondTime) {

@@ -25,9 +25,9 @@ constexpr int kHeadHeight = 10;
 constexpr int kTimelineHeight = kHeadTop + kHeadHeight + 2;
 constexpr int kStripTop = kTimelineHeight + 1, kStripHeight = 22;
 constexpr double kHandleWidth = 7;
-constexpr double kRulerTickSpace = 5;               ///< least distance of ticks
-constexpr double kLabelSpace = 56;                  ///< and of labels
-constexpr double kMinShown = 4.0, kZoomStep = 1.25; ///< frames; for each notch of the wheel
+constexpr double kRulerTickSpace = 5;                    ///< least distance of ticks
+constexpr double kLabelSpace = 56;                       ///< and of labels
+constexpr double kMinShown = 4.0, kRulerZoomStep = 1.25; ///< frames; for each notch of the wheel
 } // namespace
 
 Timeline::Timeline(QWidget* parent) : QWidget(parent) {
@@ -62,7 +62,7 @@ void Timeline::setShown(const Span& frames) {
 void Timeline::zoom(double notches, double x) {
   const Span all{0.0, frameCount_ - 1.0}, now = scale().frames();
   const double center = now.low + (x - scale().left) / scale().spacing();
-  setShown(zoomed(now, all, std::pow(kZoomStep, notches), center, kMinShown));
+  setShown(zoomed(now, all, std::pow(kRulerZoomStep, notches), center, kMinShown));
 }
 
 void Timeline::resizeEvent(QResizeEvent* event) {

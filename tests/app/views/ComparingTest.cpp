@@ -110,6 +110,23 @@ TEST_F(ComparingTest, ADividerSeparatesBothSidesAndCanBeDragged) {
   EXPECT_EQ(viewport()->divider(), 0.5);
 }
 
+TEST_F(ComparingTest, ADoubleClickMaximizesAView) {
+  key(Qt::Key_V);
+  ASSERT_EQ(window.views()->viewCount(), kViewCount);
+  const int width = view(2)->width();
+  QTest::mouseClick(view(2)->viewport(), Qt::LeftButton, {}, {40, 60});
+  QTest::mouseDClick(view(2)->viewport(), Qt::LeftButton, {}, {40, 60});
+  settle();
+  for (int index = 0; index < kViewCount; ++index) EXPECT_EQ(view(index)->isVisible(), index == 2) << index;
+  EXPECT_GT(view(2)->width(), 3 * width / 2);
+  EXPECT_GT(asked(2).width, 0);
+  EXPECT_EQ(asked(0).width, 0) << "hidden views cost nothing";
+  key(Qt::Key_2, Qt::ControlModifier);
+  EXPECT_TRUE(view(1)->isVisible()) << "the keys' view is the one that is seen";
+  key(Qt::Key_M, Qt::ControlModifier);
+  for (int index = 0; index < kViewCount; ++index) EXPECT_TRUE(view(index)->isVisible()) << index;
+}
+
 TEST_F(ComparingTest, AwayFromTheDividerADragPans) {
   compareWith(kRow);
   const int middle = wipePosition(0.5, viewport()->width());

@@ -20,9 +20,9 @@ TEST(ViewportMath, FitShowsTheWholePictureInTheMiddle) {
   EXPECT_EQ(screenFromPicture(transform, {1280, 720}), dvec2(800, 525));
 }
 
-TEST(ViewportMath, FitEnlargesByWholeNumbersOnly) {
-  EXPECT_EQ((ViewGeometry{{800, 600}, {300, 100}}).fitZoom(), 2.0);
-  EXPECT_EQ((ViewGeometry{{800, 600}, {4, 4}}).fitZoom(), 150.0);
+TEST(ViewportMath, FitFillsTheView) {
+  EXPECT_EQ((ViewGeometry{{800, 600}, {320, 100}}).fitZoom(), 2.5);
+  EXPECT_EQ((ViewGeometry{{800, 606}, {4, 4}}).fitZoom(), 151.0) << "large pixels are of one size";
   EXPECT_EQ((ViewGeometry{{8000, 6000}, {4, 4}}).fitZoom(), kGreatestZoom);
 }
 
