@@ -9,6 +9,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <regex>
@@ -26,11 +27,41 @@ std::string lineDirective(int line, std::size_t file) {
          std::to_string(file) + "\n";
 }
 
+constexpr std::string_view kBlanksOfLine = " \t\r\v\f";
+
+/// Takes what stands before and between words off the front.
+void skipBlanks(std::string_view& text) {
+  text.remove_prefix(std::min(text.find_first_not_of(kBlanksOfLine), text.size()));
+}
+
+bool skip(std::string_view& text, std::string_view word) {
+  if (!text.starts_with(word)) return false;
+  text.remove_prefix(word.size());
+  return true;
+}
+
+/// The path of a line `#include "PATH"`. Not by std::regex, which takes stack for every letter of a line.
+std::optional<std::string> includedPath(std::string_view line) {
+  skipBlanks(line);
+  if (!skip(line, "#")) return {};
+  skipBlanks(line);
+  if (!skip(line, "include") || line.empty() || kBlanksOfLine.find(line.front()) == kBlanksOfLine.npos)
+    return {};
+  skipBlanks(line);
+  if (!skip(line, "\"")) return {};
+  const std::size_t end = line.find('"');
+  if (end == line.npos || end == 0 || line.find_first_not_of(kBlanksOfLine, end + 1) != line.npos) return {};
+  return std::string(line.substr(0, end));
+}
+
+/// Files that include each other, one in the other: more than anybody writes.
+constexpr std::size_t kMaxIncludeDepth = 64;
+
 } // namespace
 
 ShaderSource::ShaderSource(const std::string& path, std::string_view prelude) : files_{"prelude"} {
   text_ = "#version 450 core\n#line 1 0\n" + std::string(prelude) + "\n";
-  append(path, "");
+  append(path, "", 0);
   fullText_ = std::exchange(text_, {});
   text_ = withoutUnused(fullText_);
 }
@@ -42,8 +73,11 @@ ShaderSource ShaderSource::complete(std::string text, const std::string& name) {
   return source;
 }
 
-void ShaderSource::append(const std::string& path, const std::string& includedFrom) {
+void ShaderSource::append(const std::string& path, const std::string& includedFrom, std::size_t depth) {
   if (std::ranges::find(files_, path) != files_.end()) return;
+  if (depth > kMaxIncludeDepth)
+    throw Error(say<"%1: cannot include \"%2\": files include each other more than %3 deep">(
+        includedFrom, path, kMaxIncludeDepth));
   const std::size_t number = files_.size();
   files_.push_back(path);
   std::string source;
@@ -53,27 +87,25 @@ void ShaderSource::append(const std::string& path, const std::string& includedFr
     if (includedFrom.empty()) throw;
     throw Error(say<"%1: cannot include \"%2\": %3">(includedFrom, path, error.what()));
   }
-  static const std::regex kInclude(R"re(^\s*#\s*include\s+"([^"]+)"\s*$)re");
   text_ += lineDirective(1, number);
   std::istringstream lines(source);
   std::string line;
-  std::smatch match;
   for (int lineNumber = 1; std::getline(lines, line); ++lineNumber) {
-    const bool mayInclude = line.find('#') != std::string::npos; // asked first: the expression is slow
-    if (!mayInclude || !std::regex_match(line, match, kInclude)) {
+    const std::optional<std::string> included = includedPath(line);
+    if (!included) {
       text_ += line + "\n";
       if (line != "#pragma once") continue;
       text_.erase(text_.size() - line.size() - 1, line.size());
       continue;
     }
-    append(match[1], path + ":" + std::to_string(lineNumber));
+    append(*included, path + ":" + std::to_string(lineNumber), depth + 1);
     text_ += lineDirective(lineNumber + 1, number);
   }
 }
 
 std::string ShaderSource::readableLog(const std::string& log) const {
   // Mesa: "2:17(3): error …"; NVIDIA: "2(17) : error …".
-  static const std::regex kPlace(R"re(^(\d{1,9})(?::(\d{1,9})\(\d+\)|\((\d{1,9})\) ?):)re");
+  static const std::regex kPlace(R"re(^(\d{1,9})(?::(\d{1,9})\(\d{1,9}\)|\((\d{1,9})\) ?):)re");
   std::istringstream lines(log);
   std::string line, out;
   std::smatch match;

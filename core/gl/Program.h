@@ -3,6 +3,7 @@
 
 #include "core/gl/Handle.h"
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -16,8 +17,8 @@ namespace taa::gl {
 /// keep naming the files they came from.
 class ShaderSource {
  public:
-  /// `path` is below shaders/ ("taa/resolve.frag"). Throws Error when a file is missing, naming who includes
-  /// it.
+  /// `path` is below shaders/ ("taa/resolve.frag"). Throws Error when a file is missing, or files include
+  /// each other too deep, naming who includes it.
   explicit ShaderSource(const std::string& path, std::string_view prelude = {});
   /// `text` is all of it, a file of somebody's own, and `name` what errors call it.
   static ShaderSource complete(std::string text, const std::string& name);
@@ -32,7 +33,7 @@ class ShaderSource {
 
  private:
   ShaderSource() = default;
-  void append(const std::string& path, const std::string& includedFrom);
+  void append(const std::string& path, const std::string& includedFrom, std::size_t depth);
   std::string text_, fullText_;
   std::vector<std::string> files_; ///< index = GLSL source-string number; 0 is the prelude
 };
