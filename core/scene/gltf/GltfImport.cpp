@@ -103,6 +103,41 @@ std::string joinBinary(std::string json, const std::string& binary) {
   return bytes;
 }
 
+/// A list of the file, and bytes of tinygltf's struct for each of its entries: an empty one has three
+/// letters.
+struct ListedBytes {
+  const char* list;
+  std::size_t bytes;
+};
+constexpr ListedBytes kListedBytes[] = {{"accessors", sizeof(tinygltf::Accessor)},
+                                        {"animations", sizeof(tinygltf::Animation)},
+                                        {"bufferViews", sizeof(tinygltf::BufferView)},
+                                        {"buffers", sizeof(tinygltf::Buffer)},
+                                        {"cameras", sizeof(tinygltf::Camera)},
+                                        {"images", sizeof(tinygltf::Image)},
+                                        {"materials", sizeof(tinygltf::Material)},
+                                        {"meshes", sizeof(tinygltf::Mesh)},
+                                        {"nodes", sizeof(tinygltf::Node)},
+                                        {"samplers", sizeof(tinygltf::Sampler)},
+                                        {"scenes", sizeof(tinygltf::Scene)},
+                                        {"skins", sizeof(tinygltf::Skin)},
+                                        {"textures", sizeof(tinygltf::Texture)}};
+constexpr std::size_t kMaxListedBytes = std::size_t(512) << 20;
+
+/// Throws Error that names the list with which it is too much.
+void checkListedBytes(const Json& root) {
+  std::size_t sum = 0;
+  for (const ListedBytes& each : kListedBytes) {
+    const auto list = root.find(each.list);
+    if (list == root.end()) continue;
+    sum += list->size() * each.bytes;
+    if (sum > kMaxListedBytes)
+      throw Error(std::string(each.list) + ": " +
+                  say<"with these %1 the lists of the file take more than %2 MiB of memory">(
+                      list->size(), kMaxListedBytes >> 20));
+  }
+}
+
 std::string firstLine(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
@@ -110,6 +145,7 @@ std::string firstLine(const std::string& text) {
 } // namespace
 
 void importGltf(const GltfDocument& document, tinygltf::Model& model) {
+  checkListedBytes(document.json);
   tinygltf::TinyGLTF parser;
   parser.SetImageLoader(keepEncoded, nullptr);
   parser.SetFsCallbacks(fileAccess(document));

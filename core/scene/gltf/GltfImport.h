@@ -9,7 +9,8 @@ namespace taa {
 
 struct GltfDocument;
 
-/// Throws Error with the reason when tinygltf refuses the document. Images stay encoded.
+/// Throws Error with the reason when tinygltf refuses the document, or would take too much memory for it.
+/// Images stay encoded.
 void importGltf(const GltfDocument& document, tinygltf::Model& model);
 
 } // namespace taa

@@ -13,6 +13,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace taa {
 namespace {
@@ -62,6 +63,12 @@ TEST(GltfRefusal, SaysWhereThereAreTooManyVertices) {
   EXPECT_EQ(refusal(sample.writeEmbedded("vertices")),
             "meshes[0].primitives[0].attributes.POSITION: with these the scene has 20000001 vertices, more "
             "than the 20000000 that can be opened");
+}
+
+// An empty material has three letters in the file, and two thousand bytes in what is made of it.
+TEST(GltfRefusal, RefusesListsThatTakeTooMuchMemory) {
+  EXPECT_EQ(refusalWith("/materials", std::vector<json>(400'000, json::object())),
+            "materials: with these 400000 the lists of the file take more than 512 MiB of memory");
 }
 
 TEST(GltfRefusal, IsOneShortLineWhateverTheFileSays) {
