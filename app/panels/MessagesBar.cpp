@@ -26,7 +26,11 @@ MessagesBar::MessagesBar(QWidget* parent)
     layout->addWidget(strip);
   }
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
-  connect(error_, &Strip::closed, this, [this] { errors_.clear(); });
+  connect(error_, &Strip::closed, this, &MessagesBar::clear);
+  connect(error_, &Strip::acted, this, [this] {
+    clear();
+    Q_EMIT opensAnyway();
+  });
   noteEnds_.setSingleShot(true);
   noteEnds_.setInterval(kNoteMs);
   connect(&noteEnds_, &QTimer::timeout, note_, &QWidget::hide);
@@ -58,6 +62,10 @@ void MessagesBar::showError(const QString& sentence) {
   errors_.removeAll(sentence);
   errors_.prepend(sentence);
   refresh();
+}
+
+void MessagesBar::offerOpening(bool offers) {
+  error_->setAction(offers ? tr("Open anyway") : QString());
 }
 
 void MessagesBar::showShaders(const QString& error) {

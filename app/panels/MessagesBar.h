@@ -17,6 +17,8 @@ class MessagesBar : public QWidget {
   explicit MessagesBar(QWidget* parent = nullptr);
 
   void showError(const QString& sentence);
+  /// Whether errors come with a button that opens anyway what was refused; opensAnyway() follows its press.
+  void offerOpening(bool offers);
   /// What became of the shaders that were read anew: what does not compile stays until it does.
   void showShaders(const QString& error);
   /// Something that was done; goes by itself.
@@ -35,6 +37,7 @@ class MessagesBar : public QWidget {
 
  Q_SIGNALS:
   void hintClosed();
+  void opensAnyway();
 
  private:
   void refresh();

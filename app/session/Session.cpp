@@ -71,11 +71,14 @@ void Session::deliver() {
 
 // Other requests are not concerned.
 void Session::refuse(const Failure& failure) {
-  Q_EMIT errorOccurred(QString::fromStdString(failure.sentence));
   const RequestId request = failure.request;
+  const bool isOfOpening = failure.kind == RequestKind::Source && request == opening_;
+  Q_EMIT errorOccurred(QString::fromStdString(failure.sentence));
+  if (isOfOpening) offer(failure.neededBudget);
   presets_.refused(request);
   scene_.refused(request);
-  if (failure.kind != RequestKind::Source || request != opening_) return;
+  choice_.refused(request);
+  if (!isOfOpening) return;
   if (const auto before = std::exchange(beforeOpening_, {})) apply(*before);
   Q_EMIT openingFailed();
 }
@@ -83,15 +86,18 @@ void Session::refuse(const Failure& failure) {
 void Session::useStatus(Status&& status) {
   const bool isNew = status.source != status_.source;
   if (status.opened != status_.opened) {
+    const bool isSame = firstChoice_ != 0 && status.opened >= firstChoice_;
     scene_.giveUpBefore(status.opened);
-    undo_.forgetScene();
-    if (status.opened == opening_ && std::exchange(beforeOpening_, {}))
+    choice_.giveUpBefore(status.opened);
+    if (!isSame) undo_.forgetScene();
+    if (status.opened == opening_ && std::exchange(beforeOpening_, {}) && !isSame)
       undo_.clear(); // what was changed before is of another session
   }
   if (isNew) probes_.forgetSurfaces();
   status_ = std::move(status);
   presets_.arrived(status_.settings);
   scene_.takeStatus();
+  choice_.arrived(status_.choice);
   // Only now: a file that cannot be opened leaves everything as it is, playing or not.
   if (isNew && std::exchange(playsWhenOpen_, false)) setPlaying(true);
   Q_EMIT statusChanged();
@@ -99,18 +105,52 @@ void Session::useStatus(Status&& status) {
 }
 
 void Session::open(const QString& source, bool plays, const ShotChoice& choice) {
-  playsWhenOpen_ = plays;
+  playsWhenOpen_ = last_.plays = plays;
   beforeOpening_.reset();
-  opening_ = outbox_.post(request::Open{source.toStdString(), choice});
+  last_.file = {};
+  last_.file.source = source.toStdString();
+  last_.file.choice = choice;
+  last_.isWhole = false;
+  offer({});
+  firstChoice_ = 0;
+  opening_ = outbox_.post(request::Open{last_.file.source, choice, last_.budgetOf(last_.file.source)});
+  choice_.sent(choice, opening_);
+}
+
+void Session::offer(const std::optional<SceneBudget>& needed) {
+  const bool changes = last_.needed.has_value() != needed.has_value();
+  last_.needed = needed;
+  if (changes) Q_EMIT offersOpening(needed.has_value());
+}
+
+void Session::openAnyway() {
+  if (!last_.needed) return;
+  last_.letIn[last_.file.source] = *last_.needed;
+  const SessionFile again = last_.file;
+  if (last_.isWhole)
+    restore(again);
+  else
+    open(QString::fromStdString(again.source), last_.plays, again.choice);
 }
 
 void Session::choose(const ShotChoice& choice) {
-  if (!isOpen() || choice == status_.choice) return;
+  if (!isOpen() || choice == choice_.value()) return;
+  UndoStep step = stepBackTo<ShotChoice>(
+      choice_.value(), [this] { return choice_.value(); },
+      [this](const ShotChoice& before) { choose(before); });
+  step.what = choice.animation == choice_.value().animation ? tr("choice of the shot's length")
+                                                            : tr("choice of animation");
+  step.isVoid = nullptr; // what was posted may not be there yet
+  step.ofScene = true;
+  undo_.push(std::move(step));
+  const UndoStack::Quiet quiet(undo_);
+  const RequestId first = firstChoice_;
   const bool plays = status_.playing;
   const QJsonObject cameras = scene_.state();
   SessionFile next = file();
   next.choice = choice;
   restore(next);
+  firstChoice_ = first != 0 ? first : opening_;
   scene_.setState(cameras);
   if (plays) setPlaying(true);
 }
@@ -137,6 +177,8 @@ void Session::restore(const SessionFile& file) {
   std::optional<SessionFile> before;
   if (isOpen()) before = this->file();
   open(QString::fromStdString(file.source), false, file.choice);
+  last_.file = file;
+  last_.isWhole = true;
   beforeOpening_ = std::move(before);
   apply(file);
 }

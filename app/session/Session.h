@@ -1,8 +1,10 @@
 // What the window works on: requests go to the render thread, its answers arrive here as signals.
 #pragma once
 
+#include "app/session/LastOpening.h"
 #include "app/session/Mailbox.h"
 #include "app/session/Outbox.h"
+#include "app/session/Pending.h"
 #include "app/session/PresetChoices.h"
 #include "app/session/ProbeChoices.h"
 #include "app/session/Renderer.h"
@@ -62,8 +64,12 @@ class Session : public QObject {
   // Requests
   /// Plays once it is open, or waits at frame 0.
   void open(const QString& source, bool plays = true, const ShotChoice& choice = {});
-  /// Opens what is open again with another animation or length; all else stays, but what could be undone.
+  /// Opens what was refused for asking for more than it may, which its source may from then on.
+  void openAnyway();
+  /// Opens what is open again with another animation or length, which undo takes back; all else stays.
   void choose(const ShotChoice& choice);
+  /// By the requests so far.
+  const ShotChoice& choice() const { return choice_.value(); }
   void setSize(int width, int height);
   void setPlaying(bool playing);
   void togglePlaying();
@@ -109,11 +115,13 @@ class Session : public QObject {
   void lineageArrived(const LineageDelivery& lineage);
   void stageSharesArrived(const StageShares& shares);
   void errorOccurred(const QString& sentence);
-  void openingFailed(); ///< of what was opened last; what was open still is
+  void offersOpening(bool offers); ///< whether openAnyway() would open something; follows errorOccurred()
+  void openingFailed();            ///< of what was opened last; what was open still is
 
  private:
   void deliver();
   void refuse(const Failure& failure);
+  void offer(const std::optional<SceneBudget>& needed);
   void useStatus(Status&& status);
   void apply(const SessionFile& file);
 
@@ -133,6 +141,9 @@ class Session : public QObject {
   std::optional<SessionFile> beforeOpening_; ///< what a session was opened in place of
   Playback playback_;
   bool tracing_ = false;
+  LastOpening last_;
+  Pending<ShotChoice> choice_;
+  RequestId firstChoice_ = 0; ///< since which what was opened last was only opened again; 0: it was not
 };
 
 } // namespace taa::app

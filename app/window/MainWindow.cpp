@@ -313,6 +313,8 @@ void MainWindow::connectSession() {
 
 void MainWindow::connectMessages() {
   connect(&session_, &Session::errorOccurred, messages_, &MessagesBar::showError);
+  connect(&session_, &Session::offersOpening, messages_, &MessagesBar::offerOpening);
+  connect(messages_, &MessagesBar::opensAnyway, &session_, &Session::openAnyway);
   connect(&session_, &Session::shadersReloaded, messages_, &MessagesBar::showShaders);
   connect(&session_.presets(), &PresetChoices::said, messages_, &MessagesBar::showNote);
   connect(keeper_, &SessionKeeper::said, messages_, &MessagesBar::showNote);

@@ -47,8 +47,9 @@ InspectedShot::InspectedShot(const gl::Driver& driver, ShotPlayer& player, Visua
                              ReferenceOfShot& reference, const ShotProfiler& profiler)
     : driver_(driver), player_(player), visualizer_(visualizer), reference_(reference), profiler_(profiler) {}
 
-void InspectedShot::open(const std::string& source, const Progress& progress, const ShotChoice& choice) {
-  OpenedSource opened = openSource(source, progress, choice, sceneBudget_);
+void InspectedShot::open(const std::string& source, const Progress& progress, const ShotChoice& choice,
+                         const std::optional<SceneBudget>& budget) {
+  OpenedSource opened = openSource(source, progress, choice, budget.value_or(sceneBudget_));
   ShotState next = player_.state();
   next.source = source;
   next.scene = std::move(opened.scene);

@@ -54,8 +54,10 @@ class InspectedShot {
 
   // What is looked at; all but settings, lanes and size expect that something is open
   /// A glTF file, "builtin:NAME", or a capture's folder or capture.json. Goes to frame 0 with the scene's own
-  /// camera, of a capture with its size, too.
-  void open(const std::string& source, const Progress& progress = {}, const ShotChoice& choice = {});
+  /// camera, of a capture with its size, too. `budget`: what this scene may ask for; else as
+  /// setSceneBudget().
+  void open(const std::string& source, const Progress& progress = {}, const ShotChoice& choice = {},
+            const std::optional<SceneBudget>& budget = {});
   /// What scenes may ask for from the next open() on.
   void setSceneBudget(const SceneBudget& budget) { sceneBudget_ = budget; }
   const ShotChoice& choice() const { return choice_; } ///< it was opened with

@@ -1,6 +1,7 @@
 #include "core/jobs/Desk.h"
 
 #include "core/base/ShownText.h"
+#include "core/scene/cost/SceneCost.h"
 
 #include <algorithm>
 #include <exception>
@@ -54,7 +55,10 @@ bool Desk::attempt(RequestKind kind, const std::function<void()>& action) {
   } catch (const Cancelled&) {
     return false; // whoever asked for it knows
   } catch (const std::exception& error) {
-    tell(kind, Failure{shownReason(error), kind, latest_.of(kind)});
+    Failure failure{shownReason(error), kind, latest_.of(kind)};
+    if (const auto* beyond = dynamic_cast<const BudgetError*>(&error))
+      failure.neededBudget = beyond->needed();
+    tell(kind, std::move(failure));
     isStatusOld = true;
     return false;
   }

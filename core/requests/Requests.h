@@ -60,6 +60,7 @@ namespace request {
 struct Open {
   std::string source;
   ShotChoice choice{};
+  std::optional<SceneBudget> budget{}; ///< what this scene may ask for; else what SetSceneBudget says
   static constexpr RequestRule kRule{.kind = RequestKind::Source, .turn = Turn::Source, .endsReplay = true};
 };
 

@@ -9,6 +9,7 @@
 #include "core/requests/RequestKinds.h"
 #include "core/scene/SceneOutline.h"
 #include "core/scene/ShotChoice.h"
+#include "core/scene/cost/SceneCost.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -118,7 +119,8 @@ struct Work {
 struct Failure {
   std::string sentence;
   RequestKind kind = RequestKind::None;
-  RequestId request = 0; ///< the latest of its kind that was taken up
+  RequestId request = 0;                     ///< the latest of its kind that was taken up
+  std::optional<SceneBudget> neededBudget{}; ///< that lets in a scene that asks for more than it may
 };
 
 /// Shaders were read anew.

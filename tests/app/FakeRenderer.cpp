@@ -54,10 +54,16 @@ RequestId FakeRenderer::post(Request request) {
 }
 
 void FakeRenderer::take(const request::Open& asked) {
-  const auto& [source, choice] = asked;
+  const auto& [source, choice, budget] = asked;
   const bool isCapture = source.ends_with(kFakeCapture);
   if (!source.starts_with("builtin:") && !isCapture) {
     tell(Failure{"cannot open " + source + ": there is no such file", RequestKind::Source, requests + 1});
+    return;
+  }
+  const SceneBudget allowed = budget.value_or(sceneBudget);
+  if (source == kFakeLarge && allowed.triangles < kTrianglesOfLarge) {
+    const SceneBudget needed{kTrianglesOfLarge, allowed.bytes};
+    tell(Failure{"cannot open it: too many triangles", RequestKind::Source, requests + 1, needed});
     return;
   }
   status.source = source;

@@ -5,6 +5,7 @@
 #include "tests/app/verdict/FakeVerdict.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,6 +18,10 @@ inline constexpr const char* kFakeCapture = "/captured";
 
 /// Has two animations.
 inline constexpr const char* kFakeAnimated = "builtin:animated";
+
+/// Draws this many triangles, and is refused by a budget of fewer.
+inline constexpr const char* kFakeLarge = "builtin:large";
+inline constexpr std::uint64_t kTrianglesOfLarge = 30'000'000;
 
 /// Remembers what was asked of it. The value of every channel at pixel (x, y) of frame n is x + 100·y + n,
 /// and 10,000 more for each lane; stages have rejected n % of its pixels.

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QPushButton>
 
 namespace taa::app {
 
@@ -14,13 +15,17 @@ namespace {
 constexpr int kIconSpace = 28;
 } // namespace
 
-Strip::Strip(StripKind kind, QWidget* parent) : QWidget(parent), kind_(kind), label_(new QLabel) {
+Strip::Strip(StripKind kind, QWidget* parent)
+    : QWidget(parent), kind_(kind), label_(new QLabel), action_(new QPushButton) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(kIconSpace + kUnit, kUnit, kUnit, kUnit);
   layout->setSpacing(2 * kUnit);
   label_->setWordWrap(true);
   label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   layout->addWidget(label_, 1);
+  action_->hide();
+  layout->addWidget(action_, 0, Qt::AlignTop);
+  connect(action_, &QPushButton::clicked, this, &Strip::acted);
   auto* close = new IconButton(QStringLiteral("close"), tr("Close"));
   close->setObjectName(QStringLiteral("close"));
   layout->addWidget(close, 0, Qt::AlignTop);
@@ -36,6 +41,11 @@ void Strip::setText(const QString& text) {
 
 QString Strip::text() const {
   return label_->text();
+}
+
+void Strip::setAction(const QString& text) {
+  action_->setText(text);
+  action_->setVisible(!text.isEmpty());
 }
 
 void Strip::paintEvent(QPaintEvent*) {

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 class QLabel;
+class QPushButton;
 
 namespace taa::app {
 
@@ -17,9 +18,12 @@ class Strip : public QWidget {
 
   void setText(const QString& text);
   QString text() const;
+  /// What can be done about it, as a button before the close button; empty: nothing.
+  void setAction(const QString& text);
 
  Q_SIGNALS:
   void closed();
+  void acted(); ///< the action's button was pressed
 
  protected:
   void paintEvent(QPaintEvent*) override;
@@ -27,6 +31,7 @@ class Strip : public QWidget {
  private:
   StripKind kind_;
   QLabel* label_;
+  QPushButton* action_;
 };
 
 } // namespace taa::app

@@ -18,7 +18,7 @@ bool ShotChanges::open(const request::Open& open) {
     return true;
   };
   const bool isOpened = desk_.change(RequestKind::Source, [&] {
-    shot.open(open.source, told, open.choice);
+    shot.open(open.source, told, open.choice, open.budget);
     objects_ = objectNames(shot.scene());
     objects_.resize(std::min(objects_.size(), kMaxObjects));
     outline_ = std::make_shared<const SceneOutline>(outlineOf(shot.scene(), shot.source()));

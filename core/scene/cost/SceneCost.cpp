@@ -101,6 +101,14 @@ SceneCost costOf(const Scene& scene) {
   return cost;
 }
 
+SceneBudget budgetFor(const SceneCost& cost, const SceneBudget& budget) {
+  const auto holding = [](std::uint64_t count, std::uint64_t unit) {
+    return cappedProduct(unitsHolding(count, unit), unit);
+  };
+  return {std::max(budget.triangles, holding(cost.triangles, kMillion)),
+          std::max(budget.bytes, holding(cost.bytes, kBytesOfMiB))};
+}
+
 std::string costRefusal(const SceneCost& cost, const SceneBudget& budget) {
   if (cost.triangles > budget.triangles)
     return say<"the scene draws %1 triangles and may draw %2; --scene-triangles %3 lets it">(

@@ -2,6 +2,8 @@
 // budget.
 #pragma once
 
+#include "core/base/Error.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -43,6 +45,20 @@ struct PrimitiveSize {
 /// a·b and a + b, or about 1.8·10¹⁹ where that would be more.
 std::uint64_t cappedProduct(std::uint64_t a, std::uint64_t b);
 std::uint64_t cappedSum(std::uint64_t a, std::uint64_t b);
+
+/// A scene asks for more than it may.
+class BudgetError : public Error {
+ public:
+  BudgetError(const std::string& sentence, const SceneBudget& needed) : Error(sentence), needed_(needed) {}
+  /// The smallest budget that lets it in and holds the one that did not.
+  const SceneBudget& needed() const { return needed_; }
+
+ private:
+  SceneBudget needed_;
+};
+
+/// The smallest budget of whole units, as options give it, that lets `cost` in and holds `budget`.
+SceneBudget budgetFor(const SceneCost& cost, const SceneBudget& budget);
 
 /// Why a scene is not drawn, as a sentence that names the option that lets it be; empty where it is.
 std::string costRefusal(const SceneCost& cost, const SceneBudget& budget);

@@ -132,10 +132,11 @@ void checkGltfCost(const GltfContext& context, const SceneBudget& budget) {
   const std::string refusal = costRefusal(told.scene, budget);
   if (refusal.empty()) return;
   const bool isOfNode = told.scene.triangles > budget.triangles;
-  if (!isOfNode) throw Error(gltfPlace("meshes", told.largestMesh) + ": " + refusal);
-  const bool isInstanced = context.model.nodes[told.largestNode].extensions.contains(kInstancing);
-  throw Error(gltfPlace("nodes", told.largestNode) +
-              (isInstanced ? ".extensions." + std::string(kInstancing) : "") + ": " + refusal);
+  const bool isInstanced = isOfNode && context.model.nodes[told.largestNode].extensions.contains(kInstancing);
+  const std::string place =
+      isOfNode ? gltfPlace("nodes", told.largestNode) : gltfPlace("meshes", told.largestMesh);
+  throw BudgetError(place + (isInstanced ? ".extensions." + std::string(kInstancing) : "") + ": " + refusal,
+                    budgetFor(told.scene, budget));
 }
 
 } // namespace taa

@@ -97,8 +97,9 @@ Scene build(const std::filesystem::path& file, const Progress& progress, const s
   setBounds(scene);
   scene.shot = shotOf(scene);
   scene.sky.sunEnabled = scene.lights.empty();
-  if (const std::string refusal = costRefusal(costOf(scene), budget); !refusal.empty())
-    throw Error("images: " + refusal); // without them it was within the budget
+  const SceneCost cost = costOf(scene);
+  if (const std::string refusal = costRefusal(cost, budget); !refusal.empty())
+    throw BudgetError("images: " + refusal, budgetFor(cost, budget)); // without them it was within the budget
   report(progress, say<"Building meshes">(), 1, 1);
   return scene;
 }
@@ -111,6 +112,8 @@ Scene loadGltf(const std::filesystem::path& file, const Progress& progress, cons
     return build(file, progress, animation, budget);
   } catch (const Cancelled&) {
     throw;
+  } catch (const BudgetError& error) {
+    throw BudgetError(say<"cannot open %1: %2">(file.string(), shownReason(error)), error.needed());
   } catch (const std::bad_alloc&) {
     throw Error(say<"cannot open %1: memory: it needs more than there is">(file.string()));
   } catch (

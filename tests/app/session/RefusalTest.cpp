@@ -8,6 +8,7 @@
 #include <QDropEvent>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QPushButton>
 #include <QUrl>
 
 #include <string>
@@ -135,4 +136,29 @@ TEST_F(Refusals, ASessionWhoseSceneCannotBeReadLeavesEverythingAsItWas) {
   EXPECT_EQ(renderer->status.width, 96);
   EXPECT_EQ(renderer->status.info.frame, 7);
   EXPECT_EQ(renderer->status.source, "builtin:fan");
+}
+
+TEST_F(Refusals, ASceneBeyondTheBudgetIsOpenedAnywayWhereThatIsAsked) {
+  const auto anyway = [this] {
+    for (auto* button : window.messages()->findChildren<QPushButton*>())
+      if (button->text() == "Open anyway" && !button->isHidden()) return button;
+    return static_cast<QPushButton*>(nullptr);
+  };
+  session.open("/no/such/file.glb");
+  settle();
+  EXPECT_FALSE(anyway()) << "no budget helps";
+  session.open(taa::app::test::kFakeLarge);
+  settle();
+  EXPECT_TRUE(window.messages()->text().contains("too many triangles"));
+  EXPECT_EQ(renderer->status.source, before.source) << "what was open still is";
+  ASSERT_TRUE(anyway());
+  QTest::mouseClick(anyway(), Qt::LeftButton);
+  settle();
+  EXPECT_EQ(renderer->status.source, taa::app::test::kFakeLarge);
+  EXPECT_EQ(window.messages()->text(), "");
+  EXPECT_FALSE(anyway());
+  EXPECT_LT(renderer->sceneBudget.triangles, taa::app::test::kTrianglesOfLarge) << "for this source alone";
+  session.choose({"", 100});
+  settle();
+  EXPECT_EQ(renderer->status.frameCount, 100) << "it opens again";
 }

@@ -117,6 +117,47 @@ TEST_F(SessionFiles, KeepTheAnimationAndTheLengthThatAreChosenInTheMenu) {
   EXPECT_EQ(renderer->status.choice, (ShotChoice{"run & jump", 1000}));
 }
 
+TEST_F(SessionFiles, TheAnimationAndTheLengthAreStepsOfUndoAmongOthers) {
+  own->keeper()->openSource(app::test::kFakeAnimated);
+  settle();
+  session.scene().setHidden("floor", true);
+  session.choose({"run & jump", 0});
+  settle();
+  session.presets().setParameter("weight.minimum", 0.25);
+  session.choose({"run & jump", 1000});
+  settle();
+  EXPECT_EQ(session.undoStack().undoText(), "choice of the shot's length");
+  EXPECT_EQ(renderer->status.filter.hidden, std::vector<std::string>{"floor"});
+
+  session.undo();
+  settle();
+  EXPECT_EQ(renderer->status.choice, (ShotChoice{"run & jump", 0}));
+  session.undo();
+  EXPECT_NE(session.presets().settings().weight.minimum, 0.25f);
+  EXPECT_EQ(session.undoStack().undoText(), "choice of animation");
+  session.undo();
+  settle();
+  EXPECT_EQ(renderer->status.choice, ShotChoice());
+  EXPECT_EQ(renderer->status.filter.hidden, std::vector<std::string>{"floor"});
+  session.undo();
+  settle();
+  EXPECT_TRUE(renderer->status.filter.hidden.empty()) << "what came before the choice is taken back as well";
+  EXPECT_FALSE(session.undoStack().canUndo());
+
+  for (int step = 0; step < 4; ++step) {
+    session.redo();
+    settle();
+  }
+  EXPECT_EQ(renderer->status.choice, (ShotChoice{"run & jump", 1000}));
+  EXPECT_EQ(renderer->status.filter.hidden, std::vector<std::string>{"floor"});
+  EXPECT_EQ(session.presets().settings().weight.minimum, 0.25f);
+
+  own->keeper()->openSource("builtin:fan");
+  settle();
+  EXPECT_EQ(session.choice(), ShotChoice()) << "of another scene";
+  EXPECT_NE(session.undoStack().undoText(), "choice of the shot's length");
+}
+
 TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
   session.presets().setPreset("fsr2");
   session.presets().setParameter("weight.minimum", 0.25);

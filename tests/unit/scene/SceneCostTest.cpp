@@ -73,6 +73,22 @@ TEST(SceneCost, IsNotTooLargeToBeCounted) {
   EXPECT_EQ(cappedSum(2, 3), 5u);
 }
 
+TEST(SceneCost, BeyondTheBudgetSaysWhatBudgetLetsItIn) {
+  const fs::path file = test::writeTemporary("needs.gltf", asksFor(1001, 1000).dump());
+  const SceneBudget tight{.triangles = 1'000'000, .bytes = 5};
+  try {
+    openScene(file.string(), {}, {}, tight);
+    FAIL();
+  } catch (const BudgetError& error) {
+    EXPECT_EQ(error.needed().triangles, 2'000'000u) << "1,001,000, in millions as the option has it";
+    EXPECT_EQ(error.needed().bytes, std::uint64_t(1) << 20);
+    EXPECT_EQ(refusalWithin(file, error.needed()), "");
+  }
+  const SceneBudget wide = budgetFor({.triangles = 7, .bytes = 7}, {});
+  EXPECT_EQ(wide.triangles, SceneBudget().triangles) << "none is made smaller";
+  EXPECT_EQ(wide.bytes, SceneBudget().bytes);
+}
+
 TEST(SceneCost, OfWhatTheBudgetJustAllowsIsAccepted) {
   const fs::path file = test::writeTemporary("hundred.gltf", asksFor(10, 10).dump());
   EXPECT_EQ(refusalWithin(file, {.triangles = 100}), "");
