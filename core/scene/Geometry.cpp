@@ -143,8 +143,8 @@ void updateBounds(Primitive& primitive) {
 namespace {
 
 /// `pose`: of the scene at rest.
-void addBounds(Bounds& bounds, const Scene& scene, const NodeInstance& at, const Primitive& primitive,
-               const Pose& pose) {
+void addRestBounds(Bounds& bounds, const Scene& scene, const NodeInstance& at, const Primitive& primitive,
+                   const Pose& pose) {
   if (primitive.bounds.isEmpty()) return;
   if (isDeformed(scene, scene.nodes[static_cast<std::size_t>(at.node)], primitive)) {
     const Deformer deformer(scene, at, primitive, pose, 0.0);
@@ -173,7 +173,7 @@ Bounds restBounds(const Scene& scene) {
     const Node& node = scene.nodes[static_cast<std::size_t>(index)];
     for (int instance = 0; instance < node.timesDrawn(); ++instance)
       for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives)
-        addBounds(bounds, scene, {index, instance}, primitive, pose);
+        addRestBounds(bounds, scene, {index, instance}, primitive, pose);
   }
   return bounds;
 }
