@@ -43,6 +43,13 @@ class Examiner {
   const JitterEvidence& jitter() const { return jitter_; }
   const DepthEvidence& depth() const { return depth_; }
   const RimEvidence& rims() const { return rims_; }
+  /// `out`: says how many frames there are.
+  std::optional<RegionPlace> skyPlace(const Diagnosis& out) const {
+    const auto sky = std::ranges::find(tracker_.regions(), true, &Region::isSky);
+    if (sky == tracker_.regions().end()) return {};
+    const double pixels = static_cast<double>(patient_.sizePx.x) * patient_.sizePx.y;
+    return placeOf(*sky, patient_, pixels * out.frames);
+  }
   void tellMotion(Diagnosis& out) const { doctor::tellMotion(motion_, tracker_.regions(), patient_, out); }
 
  private:
@@ -113,10 +120,13 @@ void tellPlanes(const Examiner& examiner, const Examination& examination, Diagno
   tellRims(examiner.rims(), isMotionRight, out);
 }
 
-/// Jitter that nobody knows makes the motion of single regions look wrong by parts of a pixel.
-void withholdMotion(Diagnosis& out) {
-  const auto isOfRegions = [](const Finding& finding) { return !finding.isWholePicture; };
-  if (std::erase_if(out.findings, isOfRegions) == 0) return;
+/// Jitter that nobody knows makes the motion of single regions look wrong by parts of a pixel, and says
+/// nothing of jitter in motion.
+void withholdMotion(const JitterOutcome& jitter, Diagnosis& out) {
+  const auto isUnsure = [&](const Finding& finding) {
+    return (jitter.isContradicted && !finding.isWholePicture) || finding.id.starts_with("motionJitter");
+  };
+  if (std::erase_if(out.findings, isUnsure) == 0) return;
   out.undecided.push_back(
       {say<"Motion">(),
        say<"it does not fit, but pictures do not shift as the jitter that is stated either">(),
@@ -126,17 +136,17 @@ void withholdMotion(Diagnosis& out) {
 /// Jitter, and where that is right the planes. Returns what mends it, where that is known.
 JitterMender tellSeen(const Examiner& examiner, const Examination& examination, const Patient& patient,
                       Diagnosis& out) {
-  const auto [mender, isJitterContradicted] =
-      tellJitter(examiner.jitter(), examination.known.camera, patient, out);
+  const JitterOutcome jitter =
+      tellJitter(examiner.jitter(), {patient, examination.known.camera, examiner.skyPlace(out)}, out);
   if (!examination.known.motion) {
     out.undecided.push_back(
         {say<"Motion">(), say<"the capture has none">(), say<"Capture the plane of motion vectors, too.">()});
     tellRims(examiner.rims(), false, out);
     return {};
   }
-  if (mender) return mender;
+  if (jitter.mender) return jitter.mender;
   tellPlanes(examiner, examination, out);
-  if (isJitterContradicted) withholdMotion(out);
+  if (jitter.isOpen) withholdMotion(jitter, out);
   return {};
 }
 

@@ -17,7 +17,7 @@ constexpr double kSeenJitterPx = 0.05, kSeenMotionPx = 0.25, kSeenDepth = 0.02, 
 // A motion that is none, and a distance to nothing, are so far from any other.
 constexpr double kFarthestPx = 16.0, kFarthestLog = 2.0;
 /// Of the other difference, with room for rounding to half floats.
-constexpr double kSmallShare = 0.1, kRounding = 1e-3;
+constexpr double kSmallShare = 0.1, kHalfRounding = 1e-3;
 
 double motionBetween(const DoctorFrame& a, const DoctorFrame& b, int x, int y) {
   const glm::vec2 ofA = a.motionAt(x, y), ofB = b.motionAt(x, y);
@@ -58,7 +58,7 @@ void ShownDifference::add(const DoctorFrame& a, const DoctorFrame& b) {
 
 bool ShownDifference::isSmallBeside(const ShownDifference& other) const {
   const auto isSmall = [&](double ShownDifference::*sum) {
-    return this->*sum <= kSmallShare * other.*sum + kRounding * frames;
+    return this->*sum <= kSmallShare * other.*sum + kHalfRounding * frames;
   };
   return isSmall(&ShownDifference::jitterPx) && isSmall(&ShownDifference::motionPx) &&
          isSmall(&ShownDifference::depth) && isSmall(&ShownDifference::luma);

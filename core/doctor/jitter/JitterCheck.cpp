@@ -3,7 +3,9 @@
 #include "core/base/Say.h"
 #include "core/capture/decode/ScreenUnits.h"
 #include "core/doctor/NumberText.h"
+#include "core/doctor/jitter/JitterFit.h"
 #include "core/doctor/jitter/JitterSequence.h"
+#include "core/doctor/jitter/JitterSky.h"
 #include "core/settings/Faults.h"
 
 #include <glm/geometric.hpp>
@@ -12,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,27 +24,10 @@ namespace taa::doctor {
 namespace {
 
 constexpr std::size_t kEnoughShifts = 4;
-// px, in the middle of all pairs: shifts that fit, that do not, and that are there at all.
-constexpr double kFittingPx = 0.12, kMissingPx = 0.2, kShiftingPx = 0.15;
-/// Where pictures alias, shifts are measured worse: what is stated fits to so much where all else misses
-/// by so many times as much.
-constexpr double kAliasedPx = 0.3, kAllElse = 1.5;
+// px, in the middle of all pairs: shifts that are not those of a jitter, however pictures alias, and shifts
+// that are there at all.
+constexpr double kMissingPx = 0.3, kShiftingPx = 0.15;
 constexpr double kNoJitterPx = 1e-3;
-constexpr double kClearlyBetter = 2.5; ///< what is stated misses by so many times as much as what fits
-/// As good as the best: px more.
-constexpr double kAsGoodPx = 0.05;
-
-struct TriedJitter {
-  JitterTrial trial;
-  double residual = 0.0; ///< px
-};
-
-std::vector<TriedJitter> triedJitters(const JitterEvidence& evidence, const glm::ivec2& sizePx) {
-  std::vector<TriedJitter> out;
-  for (const JitterTrial& trial : jitterTrials(sizePx))
-    out.push_back({trial, shiftResidual(trial, evidence)});
-  return out;
-}
 
 struct JitterWords {
   Fault fault;
@@ -66,9 +52,10 @@ JitterWords jitterWords(const JitterTrial& trial) {
     return {Fault::JitterSwapped, say<"Exchange x and y of the jitter that you pass.">()};
   case JitterKind::Scaled:
   case JitterKind::OtherUnit:
-    return {trial.factor.x < 1.0f ? Fault::JitterDoubled : Fault::JitterHalved,
-            say<"Multiply the jitter that you pass by %1, or state the unit that it has.">(
-                shortVector(glm::dvec2(trial.factor)))};
+    return {
+        trial.factor.x < 1.0f ? Fault::JitterDoubled : Fault::JitterHalved,
+        say<"Multiply the jitter that you pass by %1, or state the unit that it has; or draw with what you "
+            "pass.">(shortVector(glm::dvec2(trial.factor)))};
   case JitterKind::FrameLate:
     return {Fault::JitterLate, say<"Pass the jitter of the frame itself: what you pass is that of the frame "
                                    "before.">()};
@@ -112,42 +99,66 @@ bool isConstant(const JitterEvidence& evidence) {
   });
 }
 
-std::vector<Residual> jitterResiduals(const std::vector<TriedJitter>& tried, const TriedJitter& best) {
-  std::vector<Residual> out;
-  for (const TriedJitter& one : tried)
-    if (std::isfinite(one.residual))
-      out.push_back({jitterTrialId(one.trial), jitterTrialText(one.trial), one.residual,
-                     one.trial.kind == JitterKind::AsStated, &one == &best});
-  std::ranges::stable_sort(out, {}, &Residual::value);
-  return out;
-}
-
 Finding jitterFinding(const JitterWords& words) {
   Finding out = faultFinding(words.fault);
   out.change = words.change;
   out.isWholePicture = true;
-  out.measure = say<"distance of measured shifts from those that jitter makes, px">();
   return out;
 }
 
+/// Names of the table say twice and half; factors between are told by their number.
+std::string scaledName(const glm::vec2& factor) {
+  return say<"Jitter reported %1 times too large">(shortNumber(1.0 / static_cast<double>(factor.x)));
+}
+
+std::vector<Residual> jitterResiduals(const JitterFit& fit, const std::vector<JitterTrial>& trials) {
+  std::vector<Residual> out;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const bool isStated = trials[i].kind == JitterKind::AsStated;
+    const double share = isStated ? 1.0 : fit.trials[i].share();
+    if (std::isfinite(share))
+      out.push_back({jitterTrialId(trials[i]), jitterTrialText(trials[i]), 1000.0 * share * fit.statedLuma,
+                     isStated, i == fit.best});
+  }
+  std::ranges::stable_sort(out, {}, &Residual::value);
+  return out;
+}
+
+/// Other explanations that fit as well, in the finding's sentences.
+void tellRivals(const JitterFit& fit, const std::vector<JitterTrial>& trials, Finding& out) {
+  std::string texts;
+  for (const std::size_t rival : fit.rivals()) {
+    texts += (texts.empty() ? "" : "; ") + jitterTrialText(trials[rival]);
+    const std::string id(faultInfo(jitterWords(trials[rival]).fault).id);
+    if (id != out.id && std::ranges::find(out.alike, id) == out.alike.end()) out.alike.push_back(id);
+  }
+  if (texts.empty()) return;
+  out.reason += " " + say<"These frames do not tell it from: %1.">(texts);
+  out.sureness = Sureness::Likely;
+}
+
 /// Pictures shift as something else than what is stated makes them.
-Finding otherJitter(const std::vector<TriedJitter>& tried, const TriedJitter& best,
+Finding otherJitter(const JitterFit& fit, const std::vector<JitterTrial>& trials,
                     const JitterEvidence& evidence, bool isCameraKnown, const Patient& patient) {
-  Finding out = jitterFinding(jitterWords(best.trial));
-  out.change += " " + exampleOf(best.trial, evidence, patient);
-  out.reason = say<"In %1 pairs of frames the shift of the pictures is that of jitter like this, to %2 px: "
-                   "%3. From what is stated it is %4 px away.">(
-      evidence.shifts.size(), shortNumber(best.residual), jitterTrialText(best.trial),
-      shortNumber(tried.front().residual));
-  out.residuals = jitterResiduals(tried, best);
-  std::string rivals;
-  for (const TriedJitter& other : tried)
-    if (&other != &best && other.residual <= best.residual + kAsGoodPx)
-      rivals += (rivals.empty() ? "" : "; ") + jitterTrialText(other.trial);
-  if (!rivals.empty()) out.reason += " " + say<"These frames do not tell it from: %1.">(rivals);
-  if (!isCameraKnown)
+  const JitterTrial& best = trials[fit.best];
+  const TrialFit& won = fit.trials[fit.best];
+  Finding out = jitterFinding(jitterWords(best));
+  if (best.kind == JitterKind::Scaled && best.factor.x != 0.5f && best.factor.x != 2.0f)
+    out.name = scaledName(best.factor);
+  out.change += " " + exampleOf(best, evidence, patient);
+  out.reason =
+      say<"In %1 of %2 pairs of frames pictures fit the one before better if jitter is like this: %3. "
+          "What is left then is %4 % of what is left as stated. Shifts that are measured are %5 px from "
+          "it, and %6 px from what is stated.">(
+          won.won, won.pairs, jitterTrialText(best), std::lround(100.0 * won.share()),
+          shortNumber(fit.missPx[fit.best]), shortNumber(fit.missPx.front()));
+  out.measure = say<"median difference of luma where pictures are shifted so, × 1000">();
+  out.residuals = jitterResiduals(fit, trials);
+  tellRivals(fit, trials, out);
+  if (!isCameraKnown) {
     out.reason += " " + say<"Without depth and matrices it may also be motion that holds jitter.">();
-  out.sureness = rivals.empty() && isCameraKnown ? Sureness::Sure : Sureness::Likely;
+    out.sureness = Sureness::Likely;
+  }
   return out;
 }
 
@@ -158,7 +169,6 @@ Finding frozenJitter(const glm::vec2& statedPx, const Patient& patient) {
        say<"Go on in the sequence with each frame that is drawn: its index is always the same.">()});
   out.reason = say<"All frames state the same jitter, %1, and pictures do not shift against each other.">(
       shortVector(passedJitter(patient, statedPx)));
-  out.measure.clear();
   return out;
 }
 
@@ -201,9 +211,18 @@ JitterMender tellUnstated(const JitterEvidence& evidence, bool isCameraKnown, co
   Finding finding = jitterFinding(jitterWords({}));
   finding.reason = say<"No jitter is stated, or always the same, and pictures shift by %1 px besides the "
                        "camera's motion.">(shortNumber(shiftPx));
+  finding.measure = say<"distance of measured shifts from those that jitter makes, px">();
   finding.residuals = {{"asStated", say<"as stated">(), shiftPx, true, false}};
   out.findings.push_back(std::move(finding));
   return measuredJitter(evidence);
+}
+
+/// Those that pictures would show.
+std::vector<Fault> jitterFaults() {
+  return {Fault::JitterNegatedX, Fault::JitterNegatedY,   Fault::JitterNegated, Fault::JitterSwapped,
+          Fault::JitterDoubled,  Fault::JitterHalved,     Fault::JitterLate,    Fault::JitterEarly,
+          Fault::JitterOutside,  Fault::JitterNotApplied, Fault::JitterMean,    Fault::JitterShort,
+          Fault::SkyNotJittered};
 }
 
 /// What is wrong with, and worth knowing of, the sequence that pictures hold if a trial is right.
@@ -218,50 +237,48 @@ void tellSequenceOf(const JitterTrial& trial, const JitterEvidence& evidence, Di
   tellSequence(jitters, out);
 }
 
-/// Whether what is stated fits, as well as pictures that alias let it.
-bool fitsAsStated(const std::vector<TriedJitter>& tried) {
-  const TriedJitter& stated = tried.front();
-  if (stated.residual <= kFittingPx) return true;
-  return stated.residual <= kAliasedPx && std::ranges::all_of(tried, [&](const TriedJitter& other) {
-           return &other == &stated || other.residual >= kAllElse * stated.residual;
-         });
+/// What the doctor says of the sequence, and of the sky, where pictures shift as a trial has it.
+void tellTrial(const std::vector<JitterTrial>& trials, std::size_t trial, const JitterEvidence& evidence,
+               const std::optional<RegionPlace>& sky, Diagnosis& out) {
+  tellSequenceOf(trials[trial], evidence, out);
+  if (sky) tellSky(evidence, trial, *sky, out);
+}
+
+void tellNoFit(double missPx, Diagnosis& out) {
+  out.undecided.push_back({say<"Jitter">(),
+                           say<"measured shifts are %1 px from those that are stated, and no other "
+                               "explanation fits clearly">(shortNumber(missPx)),
+                           say<"Capture 8 frames or more with camera and objects still.">(), jitterFaults()});
 }
 
 } // namespace
 
-JitterOutcome tellJitter(const JitterEvidence& evidence, bool isCameraKnown, const Patient& patient,
-                         Diagnosis& out) {
+JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& patient, Diagnosis& out) {
   if (evidence.stated.empty()) return {};
   if (evidence.shifts.size() < kEnoughShifts) {
     out.undecided.push_back({say<"Jitter">(),
                              say<"only %1 of %2 pairs of frames have detail enough to measure a shift">(
                                  evidence.shifts.size(), evidence.pairs),
-                             say<"Capture 8 frames or more of a still, detailed scene.">()});
+                             say<"Capture 8 frames or more of a still, detailed scene.">(), jitterFaults()});
     return {};
   }
-  if (isConstant(evidence)) {
-    return {tellUnstated(evidence, isCameraKnown, patient, out)};
-  }
-  const std::vector<TriedJitter> tried = triedJitters(evidence, patient.sizePx);
-  const TriedJitter& stated = tried.front();
-  const TriedJitter& best = *std::ranges::min_element(tried, {}, &TriedJitter::residual);
-  if (fitsAsStated(tried)) {
-    out.healthy.push_back(
-        say<"Jitter is in the pictures as it is stated, to %1 px.">(shortNumber(stated.residual)));
-    tellSequenceOf(stated.trial, evidence, out);
+  if (isConstant(evidence)) return {tellUnstated(evidence, patient.isCameraKnown, patient.patient, out)};
+  const std::vector<JitterTrial> trials = jitterTrials(patient.patient.sizePx);
+  const JitterFit fit = jitterFit(evidence, trials);
+  const double missPx = fit.missPx.front();
+  if (fit.isConfirmed() && missPx <= kMissingPx) {
+    out.healthy.push_back(say<"Jitter is in the pictures as it is stated, to %1 px.">(shortNumber(missPx)));
+    tellTrial(trials, 0, evidence, patient.sky, out);
     return {};
   }
-  if (best.residual > kFittingPx || stated.residual < kMissingPx ||
-      stated.residual < kClearlyBetter * best.residual) {
-    out.undecided.push_back({say<"Jitter">(),
-                             say<"measured shifts are %1 px from those that are stated, and no other "
-                                 "explanation fits">(shortNumber(stated.residual)),
-                             say<"Capture 8 frames or more with camera and objects still.">()});
-    return {{}, stated.residual >= kMissingPx};
+  if (!fit.isContradicted()) {
+    tellNoFit(missPx, out);
+    return {{}, missPx > kMissingPx, true};
   }
-  out.findings.push_back(otherJitter(tried, best, evidence, isCameraKnown, patient));
-  tellSequenceOf(best.trial, evidence, out);
-  return {[trial = best.trial, all = evidence.stated](int frame) { return trueJitter(trial, all, frame); }};
+  out.findings.push_back(otherJitter(fit, trials, evidence, patient.isCameraKnown, patient.patient));
+  tellTrial(trials, fit.best, evidence, patient.sky, out);
+  return {
+      [trial = trials[fit.best], all = evidence.stated](int frame) { return trueJitter(trial, all, frame); }};
 }
 
 } // namespace taa::doctor

@@ -19,11 +19,17 @@ struct JitterOutcome {
   JitterMender mender; ///< empty where nothing is to be mended
   /// Pictures shift as neither what is stated nor anything else that was tried makes them.
   bool isContradicted = false;
+  bool isOpen = false; ///< it is not decided what jitter pictures hold
 };
 
-/// Adds what is wrong, right, or not decided about jitter. `isCameraKnown`: shifts do not rest on motion
-/// vectors.
-JitterOutcome tellJitter(const JitterEvidence& evidence, bool isCameraKnown, const Patient& patient,
-                         Diagnosis& out);
+/// Whose jitter it is.
+struct JitterPatient {
+  const Patient& patient;
+  bool isCameraKnown = true;           ///< shifts do not rest on motion vectors
+  std::optional<RegionPlace> sky = {}; ///< none: there is none
+};
+
+/// Adds what is wrong, right, or not decided about jitter.
+JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& patient, Diagnosis& out);
 
 } // namespace taa::doctor

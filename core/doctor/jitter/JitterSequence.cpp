@@ -4,6 +4,7 @@
 #include "core/doctor/NumberText.h"
 #include "core/settings/Faults.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -21,8 +22,9 @@ constexpr float kSameJitterPx = 1e-4f;
 constexpr double kHalfPixel = 0.505; ///< with room for rounding
 /// Frames after which a mean is one, also where nothing repeats.
 constexpr int kEnoughForMean = 16;
-// px: of a mean that is clearly not 0, and of one that is worth knowing.
-constexpr double kOffMeanPx = 0.12;
+constexpr int kEnoughForRange = 8; ///< frames after which the extremes are near those of the sequence
+// px: of a mean that is clearly not 0, and of one that few frames do not have by chance.
+constexpr double kOffMeanPx = 0.12, kFarMeanPx = 0.2;
 /// A normal distribution that suits a wide filter goes beyond half a pixel in half of all frames.
 constexpr double kBeyondShare = 0.65;
 constexpr int kTooShort = 2, kShort = 4; ///< frames of a period
@@ -41,15 +43,34 @@ Finding sequenceFinding(Fault fault, std::string reason, std::string change) {
   return out;
 }
 
+/// Whether the middle between the extremes lies where the mean does: a few frames of an even sequence may
+/// have their mean beside 0, but not their range too.
+bool isRangeAround(const SequenceFacts& facts) {
+  return facts.frames >= kEnoughForRange && glm::length(facts.meanPx) >= kFarMeanPx &&
+         glm::length(facts.middlePx - facts.meanPx) <= 0.5 * glm::length(facts.meanPx);
+}
+
 void tellMean(const SequenceFacts& facts, Diagnosis& out) {
   const bool isKnown = facts.period || facts.frames >= kEnoughForMean;
-  if (!isKnown || glm::length(facts.meanPx) < kOffMeanPx) return;
+  if (!isKnown && !isRangeAround(facts)) {
+    out.undecided.push_back(
+        {say<"Jitter's mean">(),
+         say<"the jitter of %1 frames does not repeat: the whole sequence may have another mean "
+             "than theirs, %2 px">(facts.frames, shortVector(facts.meanPx)),
+         say<"Capture 32 frames or more.">(),
+         {Fault::JitterMean}});
+    return;
+  }
+  // A mean that a sequence of two has is that of its two places, which is what is wrong with it.
+  const bool isOfShort = facts.period && *facts.period <= kTooShort;
+  if (glm::length(facts.meanPx) < (isOfShort ? kFarMeanPx : kOffMeanPx)) return;
   out.findings.push_back(sequenceFinding(
       Fault::JitterMean,
       say<"The mean of the jitter of %1 frames is %2 px, and 0 leaves the picture where it is.">(
           facts.frames, shortVector(facts.meanPx)),
       say<"Take the mean off each value: draw with jitter − %1 px (x right, y down), and pass that.">(
           shortVector(facts.meanPx))));
+  if (!isKnown) out.findings.back().sureness = Sureness::Likely;
 }
 
 void tellRange(const SequenceFacts& facts, Diagnosis& out) {
@@ -88,12 +109,16 @@ SequenceFacts sequenceFacts(const std::map<int, glm::vec2>& jitterPx) {
   const std::size_t whole = out.period ? static_cast<std::size_t>(*out.period) : 1;
   const std::size_t counted = jitters.size() / whole * whole;
   std::size_t beyond = 0;
+  glm::dvec2 least(0.0), most(0.0);
   for (std::size_t i = 0; i < jitters.size(); ++i) {
+    least = i == 0 ? glm::dvec2(jitters[i]) : glm::min(least, glm::dvec2(jitters[i]));
+    most = i == 0 ? glm::dvec2(jitters[i]) : glm::max(most, glm::dvec2(jitters[i]));
     const double longest = static_cast<double>(std::max(std::abs(jitters[i].x), std::abs(jitters[i].y)));
     if (i < counted) out.meanPx += glm::dvec2(jitters[i]) / static_cast<double>(counted);
     if (longest > kHalfPixel) ++beyond;
     out.longestPx = std::max(out.longestPx, longest);
   }
+  out.middlePx = 0.5 * (least + most);
   if (!jitters.empty()) out.beyondShare = static_cast<double>(beyond) / static_cast<double>(jitters.size());
   return out;
 }
@@ -102,8 +127,8 @@ void tellSequence(const std::map<int, glm::vec2>& jitterPx, Diagnosis& out) {
   const SequenceFacts facts = sequenceFacts(jitterPx);
   if (facts.period == 1) return;
   tellRange(facts, out);
-  tellMean(facts, out);
   tellPeriod(facts, out);
+  tellMean(facts, out);
 }
 
 } // namespace taa::doctor

@@ -15,6 +15,7 @@ struct SequenceFacts {
   /// Frames after which all of it repeats, of which it shows two whole ones at least; none: it does not.
   std::optional<int> period;
   glm::dvec2 meanPx{0.0};   ///< over whole periods
+  glm::dvec2 middlePx{0.0}; ///< between the least and the most of all
   double beyondShare = 0.0; ///< of frames in which x or y is more than half a pixel
   double longestPx = 0.0;   ///< of |x| and |y|
 };

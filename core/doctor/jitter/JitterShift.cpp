@@ -2,7 +2,6 @@
 
 #include "core/capture/import/FrameSamples.h"
 #include "core/doctor/frames/Detail.h"
-#include "core/doctor/motion/MotionSearch.h"
 
 #include <glm/geometric.hpp>
 
@@ -34,24 +33,6 @@ std::optional<glm::vec2> restingMotion(const DoctorFrame& frame, const glm::ivec
   const glm::vec2 given = frame.motionAt(pixel.x, pixel.y);
   if (!isMotion(given)) return {};
   return given;
-}
-
-std::vector<SearchedPixel> shiftSamples(const FrameNeighbors& frames) {
-  const glm::ivec2 size = frames.now.sizePx();
-  const double pixels = static_cast<double>(size.x) * size.y;
-  const int step = std::max(1, static_cast<int>(std::sqrt(pixels / kShiftSamples)));
-  const glm::vec2 margin(3.0f), last = glm::vec2(size) - margin;
-  std::vector<SearchedPixel> out;
-  for (int y = step / 2; y < size.y; y += step)
-    for (int x = step / 2; x < size.x; x += step) {
-      const auto motionPx = restingMotion(frames.now, {x, y});
-      if (!motionPx || !hasDetail(frames.now.luma, x, y)) continue;
-      const glm::vec2 place = glm::vec2(x, y) + 0.5f - *motionPx;
-      // Nothing that is searched around it may lie outside.
-      if (place.x < margin.x || place.y < margin.y || place.x > last.x || place.y > last.y) continue;
-      out.push_back({place, *frames.now.luma.at(x, y)});
-    }
-  return out;
 }
 
 double medianDifference(const std::vector<SearchedPixel>& samples, const Image& luma,
@@ -121,9 +102,38 @@ std::optional<glm::vec2> refinedShift(const std::vector<SearchedPixel>& samples,
 
 } // namespace
 
-std::optional<glm::vec2> measureShift(const FrameNeighbors& frames) {
-  const std::vector<SearchedPixel> samples = shiftSamples(frames);
-  if (samples.size() < kLeastShiftSamples) return {};
+ShiftSamples shiftSamples(const FrameNeighbors& frames) {
+  const DoctorFrame& now = frames.now;
+  const glm::ivec2 size = now.sizePx();
+  const double pixels = static_cast<double>(size.x) * size.y;
+  const int step = std::max(1, static_cast<int>(std::sqrt(pixels / kShiftSamples)));
+  const glm::vec2 margin(kFarthestShiftPx + 0.5f), last = glm::vec2(size) - margin;
+  ShiftSamples out;
+  for (int y = step / 2; y < size.y; y += step)
+    for (int x = step / 2; x < size.x; x += step) {
+      const bool isSky = !now.depth.empty() && *now.depth.at(x, y) == 0.0f;
+      if (isSky) out.skyShare += static_cast<double>(step) * step / pixels;
+      const auto motionPx = restingMotion(now, {x, y});
+      if (!motionPx || !hasDetail(now.luma, x, y)) continue;
+      const glm::vec2 place = glm::vec2(x, y) + 0.5f - *motionPx;
+      if (place.x < margin.x || place.y < margin.y || place.x > last.x || place.y > last.y) continue;
+      (isSky ? out.sky : out.world).push_back({place, *now.luma.at(x, y)});
+    }
+  return out;
+}
+
+bool areEnough(const std::vector<SearchedPixel>& samples) {
+  return samples.size() >= kLeastShiftSamples;
+}
+
+double lumaLeft(const std::vector<SearchedPixel>& samples, const Image& previousLuma,
+                const glm::vec2& shiftPx) {
+  return medianDifference(samples, previousLuma, shiftPx);
+}
+
+std::optional<glm::vec2> measureShift(const std::vector<SearchedPixel>& samples,
+                                      const FrameNeighbors& frames) {
+  if (!areEnough(samples)) return {};
   const auto rough = searchMotion(samples, frames.before.luma, glm::vec2(0.0f), kShiftReachPx);
   if (!rough) return {};
   // What repeats fits at many places: then the one that is stated is as good as any other. None is no start:

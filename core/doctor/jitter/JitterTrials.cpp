@@ -41,11 +41,35 @@ std::optional<glm::vec2> statedAt(const std::map<int, glm::vec2>& stated, int fr
   return found->second;
 }
 
+TrialLuma trialLuma(const std::vector<SearchedPixel>& samples, const FrameNeighbors& frames,
+                    const std::map<int, glm::vec2>& stated) {
+  TrialLuma out;
+  for (const JitterTrial& trial : jitterTrials(frames.now.sizePx())) {
+    const auto now = trueJitter(trial, stated, frames.now.frame);
+    const auto before = trueJitter(trial, stated, frames.now.frame - 1);
+    const bool isKnown = now && before && glm::distance(*now, *before) <= kFarthestShiftPx;
+    out.push_back(isKnown ? lumaLeft(samples, frames.before.luma, *before - *now)
+                          : std::numeric_limits<double>::quiet_NaN());
+  }
+  return out;
+}
+
 } // namespace
 
 void JitterEvidence::add(const FrameNeighbors& frames) {
   ++pairs;
-  if (const auto shift = measureShift(frames)) shifts.push_back({frames.now.frame, *shift});
+  const DoctorFrame& now = frames.now;
+  ShiftSamples samples = shiftSamples(frames);
+  skyShare += samples.skyShare;
+  std::map<int, glm::vec2> around = stated;
+  if (frames.after) around[now.frame + 1] = frames.after->jitterPx;
+  if (areEnough(samples.sky)) sky.push_back(trialLuma(samples.sky, frames, around));
+  // A picture of little else is measured by its sky.
+  if (!areEnough(samples.world))
+    samples.world.insert(samples.world.end(), samples.sky.begin(), samples.sky.end());
+  if (!areEnough(samples.world)) return;
+  world.push_back(trialLuma(samples.world, frames, around));
+  if (const auto shift = measureShift(samples.world, frames)) shifts.push_back({now.frame, *shift});
 }
 
 std::vector<JitterTrial> jitterTrials(const glm::ivec2& sizePx) {
@@ -54,7 +78,8 @@ std::vector<JitterTrial> jitterTrials(const glm::ivec2& sizePx) {
        {JitterKind::AsStated, JitterKind::NotApplied, JitterKind::MirroredX, JitterKind::MirroredY,
         JitterKind::Opposite, JitterKind::SwappedAxes, JitterKind::FrameLate, JitterKind::FrameEarly})
     trials.push_back({kind});
-  for (const float factor : {0.5f, 2.0f}) trials.push_back({JitterKind::Scaled, glm::vec2(factor)});
+  for (const float factor : {0.5f, 2.0f, 2.0f / 3.0f, 0.75f, 4.0f / 3.0f, 1.5f})
+    trials.push_back({JitterKind::Scaled, glm::vec2(factor)});
   // Texture or device coordinates taken for pixels; y of the latter may point up.
   const glm::vec2 uv(sizePx), ndc = 0.5f * uv, yUp(1.0f, -1.0f);
   for (const glm::vec2& unit : {uv, ndc})

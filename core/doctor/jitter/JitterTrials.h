@@ -6,6 +6,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -33,21 +34,27 @@ struct JitterTrial {
   glm::vec2 factor{1.0f}; ///< of Scaled, OtherUnit: pictures hold the stated jitter times it
 };
 
+/// What the trials leave of a pair of frames, see lumaLeft(); as jitterTrials(), NaN where one says nothing.
+using TrialLuma = std::vector<double>;
+
 /// What was gathered over all frames.
 struct JitterEvidence {
   struct Shift {
     int frame = 0; ///< that of the later frame of a pair
     glm::vec2 px{0.0f};
   };
-  std::map<int, glm::vec2> stated; ///< px, displacement of content, by frame
-  std::vector<Shift> shifts;       ///< measureShift()
-  int pairs = 0;                   ///< that were tried to measure
+  std::map<int, glm::vec2> stated;   ///< px, displacement of content, by frame
+  std::vector<Shift> shifts;         ///< measureShift()
+  int pairs = 0;                     ///< that were tried to measure
+  std::vector<TrialLuma> world, sky; ///< of pairs that have detail enough there
+  double skyShare = 0.0;             ///< of the pictures, summed over pairs
 
   void add(const FrameNeighbors& frames);
 };
 
-/// AsStated first, then all others for pictures of a size.
+/// AsStated first, NotApplied, then all others for pictures of a size.
 std::vector<JitterTrial> jitterTrials(const glm::ivec2& sizePx);
+inline constexpr std::size_t kNotAppliedTrial = 1;
 std::string jitterTrialId(const JitterTrial& trial);
 std::string jitterTrialText(const JitterTrial& trial);
 

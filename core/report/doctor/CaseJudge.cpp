@@ -30,10 +30,15 @@ bool isOfPart(const std::string& question, FaultPart part) {
   return asked ? *asked == part : part == FaultPart::Color || part == FaultPart::Resolve;
 }
 
+/// Questions that name faults are open about these alone.
+bool leavesOpen(const doctor::Undecided& open, Fault fault) {
+  if (open.faults.empty()) return isOfPart(open.question, faultInfo(fault).part);
+  return std::ranges::find(open.faults, fault) != open.faults.end();
+}
+
 bool isOpenIn(const Diagnosis& diagnosis, const std::vector<Fault>& faults) {
   return std::ranges::any_of(diagnosis.undecided, [&](const doctor::Undecided& open) {
-    return std::ranges::any_of(faults,
-                               [&](Fault fault) { return isOfPart(open.question, faultInfo(fault).part); });
+    return std::ranges::any_of(faults, [&](Fault fault) { return leavesOpen(open, fault); });
   });
 }
 
@@ -45,7 +50,7 @@ bool isOneOf(const std::vector<Fault>& faults, const std::string& id) {
   return std::ranges::any_of(faults, [&](Fault fault) { return faultInfo(fault).id == id; });
 }
 
-ShownDifference differenceOf(const std::vector<DoctorFrame>& a, const std::vector<DoctorFrame>& b) {
+ShownDifference shownBetween(const std::vector<DoctorFrame>& a, const std::vector<DoctorFrame>& b) {
   ShownDifference out;
   for (std::size_t i = 0; i < a.size(); ++i) out.add(a[i], b[i]);
   return out;
@@ -101,7 +106,7 @@ Diagnosis CaseJudge::diagnosisOf(const Frames& frames, const Progress& progress)
 }
 
 std::vector<std::string> CaseJudge::sameAs(const Frames& frames, const JudgedCase& judged) {
-  const ShownDifference whole = differenceOf(frames, healthy_);
+  const ShownDifference whole = shownBetween(frames, healthy_);
   std::vector<std::string> out;
   for (const std::string& id : judged.named) {
     const std::optional<Fault> fault = tableFault(id);
@@ -109,7 +114,7 @@ std::vector<std::string> CaseJudge::sameAs(const Frames& frames, const JudgedCas
     DoctorCase other = judged.tried;
     other.faults = {*fault};
     other.isHalf = false;
-    if (differenceOf(frames, framesOf(other)).isSmallBeside(whole)) out.push_back(id);
+    if (shownBetween(frames, framesOf(other)).isSmallBeside(whole)) out.push_back(id);
   }
   return out;
 }
@@ -124,7 +129,7 @@ JudgedCase CaseJudge::judge(const PlannedCase& planned, const Progress& progress
   }
   const Frames frames = framesOf(planned.tried);
   const Diagnosis diagnosis = diagnosisOf(frames, progress);
-  out.shows = differenceOf(frames, healthy_).shows();
+  out.shows = shownBetween(frames, healthy_).shows();
   out.isOpen = isOpenIn(diagnosis, planned.tried.faults);
   for (const doctor::Finding& finding : diagnosis.findings) {
     if (isFound(ofHealthy_, finding.id) && !isOneOf(planned.tried.faults, finding.id)) continue;

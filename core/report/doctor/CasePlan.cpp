@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <iterator>
 #include <optional>
+#include <utility>
 
 namespace taa {
 

@@ -61,8 +61,9 @@ DoctorCase caseOf(const std::vector<std::string>& parts, const std::string& plac
   return out;
 }
 
-/// Half of a wrong factor is another one, which has no name of its own.
+/// Half of a wrong factor is another one, and jitter that is half applied is reported twice too large.
 bool saysHalf(const std::string& name, Fault fault) {
+  if (fault == Fault::JitterNotApplied) return name == faultInfo(Fault::JitterDoubled).id;
   return name == "motionScaled" && (fault == Fault::MotionDoubled || fault == Fault::MotionHalved);
 }
 

@@ -48,7 +48,7 @@ std::string listOf(const Cases& judged, const std::function<std::string(const Ju
   return text;
 }
 
-std::string sizeText(const DoctorCase& tried) {
+std::string triedSizeText(const DoctorCase& tried) {
   return std::to_string(tried.sizePx.x) + " × " + std::to_string(tried.sizePx.y);
 }
 
@@ -58,7 +58,7 @@ void addTried(std::ostream& out, const Cases& judged) {
   if (!drawn.empty())
     out << "Scenes: " << listOf(drawn, [](const JudgedCase& one) { return one.tried.source; })
         << ", with cameras " << listOf(drawn, [](const JudgedCase& one) { return one.tried.camera; }) << ", "
-        << sizeText(drawn.front().tried) << ", " << drawn.front().tried.frames << " frames each. ";
+        << triedSizeText(drawn.front().tried) << ", " << drawn.front().tried.frames << " frames each. ";
   if (!captured.empty())
     out << "Captures: " << listOf(captured, [](const JudgedCase& one) { return one.tried.source; }) << ". ";
 }

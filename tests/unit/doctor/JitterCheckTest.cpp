@@ -49,6 +49,12 @@ TEST(JitterCheck, NamesWhatIsStatedAndNothingElse) {
   EXPECT_EQ(of([](const glm::vec2&) { return glm::vec2(0.0f); }), "jitterNotReported");
 }
 
+TEST(JitterCheck, NamesFactorsBetweenByTheirNumber) {
+  const Diagnosis diagnosis = diagnosisOf([](int frame) { return 1.5f * trueJitterAt(frame); });
+  ASSERT_EQ(told(diagnosis), "jitterDoubled");
+  EXPECT_EQ(diagnosis.findings[0].name, "Jitter reported 1.5 times too large");
+}
+
 TEST(JitterCheck, NamesAFrameLateOrEarly) {
   EXPECT_EQ(told(diagnosisOf([](int frame) { return trueJitterAt(frame == 0 ? 7 : frame - 1); })),
             "jitterLate");

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace taa::doctor {
 namespace {
@@ -67,10 +68,39 @@ TEST(JitterSequence, IsFaultyByItsMeanRangeOrPeriodAlone) {
   EXPECT_EQ(sequenceTold(jittersOf(16, [](int f) { return quarter(f % 2 == 0 ? 0 : 3); })), "jitterShort");
 }
 
-TEST(JitterSequence, HasNoMeanInAFewFramesThatDoNotRepeat) {
-  const auto offset = [](int f) { return quarter(f, 0.1f + 0.01f * static_cast<float>(f), {0.25f, 0.125f}); };
-  EXPECT_EQ(sequenceTold(jittersOf(15, offset)), "");
-  EXPECT_EQ(sequenceTold(jittersOf(16, offset)), "jitterMean");
+TEST(JitterSequence, HasItsMiddleBetweenItsExtremes) {
+  const SequenceFacts facts = sequenceFacts(
+      jittersOf(3, [](int f) { return glm::vec2(f == 0 ? -0.25f : 0.5f, 0.125f * static_cast<float>(f)); }));
+  EXPECT_EQ(facts.middlePx, glm::dvec2(0.125, 0.125));
+}
+
+TEST(JitterSequence, OfAFewFramesHasAMeanWhereItsRangeLiesAroundIt) {
+  const auto moved = [](int f) { return quarter(f, 0.1f + 0.01f * static_cast<float>(f), {0.25f, 0.125f}); };
+  EXPECT_EQ(sequenceTold(jittersOf(7, moved)), "");
+  EXPECT_EQ(sequenceTold(jittersOf(8, moved)), "jitterMean");
+}
+
+TEST(JitterSequence, OfAFewFramesIsNotDecidedWhereItsRangeLiesElsewhere) {
+  // One of eight is far to the left: the range is around −0.05, the mean is 0.175 or, of sixteen, the same.
+  const auto lopsided = [](int f) {
+    return glm::vec2(f % 8 == 3 ? -0.4f : 0.25f + 0.001f * static_cast<float>(f), 0.0f);
+  };
+  Diagnosis few;
+  tellSequence(jittersOf(8, lopsided), few);
+  EXPECT_TRUE(few.isHealthy());
+  ASSERT_EQ(few.undecided.size(), 1u);
+  EXPECT_EQ(few.undecided[0].faults, std::vector<Fault>{Fault::JitterMean});
+  EXPECT_EQ(sequenceTold(jittersOf(16, lopsided)), "jitterMean");
+}
+
+// Two places have a mean that is none of the sequence's, were it longer.
+TEST(JitterSequence, OfTwoPlacesIsTooShortAndNothingElse) {
+  const auto two = [](int f) {
+    return f % 2 == 0 ? glm::vec2(0.0f, -1.0f / 6.0f) : glm::vec2(-0.25f, 1.0f / 6.0f);
+  };
+  EXPECT_EQ(sequenceTold(jittersOf(14, two)), "jitterShort");
+  EXPECT_EQ(sequenceTold(jittersOf(14, [&](int f) { return two(f) + glm::vec2(0.375f, 0.125f); })),
+            "jitterShort, jitterMean");
 }
 
 TEST(JitterSequence, IsNoneWhereItIsAlwaysTheSame) {

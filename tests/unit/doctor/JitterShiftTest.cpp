@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <vector>
+
 namespace taa::doctor {
 namespace {
 
@@ -14,7 +17,8 @@ namespace {
 constexpr float kMeasuredTo = 0.04f;
 
 float missOf(const DoctorFrame& before, const DoctorFrame& now) {
-  const auto shift = measureShift({now, before, nullptr});
+  const FrameNeighbors frames{now, before, nullptr};
+  const auto shift = measureShift(shiftSamples(frames).world, frames);
   if (!shift) return 99.0f;
   return glm::distance(*shift, test::paintedFrame({}, now.frame - 1).jitterPx - now.jitterPx);
 }
@@ -41,7 +45,30 @@ TEST(JitterShift, TakesMotionVectorsWhereCamerasAreNotKnown) {
 TEST(JitterShift, IsNotKnownWithoutDetail) {
   DoctorFrame now = test::paintedFrame({}, 3);
   for (float& value : now.luma.pixels) value = 0.5f;
-  EXPECT_FALSE(measureShift({now, test::paintedFrame({}, 2), nullptr}));
+  const DoctorFrame before = test::paintedFrame({}, 2);
+  const FrameNeighbors frames{now, before, nullptr};
+  const ShiftSamples samples = shiftSamples(frames);
+  EXPECT_FALSE(areEnough(samples.world));
+  EXPECT_FALSE(measureShift(samples.world, frames));
+}
+
+TEST(JitterShift, LeavesLeastWherePicturesAreShiftedAsTheyWereDrawn) {
+  const DoctorFrame now = test::paintedFrame({}, 3), before = test::paintedFrame({}, 2);
+  const FrameNeighbors frames{now, before, nullptr};
+  const std::vector<SearchedPixel> samples = shiftSamples(frames).world;
+  const double right = lumaLeft(samples, before.luma, frames.jitterStep());
+  EXPECT_LT(2.0 * right, lumaLeft(samples, before.luma, glm::vec2(0.0f)));
+  EXPECT_LT(2.0 * right, lumaLeft(samples, before.luma, -frames.jitterStep()));
+}
+
+TEST(JitterShift, SamplesTheSkyApart) {
+  const DoctorFrame now = test::paintedFrame({}, 3), before = test::paintedFrame({}, 2);
+  const ShiftSamples samples = shiftSamples({now, before, nullptr});
+  EXPECT_LT(samples.sky.size(), 400u); // it is plain but at the horizon
+  std::size_t sky = 0;
+  for (const float depth : now.depth.pixels) sky += depth == 0.0f ? 1 : 0;
+  EXPECT_NEAR(samples.skyShare, static_cast<double>(sky) / static_cast<double>(now.depth.pixels.size()),
+              1e-9);
 }
 
 } // namespace taa::doctor

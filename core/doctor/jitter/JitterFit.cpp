@@ -1,0 +1,81 @@
+#include "core/doctor/jitter/JitterFit.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace taa::doctor {
+
+namespace {
+
+constexpr int kEnoughFits = 4;
+// Shares of what is left: one that fits better, one that may, and of the sky that rests.
+constexpr double kFittingShare = 0.85, kDoubtShare = 0.98, kRestingShare = 1.0 / 3.0;
+// px from shifts that are measured, and the share of what is stated's distance: a second witness.
+// Where pictures alias, shifts are measured worse.
+constexpr double kFittingPx = 0.15, kAliasedPx = 0.3, kNearerShare = 0.65;
+constexpr double kNearlyAllPairs = 0.8; ///< of the pairs
+constexpr double kAsGoodShare = 1.05;
+
+bool isWon(const TrialFit& fit) {
+  return fit.pairs >= kEnoughFits && fit.won >= kNearlyAllPairs * fit.pairs;
+}
+
+} // namespace
+
+double TrialFit::share() const {
+  if (pairs < kEnoughFits || !(stated > 0.0)) return std::numeric_limits<double>::infinity();
+  return tried / stated;
+}
+
+TrialFit fitOf(const std::vector<TrialLuma>& pairs, std::size_t tried, std::size_t stated) {
+  TrialFit out;
+  for (const TrialLuma& pair : pairs) {
+    // Comparisons are written so that NaN fails them.
+    if (!(pair[tried] < pair[stated]) && !(pair[tried] > pair[stated])) continue;
+    ++out.pairs;
+    out.won += pair[tried] < pair[stated] ? 1 : 0;
+    out.stated += pair[stated];
+    out.tried += pair[tried];
+  }
+  return out;
+}
+
+bool JitterFit::isConfirmed() const {
+  return std::ranges::none_of(trials, [](const TrialFit& fit) { return fit.share() < kDoubtShare; });
+}
+
+bool JitterFit::isContradicted() const {
+  const TrialFit& fit = trials[best];
+  const double miss = missPx[best], statedMiss = missPx.front();
+  const bool isClear = fit.share() <= kFittingShare && isWon(fit) && miss <= kAliasedPx && miss < statedMiss;
+  const bool isNearer = miss <= kFittingPx && miss <= kNearerShare * statedMiss;
+  return isClear || (fit.share() < kDoubtShare && isNearer);
+}
+
+std::vector<std::size_t> JitterFit::rivals() const {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    if (i != best && trials[i].share() <= kAsGoodShare * trials[best].share()) out.push_back(i);
+  return out;
+}
+
+JitterFit jitterFit(const JitterEvidence& evidence, const std::vector<JitterTrial>& trials) {
+  JitterFit out;
+  for (std::size_t trial = 0; trial < trials.size(); ++trial) {
+    out.trials.push_back(fitOf(evidence.world, trial, 0));
+    out.missPx.push_back(shiftResidual(trials[trial], evidence));
+  }
+  const auto best = std::ranges::min_element(out.trials, {}, &TrialFit::share);
+  out.best = static_cast<std::size_t>(best - out.trials.begin());
+  for (const TrialLuma& pair : evidence.world)
+    out.statedLuma += pair.front() / static_cast<double>(evidence.world.size());
+  return out;
+}
+
+std::optional<bool> isSkyResting(const JitterEvidence& evidence, std::size_t trial) {
+  const TrialFit fit = fitOf(evidence.sky, kNotAppliedTrial, trial);
+  if (fit.pairs < kEnoughFits) return {};
+  return fit.share() <= kRestingShare && isWon(fit);
+}
+
+} // namespace taa::doctor

@@ -1,0 +1,93 @@
+// What is concluded from the luma that trials of jitter leave, on numbers whose shares are plain.
+#include "core/doctor/jitter/JitterFit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace taa::doctor {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// As stated, none, and a third one: what the pictures hold is three times what is stated.
+const std::vector<JitterTrial>& threeTrials() {
+  static const std::vector<JitterTrial> kTrials = {
+      {}, {JitterKind::NotApplied}, {JitterKind::Scaled, glm::vec2(3.0f)}};
+  return kTrials;
+}
+
+/// A shift of a quarter of a pixel is stated, of which the third trial makes three; measured is `shiftPx`.
+JitterFit fitOf(const std::vector<TrialLuma>& pairs, float shiftPx) {
+  JitterEvidence evidence;
+  evidence.world = pairs;
+  evidence.stated = {{0, glm::vec2(0.25f, 0.0f)}, {1, glm::vec2(0.0f)}};
+  evidence.shifts = {{1, {shiftPx, 0.0f}}};
+  return jitterFit(evidence, threeTrials());
+}
+
+JitterFit fitOfEight(const TrialLuma& each, float shiftPx = 0.5625f) {
+  return fitOf(std::vector<TrialLuma>(8, each), shiftPx);
+}
+
+} // namespace
+
+TEST(JitterFit, CountsPairsInWhichATrialShiftsOtherwise) {
+  // Of three pairs the first has no such trial, and in the second both shift alike.
+  const TrialFit fit = fitOf({{1.0, kUnknown}, {1.0, 1.0}, {1.0, 0.25}}, 1, 0);
+  EXPECT_EQ(fit.pairs, 1);
+  EXPECT_EQ(fit.won, 1);
+  EXPECT_EQ(fit.stated, 1.0);
+  EXPECT_EQ(fit.tried, 0.25);
+  EXPECT_TRUE(std::isinf(fit.share())); // too few
+}
+
+TEST(JitterFit, ConfirmsWhatIsStatedWhereNothingFitsBetter) {
+  EXPECT_TRUE(fitOfEight({1.0, 1.5, 2.0}).isConfirmed());
+  EXPECT_FALSE(fitOfEight({1.0, 1.5, 2.0}).isContradicted());
+  EXPECT_FALSE(fitOfEight({1.0, 1.5, 0.9}).isConfirmed());
+  EXPECT_FALSE(fitOfEight({1.0, 1.5, 0.9}).isContradicted()); // nor is anything clear
+}
+
+TEST(JitterFit, ContradictsWhatIsStatedWhereMeasuredShiftsSayTheSame) {
+  const JitterFit fit = fitOfEight({1.0, 1.5, 0.9}, 0.75f);
+  EXPECT_EQ(fit.missPx, (std::vector<double>{0.5, 0.75, 0.0}));
+  EXPECT_TRUE(fit.isContradicted());
+  EXPECT_FALSE(fitOfEight({1.0, 1.5, 0.99}, 0.75f).isContradicted());
+}
+
+TEST(JitterFit, ContradictsWhatIsStatedWhereATrialFitsBetterInNearlyAllPairs) {
+  const JitterFit fit = fitOfEight({1.0, 0.8, 0.4});
+  EXPECT_TRUE(fit.isContradicted());
+  EXPECT_EQ(fit.best, 2u);
+  EXPECT_EQ(fit.statedLuma, 1.0);
+  EXPECT_TRUE(fit.rivals().empty());
+  // In two of eight it does not, though it leaves less in all of them together.
+  std::vector<TrialLuma> pairs(8, {1.0, 2.0, 0.25});
+  pairs[0][2] = pairs[1][2] = 1.5;
+  EXPECT_FALSE(fitOf(pairs, 0.5625f).isContradicted());
+}
+
+TEST(JitterFit, ContradictsNothingWithoutShiftsThatAgree) {
+  EXPECT_FALSE(fitOfEight({1.0, 0.8, 0.4}, 0.25f).isContradicted()); // as stated
+  EXPECT_FALSE(fitOfEight({1.0, 0.8, 0.4}, 1.25f).isContradicted()); // as neither
+}
+
+TEST(JitterFit, HasRivalsThatLeaveHardlyMore) {
+  EXPECT_EQ(fitOfEight({1.0, 0.41, 0.4}).rivals(), std::vector<std::size_t>{1});
+}
+
+TEST(JitterFit, TellsASkyThatRests) {
+  JitterEvidence evidence;
+  EXPECT_FALSE(isSkyResting(evidence, 0));
+  evidence.sky.assign(8, {1.0, 0.25, 2.0});
+  EXPECT_EQ(isSkyResting(evidence, 0), true);
+  evidence.sky.assign(8, {1.0, 0.5, 2.0});
+  EXPECT_EQ(isSkyResting(evidence, 0), false);
+  EXPECT_EQ(isSkyResting(evidence, 2), true); // beside what the third trial makes of it
+}
+
+} // namespace taa::doctor

@@ -1,0 +1,60 @@
+// A sky that is drawn without jitter is told, in painted frames whose world has it.
+#include "core/doctor/jitter/JitterSky.h"
+
+#include "tests/support/doctor/PaintedFrames.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace taa::doctor {
+namespace {
+
+constexpr int kFrames = 8;
+constexpr double kDown = 4.0; // px a frame: the sky grows
+
+/// Clouds in the painted sky, which move with the camera and with a share of the jitter.
+void paintClouds(DoctorFrame& frame, float jittered) {
+  const glm::vec2 moved = static_cast<float>(frame.frame) * glm::vec2(0.0f, static_cast<float>(kDown));
+  for (int y = 0; y < frame.luma.height; ++y)
+    for (int x = 0; x < frame.luma.width; ++x) {
+      if (*frame.depth.at(x, y) > 0.0f) continue;
+      const glm::vec2 place = glm::vec2(x, y) + 0.5f - moved - jittered * frame.jitterPx;
+      frame.luma.pixels[static_cast<std::size_t>(y) * frame.luma.width + x] =
+          0.5f + 0.15f * std::sin(0.9f * place.x + 0.35f * place.y) +
+          0.15f * std::sin(0.8f * place.y - 0.5f * place.x);
+    }
+}
+
+Diagnosis diagnosisOf(const test::FrameFault& fault) {
+  test::PaintedShot shot;
+  shot.cameraPx = {0.0, kDown};
+  return examine(test::paintedExamination(shot, kFrames, fault));
+}
+
+} // namespace
+
+TEST(JitterSky, IsHealthyWhereItShiftsWithTheWorld) {
+  const Diagnosis diagnosis = diagnosisOf([](DoctorFrame& frame) { paintClouds(frame, 1.0f); });
+  EXPECT_TRUE(diagnosis.isHealthy()) << diagnosis.findings[0].id;
+}
+
+TEST(JitterSky, IsToldWhereItRests) {
+  const Diagnosis diagnosis = diagnosisOf([](DoctorFrame& frame) { paintClouds(frame, 0.0f); });
+  ASSERT_FALSE(diagnosis.findings.empty());
+  EXPECT_EQ(diagnosis.findings[0].id, "skyNotJittered");
+  ASSERT_EQ(diagnosis.findings[0].regions.size(), 1u);
+  EXPECT_EQ(diagnosis.findings[0].regions[0].name, "the sky");
+}
+
+TEST(JitterSky, WithoutDetailIsNotDecided) {
+  const Diagnosis diagnosis = diagnosisOf([](DoctorFrame&) {});
+  ASSERT_TRUE(diagnosis.isHealthy()) << diagnosis.findings[0].id;
+  bool isOpen = false;
+  for (const Undecided& open : diagnosis.undecided) isOpen = isOpen || open.question == "Jitter of the sky";
+  EXPECT_TRUE(isOpen);
+}
+
+} // namespace taa::doctor
