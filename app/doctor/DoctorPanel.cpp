@@ -26,7 +26,7 @@ namespace taa::app {
 DoctorPanel::DoctorPanel(QWidget* parent) : QWidget(parent), pages_(new QStackedWidget), empty_(new QLabel) {
   empty_->setWordWrap(true);
   empty_->setAlignment(Qt::AlignCenter);
-  empty_->setMargin(8 * kUnit);
+  empty_->setMargin(2 * kUnit);
   empty_->setForegroundRole(QPalette::PlaceholderText);
   empty_->setText(
       tr("The doctor measures, region by region, whether jitter, depth and motion vectors fit the "

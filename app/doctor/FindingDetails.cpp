@@ -39,6 +39,7 @@ QScrollArea* scrollingArea(QWidget* content, const QString& name) {
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area->setFocusPolicy(Qt::TabFocus); // arrow keys scroll it
   area->setAccessibleName(name);
+  area->setMinimumHeight(2 * kRowHeight);
   area->setWidget(content);
   area->viewport()->setAutoFillBackground(false);
   content->setAutoFillBackground(false);
@@ -79,7 +80,7 @@ QWidget* FindingDetails::makeWords() {
   column->addLayout(grid);
   column->addStretch(1);
   words_ = scrollingArea(content, tr("What is said of the chosen line"));
-  go_ = new QPushButton;
+  go_ = new QPushButton(tr("Go to the frame"));
   go_->setAutoDefault(false);
   go_->setToolTip(tr("Goes to the frame and shows the plane that is wrong in the active view (Enter)"));
   connect(go_, &QPushButton::clicked, this, &FindingDetails::placeRequested);

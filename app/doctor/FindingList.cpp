@@ -28,6 +28,7 @@ FindingList::FindingList(QWidget* parent) : QTreeWidget(parent) {
   setAccessibleName(tr("What the doctor says"));
   setHeaderLabels({tr("Finding"), tr("Where"), tr("How sure")});
   setUniformRowHeights(true);
+  setMinimumHeight(3 * kRowHeight);
   setIndentation(4 * kUnit);
   setAllColumnsShowFocus(true);
   header()->setStretchLastSection(false);
