@@ -99,7 +99,7 @@ void ViewMenu::addLowerPages(LowerArea& lower) {
                            {LowerPage::Jitter, tr("Jitter pattern"), "F7"},
                            {LowerPage::Weights, tr("Weights and effective samples"), "Shift+F7"},
                            {LowerPage::Lineage, tr("Samples that the probed pixel is made of"), "Ctrl+F7"},
-                           {LowerPage::Doctor, tr("Doctor: what is wrong with the frames"), "F12"}};
+                           {LowerPage::Doctor, tr("Doctor: what is wrong with the frames"), "Ctrl+F12"}};
   for (const Entry& entry : entries) {
     QAction* action =
         addCheck(entry.text, QKeySequence(QLatin1String(entry.key)), [&lower, page = entry.page](bool on) {

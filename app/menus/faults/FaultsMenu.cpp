@@ -68,7 +68,7 @@ FaultsMenu::FaultsMenu(Commands& commands, Session& session, LowerArea& lower, D
 }
 
 void FaultsMenu::addExamine(LowerArea& lower, DoctorCommands& doctor) {
-  QAction* examine = add(tr("&Examine the frames"), keys({"Shift+F12"}), [&lower, &doctor] {
+  QAction* examine = add(tr("&Examine the frames"), keys({"Ctrl+Shift+F12"}), [&lower, &doctor] {
     lower.setShown(LowerPage::Doctor, true);
     doctor.examine();
   });

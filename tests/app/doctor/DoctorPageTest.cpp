@@ -83,7 +83,7 @@ class DoctorPageTest : public FakeWindow {
       while (script->isHeld) report(progress, "Examining frames", 8, 32);
       return script->all;
     });
-    key(Qt::Key_F12);
+    key(Qt::Key_F12, Qt::ControlModifier);
   }
   DoctorPanel* panel() const { return window.doctor(); }
   QPushButton* button(const QString& text) const {
@@ -124,7 +124,7 @@ TEST_F(DoctorPageTest, SaysWhatItWillLookAtBeforeAnythingIsKnown) {
   panel()->setFrames(5, 5);
   EXPECT_EQ(panel()->note(), "At least two frames are examined: each is compared with the one before it.");
   EXPECT_FALSE(button("Examine")->isEnabled());
-  key(Qt::Key_F12);
+  key(Qt::Key_F12, Qt::ControlModifier);
   EXPECT_FALSE(panel()->isVisible());
 }
 
@@ -142,8 +142,8 @@ TEST_F(DoctorPageTest, ExaminesTheFramesThatAreChosenWithThePresentSettings) {
 }
 
 TEST_F(DoctorPageTest, AKeyOpensThePageAndBegins) {
-  key(Qt::Key_F12);
-  key(Qt::Key_F12, Qt::ShiftModifier);
+  key(Qt::Key_F12, Qt::ControlModifier);
+  key(Qt::Key_F12, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_TRUE(panel()->isVisible());
   ASSERT_TRUE(waitFor([&] { return panel()->isComplete(); }));
 }
@@ -195,7 +195,7 @@ TEST_F(DoctorPageTest, EnterGoesToFrameAndPlaneAndOutlinesTheRegion) {
   QTest::mouseClick(panel()->details()->goButton(), Qt::LeftButton);
   settle();
   EXPECT_EQ(renderer->status.info.frame, 12);
-  key(Qt::Key_F12);
+  key(Qt::Key_F12, Qt::ControlModifier);
   EXPECT_TRUE(outlines().empty()) << "nobody looks";
 }
 
