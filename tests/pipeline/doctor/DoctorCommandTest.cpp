@@ -55,14 +55,14 @@ TEST_F(BatchDoctor, EndsWithThreeWhereSomethingIs) {
 TEST_F(BatchDoctor, IsTriedOnCasesThatTheFileDoesNotHold) {
   const std::filesystem::path file = taa::test::temporaryFolder() / "judged.csv";
   const std::vector<std::string> command = {
-      "confusions",     file.string(), "--scenes",       "gallery", "--cameras", "orbit",    "--faults",
-      "motionNegatedX", "--kinds",     "healthy,single", "--size",  "192x108",   "--frames", "6"};
+      "confusions",    file.string(), "--scenes",       "gallery", "--cameras", "orbit",    "--faults",
+      "motionShifted", "--kinds",     "healthy,single", "--size",  "192x108",   "--frames", "6"};
   const ProcessResult result = batch(command);
   ASSERT_EQ(result.exitCode, 0) << result.out << result.err;
   EXPECT_EQ(taa::readFile(file),
             "source,camera,size,frames,faults,strength,shows,named,same,open\n"
             "builtin:gallery,orbit,192x108,6,,full,no,,,no\n"
-            "builtin:gallery,orbit,192x108,6,motionNegatedX,full,yes,motionNegatedX,,yes\n");
+            "builtin:gallery,orbit,192x108,6,motionShifted,full,yes,motionShifted,,yes\n");
   EXPECT_EQ(batch(command).out, "2 cases, 2 there already\n");
 }
 
