@@ -8,6 +8,8 @@
 #include "core/doctor/motion/MotionEvidence.h"
 #include "core/doctor/motion/MotionFindings.h"
 #include "core/doctor/motion/MotionRims.h"
+#include "core/doctor/resolve/ResolveEvidence.h"
+#include "core/doctor/resolve/ResolveFindings.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -23,8 +25,9 @@ namespace {
 /// What is gathered while frames go by, once.
 class Examiner {
  public:
-  Examiner(const Examination& examination, const Patient& patient, const Progress& progress)
-      : examination_(examination), patient_(patient), progress_(progress) {}
+  Examiner(const Examination& examination, const Patient& patient, const Progress& progress,
+           bool looksAtOutput)
+      : examination_(examination), patient_(patient), progress_(progress), looksAtOutput_(looksAtOutput) {}
 
   /// `out`: counts frames and pairs. `firstSeen`: called after kFirstLook frames, where more follow.
   void look(const FrameReader& read, Diagnosis& out, const std::function<void()>& firstSeen = {}) {
@@ -50,6 +53,7 @@ class Examiner {
     const double pixels = static_cast<double>(patient_.sizePx.x) * patient_.sizePx.y;
     return placeOf(*sky, patient_, pixels * out.frames);
   }
+  const ResolveEvidence& resolve() const { return resolve_; }
   void tellMotion(Diagnosis& out) const { doctor::tellMotion(motion_, tracker_.regions(), patient_, out); }
 
  private:
@@ -61,6 +65,7 @@ class Examiner {
   void add(const DoctorFrame* before, const DoctorFrame& now, const DoctorFrame* after, Diagnosis& out) {
     ++out.frames;
     rims_.add(now);
+    if (looksAtOutput_) resolve_.add(now, before);
     const std::vector<RegionIndex> labels = tracker_.label(now);
     const std::vector<RegionIndex> labelsBefore = std::exchange(labels_, labels);
     jitter_.stated[now.frame] = now.jitterPx;
@@ -81,6 +86,8 @@ class Examiner {
   JitterEvidence jitter_;
   DepthEvidence depth_;
   RimEvidence rims_;
+  ResolveEvidence resolve_;
+  bool looksAtOutput_;
 };
 
 /// Frames with the jitter that their pictures hold. A frame whose own jitter, or that of the one before, is
@@ -172,19 +179,20 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
   const Patient patient = sizedPatient(examination);
   Diagnosis out;
   out.sizePx = patient.sizePx;
-  Examiner first(examination, patient, progress);
+  Examiner first(examination, patient, progress, examination.known.output);
   first.look(examination.read, out, [&] {
     if (!told) return;
     Diagnosis early = out;
     tellSeen(first, examination, patient, early);
     told(early);
   });
-  const JitterMender mender = tellSeen(first, examination, patient, out);
-  if (!mender) return out;
-  // Wrong jitter makes motion look wrong: it is looked at again with the jitter that pictures hold.
-  Examiner second(examination, patient, progress);
-  second.look(mendedReader(examination, mender), out);
-  tellPlanes(second, examination, out);
+  if (const JitterMender mender = tellSeen(first, examination, patient, out)) {
+    // Wrong jitter makes motion look wrong: it is looked at again with the jitter that pictures hold.
+    Examiner second(examination, patient, progress, false);
+    second.look(mendedReader(examination, mender), out);
+    tellPlanes(second, examination, out);
+  }
+  if (examination.known.output) tellResolve(first.resolve(), out.findings.empty(), out);
   return out;
 }
 

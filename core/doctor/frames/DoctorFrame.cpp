@@ -1,6 +1,7 @@
 #include "core/doctor/frames/DoctorFrame.h"
 
 #include "core/capture/import/FrameSamples.h"
+#include "core/doctor/frames/EngineOutput.h"
 #include "core/taa/twin/stages/SampleStages.h"
 
 #include <glm/mat4x4.hpp>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace taa::doctor {
 
@@ -32,14 +34,21 @@ bool isMotion(const glm::vec2& motionPx) {
   return std::abs(motionPx.x) < kNoPreviousPosition && std::abs(motionPx.y) < kNoPreviousPosition;
 }
 
-DoctorFrame readFrame(FrameSource& source, const FrameRequest& request, const KnownPlanes& known, int frame) {
+DoctorFrame readFrame(FrameSource& source, const FrameRequest& request, const KnownPlanes& known, int frame,
+                      EngineOutput* output) {
   FrameInputs drawn;
   source.draw(request, frame, drawn);
   DoctorFrame out;
   out.frame = frame;
   out.startsHistory = drawn.info.startsHistory;
   out.jitterPx = drawn.info.jitterPx;
-  out.luma = capture::comparedLuma(drawn.color.download());
+  Image color = drawn.color.download();
+  out.luma = capture::comparedLuma(color);
+  if (output) {
+    out.output = output->read(source, request, drawn, frame);
+    out.color = std::move(color);
+    out.depthTerms = drawn.block.depthTerms;
+  }
   if (known.motion) out.motionPx = drawn.motion.download();
   if (known.depth) {
     out.depth = drawn.depth.download();

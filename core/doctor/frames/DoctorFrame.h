@@ -7,6 +7,7 @@
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -20,6 +21,7 @@ struct KnownPlanes {
   bool motion = true, depth = true, ids = true;
   bool camera = true;        ///< matrices of all frames
   bool depthJittered = true; ///< depth was drawn with the jitter of its frame
+  bool output = false;       ///< what a TAA made of the frames
 };
 
 /// Row 0 is the top. All planes have the size of what was drawn; those that are not known are empty.
@@ -38,6 +40,9 @@ struct DoctorFrame {
   glm::vec2 depthJitterPx{0.0f};                 ///< displacement of what depth shows
   /// View depth as stated over that by the matrices, which is 1; 0: one of them is not known.
   float distanceFactor = 0.0f;
+  Image color;  ///< three channels or more, scene-linear; empty: it is not looked at
+  Image output; ///< what a TAA made of the frame, likewise; as large as the picture, which may be larger
+  glm::vec4 depthTerms{0.0f}; ///< (P33, P32, P23, P22) of the projection
 
   glm::ivec2 sizePx() const { return {luma.width, luma.height}; }
   glm::vec2 motionAt(int x, int y) const { return {motionPx.at(x, y)[0], motionPx.at(x, y)[1]}; }
@@ -46,8 +51,12 @@ struct DoctorFrame {
 /// Frame n; a function of n alone. Throws Error.
 using FrameReader = std::function<DoctorFrame(int frame)>;
 
-/// Draws and downloads a frame. Needs the current context. Throws Error.
-DoctorFrame readFrame(FrameSource& source, const FrameRequest& request, const KnownPlanes& known, int frame);
+class EngineOutput;
+
+/// Draws and downloads a frame. `output`: null: what a TAA makes of it is not looked at. Needs the current
+/// context. Throws Error.
+DoctorFrame readFrame(FrameSource& source, const FrameRequest& request, const KnownPlanes& known, int frame,
+                      EngineOutput* output = nullptr);
 
 /// Whether a motion is one: not the mark of no previous position, not NaN.
 bool isMotion(const glm::vec2& motionPx);

@@ -9,7 +9,9 @@
 #include "core/render/faults/FaultySource.h"
 #include "core/scene/SceneOutline.h"
 #include "core/scene/SceneSource.h"
+#include "core/settings/Faults.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -17,6 +19,18 @@
 namespace taa::doctor {
 
 namespace {
+
+bool hasResolveFault(const Settings& settings) {
+  return std::ranges::any_of(faultTable(), [&](const FaultInfo& info) {
+    return info.part == FaultPart::Resolve && isInjected(info.fault, settings);
+  });
+}
+
+/// Cuts are stated as they are, whatever the resolve does there.
+FaultSettings statedFaults(FaultSettings faults) {
+  faults.keepsAtCuts = Switch::Off;
+  return faults;
+}
 
 DoctorSource openCaptureForDoctor(const SourceRequest& request, const Progress& progress) {
   const auto opened = capture::openCapture(request.source, progress);
@@ -76,17 +90,22 @@ void drawWith(const Settings& settings, DoctorSource& source) {
   const Settings used = facts ? settingsOn(*facts, settings) : settings;
   source.request.jitter = used.jitter;
   source.request.inputs = used.inputs;
-  source.request.faults = used.fault;
+  source.request.faults = statedFaults(used.fault);
+  if (!facts || hasResolveFault(used))
+    source.output = std::make_shared<OwnOutput>(used);
+  else
+    source.output = facts->hasOutput ? std::make_shared<CapturedOutput>() : nullptr;
+  source.known.output = source.output != nullptr;
   // What is blended over a surface, and what changes without motion, is no witness of it.
   if (!facts) source.request.inputs.mask = MaskSource::Opacity;
 }
 
 FrameReader readerOf(const DoctorSource& source) {
-  return [frames = source.frames, request = source.request, known = source.known,
+  return [frames = source.frames, output = source.output, request = source.request, known = source.known,
           count = source.frameCount](int frame) {
     if (frame < 0 || frame >= count)
       throw Error(say<"there is no frame %1: there are %2, from 0">(frame, count));
-    return readFrame(*frames, request, known, frame);
+    return readFrame(*frames, request, known, frame, output.get());
   };
 }
 

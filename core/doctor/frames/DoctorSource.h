@@ -4,6 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/capture/format/Conventions.h"
 #include "core/doctor/frames/DoctorFrame.h"
+#include "core/doctor/frames/EngineOutput.h"
 #include "core/scene/ShotChoice.h"
 #include "core/settings/Settings.h"
 
@@ -22,12 +23,14 @@ struct SourceRequest {
   std::string source;          ///< "builtin:NAME", a glTF file, a capture
   std::string camera;          ///< empty: the scene's own
   glm::ivec2 sizePx{640, 360}; ///< of the picture
-  Settings settings;           ///< its jitter, inputs and faults
-  ShotChoice choice{};         ///< of a scene: its animation and length
+  /// Of a scene all of them; of a capture its own output counts, unless a fault of the resolve is set.
+  Settings settings;
+  ShotChoice choice{}; ///< of a scene: its animation and length
 };
 
 struct DoctorSource {
-  std::shared_ptr<FrameSource> frames; // also owned by who reads them
+  std::shared_ptr<FrameSource> frames;  // also owned by who reads them
+  std::shared_ptr<EngineOutput> output; // also owned by who reads them; null: there is none
   FrameRequest request;
   KnownPlanes known;
   int frameCount = 0;

@@ -1,0 +1,323 @@
+#include "core/doctor/resolve/ResolveFindings.h"
+
+#include "core/base/Say.h"
+#include "core/doctor/NumberText.h"
+#include "core/settings/Faults.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace taa::doctor {
+
+namespace {
+
+constexpr std::size_t kEnoughPixels = 150, kEnoughApart = 60;
+/// A mistake is told where it leaves at most so much of what the best sound model leaves, and so much less.
+constexpr double kMistakeShare = 0.5, kMistakeLess = 8e-4;
+/// Likewise where hardly anything is left, which rounding alone leaves.
+constexpr double kExactShare = 0.1, kExactLess = 1e-4;
+constexpr double kPairsWon = 0.8;
+/// Of differences: a model fits exactly; it is what the engine does, more or less; it is near enough that
+/// what fits better may be named.
+constexpr double kExact = 1e-3, kAlike = 6e-3, kNear = 0.012;
+constexpr std::size_t kOwnRule = 0;
+constexpr std::size_t kNothingNew = 1, kAllNew = kTriedAlphas.size(); ///< indices of α 0 and 1
+constexpr double kPer1000 = 1000.0;
+
+const ResolveModel& modelOf(const ResolveFit& fit) {
+  return resolveModels()[fit.model];
+}
+
+std::string alphaText(std::size_t alpha) {
+  if (alpha == kOwnRule) return say<"by its own rule">();
+  return shortNumber(static_cast<double>(kTriedAlphas[alpha - 1]));
+}
+
+std::string measureText() {
+  return say<"difference of color from the output, × 1000">();
+}
+
+/// Least errors of all kinds over a set, those of what is given first.
+std::vector<Residual> residualsOf(const ResolveEvidence& evidence, PixelSet set, ResolveKind told) {
+  std::vector<Residual> out;
+  for (std::size_t k = 0; k < kResolveKinds; ++k) {
+    const auto kind = static_cast<ResolveKind>(k);
+    if (kind != ResolveKind::Sound && setOf(kind) != set) continue;
+    if (const auto fit = evidence.best(kind, set))
+      out.push_back({resolveKindId(kind), resolveKindText(kind), kPer1000 * fit->error,
+                     kind == ResolveKind::Sound, kind == told});
+  }
+  std::ranges::stable_sort(out, {}, &Residual::value);
+  return out;
+}
+
+/// The share of pairs of frames in which a fit is nearer than another.
+double pairsWon(const ResolveEvidence& evidence, const ResolveFit& fit, const ResolveFit& other) {
+  const auto& ours = evidence.models()[fit.model].pairs;
+  const auto& theirs = evidence.models()[other.model].pairs;
+  const std::size_t count = std::min(ours.size(), theirs.size());
+  std::size_t won = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    // Pairs of the end are the same: some models are tried from the third on.
+    if (ours[ours.size() - 1 - i].mean(fit.alpha) < theirs[theirs.size() - 1 - i].mean(other.alpha)) ++won;
+  return count == 0 ? 0.0 : static_cast<double>(won) / static_cast<double>(count);
+}
+
+bool isMuchBetter(double error, double than) {
+  return (error <= kMistakeShare * than && than - error >= kMistakeLess) ||
+         (error <= kExactShare * than && than - error >= kExactLess);
+}
+
+struct ResolveWords {
+  std::optional<Fault> fault;
+  std::string id, name, symptom, change;
+};
+
+ResolveWords wordsOf(ResolveKind kind) {
+  switch (kind) {
+  case ResolveKind::Sound:
+    break;
+  case ResolveKind::ReadJittered:
+    return {Fault::HistoryReadJittered, "", "", "",
+            say<"Read history at the pixel's center − motion: neither the last frame's jitter nor this one's "
+                "belongs into that place, as history holds what lies at the centers.">()};
+  case ResolveKind::NotSwapped:
+    return {Fault::HistoryNotSwapped, "", "", "",
+            say<"Exchange the two textures of the history after each frame: what is read has to be what the "
+                "frame before wrote.">()};
+  case ResolveKind::InPlace:
+    return {{},
+            "historyInPlace",
+            say<"History is not reprojected">(),
+            say<"Everything that moves smears, though its motion vectors are right.">(),
+            say<"Read history at p − motion, in pixels: the resolve does not use the motion vectors, or uses "
+                "them in another unit.">()};
+  case ResolveKind::Opposite:
+    return {{},
+            "historyOpposite",
+            say<"History is read in the wrong direction">(),
+            say<"Ghosts grow with speed, before what moves.">(),
+            say<"Subtract motion from the pixel's place where it is current − previous; the resolve adds "
+                "it.">()};
+  case ResolveKind::BoxOfCorners:
+    return {
+        Fault::BoxOfCorners, "", "", "",
+        say<"Convert all samples to the space of the box, then take their least and greatest: two converted "
+            "corners are no box there.">()};
+  case ResolveKind::Farthest:
+    return {Fault::DilatesFarthest, "", "", "",
+            say<"Take the motion of the nearest of the pixels around: of reversed depth that is the "
+                "greatest.">()};
+  case ResolveKind::OffScreenKept:
+    return {Fault::OffScreenClamped, "", "", "",
+            say<"Take the current frame alone where history lies beyond the picture.">()};
+  }
+  return {};
+}
+
+Finding resolveFinding(const ResolveWords& words) {
+  Finding out = words.fault ? faultFinding(*words.fault) : Finding{};
+  if (!words.fault) {
+    out.id = words.id;
+    out.name = words.name;
+    out.symptom = words.symptom;
+  }
+  out.isWholePicture = true;
+  out.change = words.change;
+  return out;
+}
+
+std::string nearestText(const ResolveFit& fit) {
+  return say<"Nearest is the preset \"%1\" of this program with α %2, to %3 thousandths.">(
+      modelOf(fit).preset->id, alphaText(fit.alpha), shortNumber(kPer1000 * fit.error));
+}
+
+/// The kind that explains a set much better than any sound model, in nearly all pairs.
+std::optional<ResolveFit> mistakeOf(const ResolveEvidence& evidence, PixelSet set) {
+  const auto sound = evidence.best(ResolveKind::Sound, set);
+  std::optional<ResolveFit> best;
+  for (std::size_t k = 0; k < kResolveKinds && sound; ++k) {
+    const auto kind = static_cast<ResolveKind>(k);
+    if (kind == ResolveKind::Sound || setOf(kind) != set) continue;
+    const auto fit = evidence.best(kind, set);
+    if (fit && (!best || fit->error < best->error)) best = fit;
+  }
+  if (!best || best->error > kNear || !isMuchBetter(best->error, sound->error)) return {};
+  return best;
+}
+
+void tellMistake(const ResolveEvidence& evidence, const ResolveFit& fit, Diagnosis& out) {
+  const ResolveKind kind = modelOf(fit).kind;
+  Finding finding = resolveFinding(wordsOf(kind));
+  const auto sound = evidence.best(ResolveKind::Sound, setOf(kind));
+  finding.reason =
+      say<"The output differs by %1 thousandths from what frames and history make if %2, and by "
+          "%3 if %4.">(shortNumber(kPer1000 * fit.error), resolveKindText(kind),
+                       shortNumber(kPer1000 * sound->error), resolveKindText(ResolveKind::Sound)) +
+      " " + nearestText(fit);
+  finding.measure = measureText();
+  finding.residuals = residualsOf(evidence, setOf(kind), kind);
+  finding.sureness = fit.error <= kAlike ? Sureness::Sure : Sureness::Likely;
+  out.findings.push_back(std::move(finding));
+}
+
+/// Least errors of sound models by α.
+std::vector<Residual> residualsByAlpha(const ResolveEvidence& evidence, std::size_t told) {
+  std::vector<Residual> out;
+  for (std::size_t alpha = 0; alpha <= kTriedAlphas.size(); ++alpha)
+    if (const auto fit = evidence.bestWith(ResolveKind::Sound, PixelSet::Anywhere, alpha))
+      out.push_back({alpha == kOwnRule ? std::string("ownRule") : "alpha:" + alphaText(alpha),
+                     "α " + alphaText(alpha), kPer1000 * fit->error, false, alpha == told});
+  std::ranges::stable_sort(out, {}, &Residual::value);
+  return out;
+}
+
+/// The least error of any α that is neither 0 nor 1.
+double leastOfOthers(const ResolveEvidence& evidence) {
+  double least = 1.0;
+  for (std::size_t alpha = 0; alpha <= kTriedAlphas.size(); ++alpha) {
+    if (alpha == kNothingNew || alpha == kAllNew) continue;
+    if (const auto fit = evidence.bestWith(ResolveKind::Sound, PixelSet::Anywhere, alpha))
+      least = std::min(least, fit->error);
+  }
+  return least;
+}
+
+/// Whether α is stuck at 0 or 1, and the finding of it.
+bool tellStuckAlpha(const ResolveEvidence& evidence, Diagnosis& out) {
+  const double others = leastOfOthers(evidence);
+  for (const std::size_t alpha : {kAllNew, kNothingNew}) {
+    const auto fit = evidence.bestWith(ResolveKind::Sound, PixelSet::Anywhere, alpha);
+    if (!fit || fit->error > kAlike || !isMuchBetter(fit->error, others)) continue;
+    if (alpha == kAllNew && !evidence.isJittered()) {
+      out.notes.push_back(
+          say<"The output is the frame itself: nothing accumulates, and nothing is jittered.">());
+      return true;
+    }
+    Finding finding = resolveFinding(
+        {alpha == kAllNew ? Fault::AlphaOne : Fault::AlphaZero, "", "", "",
+         alpha == kAllNew
+             ? say<"Mix a part of the history in: the weight of the current frame is 1 everywhere. Without "
+                   "that, "
+                   "turn the jitter off.">()
+             : say<"Mix a part of the current frame in: its weight is 0 wherever history is kept.">()});
+    finding.reason = say<"The output differs by %1 thousandths from what a weight of the current frame of %2 "
+                         "makes, and by %3 from the nearest that any other makes.">(
+        shortNumber(kPer1000 * fit->error), alphaText(alpha), shortNumber(kPer1000 * others));
+    finding.measure = measureText();
+    finding.residuals = residualsByAlpha(evidence, alpha);
+    out.findings.push_back(std::move(finding));
+    return true;
+  }
+  return false;
+}
+
+/// Whether histories go on where the frames say that they start anew, by the models that fit elsewhere.
+void tellCuts(const ResolveEvidence& evidence, const ResolveFit& sound, Diagnosis& out) {
+  const AlphaErrors* nearest = nullptr;
+  std::size_t alpha = kOwnRule;
+  double reset = 1.0;
+  for (const ModelEvidence& model : evidence.models()) {
+    if (model.cuts.pixels < kEnoughApart || !model.isTried) continue;
+    reset = std::min(reset, model.cuts.mean(kAllNew));
+    for (const std::size_t tried : {kOwnRule, sound.alpha}) {
+      if (tried == kAllNew || (nearest && model.cuts.mean(tried) >= nearest->mean(alpha))) continue;
+      nearest = &model.cuts;
+      alpha = tried;
+    }
+  }
+  if (!nearest || nearest->mean(alpha) > kNear || !isMuchBetter(nearest->mean(alpha), reset)) return;
+  Finding finding = resolveFinding({Fault::NoResetAtCut, "", "", "",
+                                    say<"Take the current frame alone in the first frame after a cut: pass "
+                                        "the flag that resets history.">()});
+  finding.reason = say<"Where frames say that history starts anew the output differs by %1 thousandths from "
+                       "what goes on with the old one, and by %2 from the current frame.">(
+      shortNumber(kPer1000 * nearest->mean(alpha)), shortNumber(kPer1000 * reset));
+  finding.measure = measureText();
+  finding.residuals = {{"goesOn", say<"history goes on">(), kPer1000 * nearest->mean(alpha), false, true},
+                       {"reset", say<"history starts anew">(), kPer1000 * reset, true, false}};
+  out.findings.push_back(std::move(finding));
+}
+
+void tellValues(const OutputValues& values, Diagnosis& out) {
+  if (values.keepsNan()) {
+    Finding finding = resolveFinding(
+        {Fault::NanKept, "", "", "",
+         say<"Replace what is no number, both in the current frame and in the history that is read, and find "
+             "what makes it: it came up first in frame %1.">(values.firstFrame)});
+    finding.reason = say<"In %1 of %2 frames pixels of the output are no number though the frame's colors "
+                         "around them are; in frame %3 there are %4, one of them at (%5, %6).">(
+        values.spoiledFrames, values.frames, values.mostFrame, values.most, values.mostPixel.x,
+        values.mostPixel.y);
+    out.findings.push_back(std::move(finding));
+  }
+  if (!values.isOfFewBits()) return;
+  Finding finding = resolveFinding(
+      {Fault::LowPrecision, "", "", "",
+       say<"Keep history in 16 bits a channel: in 8 bits a part of a step that is to be added is lost each "
+           "frame.">()});
+  finding.reason =
+      say<"All of %1 values of the output are whole numbers of 1/255, and %2 of %3 values of the "
+          "frames' colors are.">(values.values, values.colorInSteps, values.colorValues);
+  if (values.resting > 0)
+    finding.reason +=
+        " " + say<"Of %1 values at rest that the frame wants otherwise by one to three steps %2 "
+                  "stay as they are.">(values.resting, values.stuck);
+  finding.sureness =
+      values.resting > 0 && values.stuck * 2 > values.resting ? Sureness::Sure : Sureness::Likely;
+  out.findings.push_back(std::move(finding));
+}
+
+void leaveUndecided(std::string reason, std::string capture, Diagnosis& out) {
+  out.undecided.push_back({say<"The resolve">(), std::move(reason), std::move(capture)});
+}
+
+/// What fits, if all is as it should be, or why nothing is said.
+void tellNearest(const ResolveFit& sound, Diagnosis& out) {
+  if (sound.error <= kAlike)
+    out.healthy.push_back(say<"The output is made of frames and history as it should be.">() + " " +
+                          nearestText(sound));
+  else
+    leaveUndecided(say<"no resolve that is known here makes this output">() + ". " + nearestText(sound),
+                   say<"Capture the output before it is tone-mapped, sharpened or drawn over.">(), out);
+}
+
+/// Mistakes at pixels that lie apart; rests on models that fit all others.
+void tellApart(const ResolveEvidence& evidence, Diagnosis& out) {
+  for (const PixelSet set : {PixelSet::Rims, PixelSet::Border}) {
+    if (evidence.pixels(set) < kEnoughApart) continue;
+    if (const auto fit = mistakeOf(evidence, set)) tellMistake(evidence, *fit, out);
+  }
+}
+
+} // namespace
+
+void tellResolve(const ResolveEvidence& evidence, bool areInputsRight, Diagnosis& out) {
+  if (!evidence.hasOutput())
+    return leaveUndecided(say<"there is no output of the engine">(),
+                          say<"Capture what the engine's TAA makes of each frame, too.">(), out);
+  tellValues(evidence.values(), out);
+  if (evidence.isOtherSize())
+    return leaveUndecided(say<"the output is larger than what is drawn">(),
+                          say<"Capture a few frames at a render scale of 1.">(), out);
+  const auto sound = evidence.best(ResolveKind::Sound, PixelSet::Anywhere);
+  if (!sound || evidence.pixels(PixelSet::Anywhere) < kEnoughPixels)
+    return leaveUndecided(say<"too few pairs of frames have detail and go on from each other">(),
+                          say<"Capture 12 frames or more of a detailed scene in motion.">(), out);
+  const auto mistake = mistakeOf(evidence, PixelSet::Anywhere);
+  const double least = mistake ? mistake->error : sound->error;
+  if (!areInputsRight && least > kExact)
+    return leaveUndecided(say<"the frames that it is made of are wrong">(), say<"Mend these first.">(), out);
+  if (tellStuckAlpha(evidence, out)) return;
+  if (mistake && pairsWon(evidence, *mistake, *sound) >= kPairsWon) {
+    tellMistake(evidence, *mistake, out);
+  } else {
+    tellNearest(*sound, out);
+    if (sound->error <= kAlike) tellApart(evidence, out);
+  }
+  tellCuts(evidence, *sound, out);
+}
+
+} // namespace taa::doctor
