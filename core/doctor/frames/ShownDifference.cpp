@@ -30,21 +30,39 @@ double depthBetween(float a, float b) {
   return std::min(std::abs(std::log(static_cast<double>(a) / static_cast<double>(b))), kFarthestLog);
 }
 
+/// Of outputs as large as what is drawn; what is no number is as far as can be from what is one.
+double outputBetween(const DoctorFrame& a, const DoctorFrame& b, int x, int y) {
+  const auto hasIt = [](const DoctorFrame& frame) {
+    return frame.output.width == frame.luma.width && frame.output.height == frame.luma.height;
+  };
+  if (!hasIt(a) || !hasIt(b)) return 0.0;
+  const auto bounded = [&](const DoctorFrame& frame) {
+    const double green = frame.output.at(x, y)[1];
+    return green / (1.0 + green);
+  };
+  const double ofA = bounded(a), ofB = bounded(b);
+  if (std::isnan(ofA) || std::isnan(ofB)) return std::isnan(ofA) == std::isnan(ofB) ? 0.0 : 1.0;
+  return std::abs(ofA - ofB);
+}
+
 } // namespace
 
 void ShownDifference::add(const DoctorFrame& a, const DoctorFrame& b) {
   std::size_t seen = 0;
-  double motion = 0.0, depths = 0.0, lumas = 0.0;
+  double motion = 0.0, depths = 0.0, lumas = 0.0, outputs = 0.0;
   for (int y = 0; y < a.luma.height; ++y)
     for (int x = 0; x < a.luma.width; ++x) {
       const double moved = a.motionPx.empty() ? 0.0 : motionBetween(a, b, x, y);
       const double farther =
           a.depthView.empty() ? 0.0 : depthBetween(*a.depthView.at(x, y), *b.depthView.at(x, y));
       const double lighter = std::abs(static_cast<double>(*a.luma.at(x, y) - *b.luma.at(x, y)));
+      const double resolved = outputBetween(a, b, x, y);
       motion += moved;
       depths += farther;
       lumas += lighter;
-      if (moved > kSeenMotionPx || farther > kSeenDepth || lighter > kSeenLuma) ++seen;
+      outputs += resolved;
+      if (moved > kSeenMotionPx || farther > kSeenDepth || lighter > kSeenLuma || resolved > kSeenLuma)
+        ++seen;
     }
   const double pixels = static_cast<double>(a.luma.width) * a.luma.height;
   const auto jittered = static_cast<double>(glm::distance(a.jitterPx, b.jitterPx));
@@ -53,6 +71,7 @@ void ShownDifference::add(const DoctorFrame& a, const DoctorFrame& b) {
   motionPx += motion / pixels;
   depth += depths / pixels;
   luma += lumas / pixels;
+  output += outputs / pixels;
   if (seen >= kLeastPart || jittered > kSeenJitterPx || a.startsHistory != b.startsHistory) ++shown;
 }
 
@@ -61,7 +80,8 @@ bool ShownDifference::isSmallBeside(const ShownDifference& other) const {
     return this->*sum <= kSmallShare * other.*sum + kHalfRounding * frames;
   };
   return isSmall(&ShownDifference::jitterPx) && isSmall(&ShownDifference::motionPx) &&
-         isSmall(&ShownDifference::depth) && isSmall(&ShownDifference::luma);
+         isSmall(&ShownDifference::depth) && isSmall(&ShownDifference::luma) &&
+         isSmall(&ShownDifference::output);
 }
 
 } // namespace taa::doctor

@@ -14,6 +14,7 @@ struct ShownDifference {
   double motionPx = 0.0;
   double depth = 0.0; ///< |log| of the distance
   double luma = 0.0;
+  double output = 0.0; ///< of what a TAA made of the frames, by its green as c/(1 + c)
 
   /// Expects the same frame with the same planes and size.
   void add(const DoctorFrame& a, const DoctorFrame& b);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace taa::doctor {
 
@@ -10,6 +11,8 @@ namespace {
 constexpr float kStep = 1.0f / 255.0f;
 /// Of a step: halves near 1 are off by so much.
 constexpr float kStepTolerance = 0.08f;
+/// What a frame wants otherwise by so much is lost at an α of a tenth where it is rounded to steps.
+constexpr float kLeastOff = kStep, kMostOff = 3.0f * kStep;
 constexpr std::size_t kEnoughValues = 2000;
 constexpr double kNearlyAll = 0.999, kHardlyAny = 0.6;
 constexpr int kPersists = 2; ///< frames with what is no number
@@ -44,7 +47,9 @@ void OutputValues::add(const DoctorFrame& frame, const DoctorFrame* before) {
   const Image& output = frame.output;
   if (output.empty()) return;
   ++frames;
+  constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
   const bool hasSize = output.width == frame.color.width && output.height == frame.color.height;
+  const bool goesOn = hasSize && before && !before->output.empty() && !frame.motionPx.empty();
   std::size_t spoiled = 0;
   glm::ivec2 spoiledPixel(0);
   for (int y = 0; y < output.height; ++y)
@@ -55,33 +60,36 @@ void OutputValues::add(const DoctorFrame& frame, const DoctorFrame* before) {
         spoiledPixel = {x, y};
         continue;
       }
-      const bool rests = hasSize && before && !before->output.empty() && !frame.motionPx.empty() &&
-                         frame.motionAt(x, y) == glm::vec2(0.0f);
-      for (int channel = 0; channel < 3; ++channel) {
-        const float value = output.at(x, y)[channel];
-        beyond += value > 1.0f ? 1 : 0;
-        if (!tellsSteps(value)) continue;
-        ++values;
-        inSteps += isInSteps(value) ? 1 : 0;
-        if (!hasSize) continue;
-        const float color = frame.color.at(x, y)[channel];
-        if (tellsSteps(color)) {
-          ++colorValues;
-          colorInSteps += isInSteps(color) ? 1 : 0;
-        }
-        const float off = rests ? std::abs(color - before->output.at(x, y)[channel]) : 0.0f;
-        if (off < kStep || off > 3.0f * kStep) continue;
-        ++resting;
-        stuck += value == before->output.at(x, y)[channel] ? 1 : 0;
-      }
+      const bool rests = goesOn && frame.motionAt(x, y) == glm::vec2(0.0f);
+      for (int channel = 0; channel < 3; ++channel)
+        addValue(output.at(x, y)[channel], hasSize ? frame.color.at(x, y)[channel] : kUnknown,
+                 rests ? before->output.at(x, y)[channel] : kUnknown);
     }
-  if (spoiled == 0) return;
+  if (spoiled > 0) addSpoiled(frame.frame, spoiled, spoiledPixel);
+}
+
+void OutputValues::addValue(float value, float color, float before) {
+  if (value > 1.0f) ++beyond;
+  if (!tellsSteps(value)) return;
+  ++values;
+  if (isInSteps(value)) ++inSteps;
+  if (tellsSteps(color)) {
+    ++colorValues;
+    if (isInSteps(color)) ++colorInSteps;
+  }
+  const float off = std::abs(color - before);
+  if (!(off >= kLeastOff && off <= kMostOff)) return; // NaN, too
+  ++resting;
+  if (value == before) ++stuck;
+}
+
+void OutputValues::addSpoiled(int frame, std::size_t pixels, const glm::ivec2& pixel) {
   ++spoiledFrames;
-  if (firstFrame < 0) firstFrame = frame.frame;
-  if (spoiled <= most) return;
-  most = spoiled;
-  mostFrame = frame.frame;
-  mostPixel = spoiledPixel;
+  if (firstFrame < 0) firstFrame = frame;
+  if (pixels <= most) return;
+  most = pixels;
+  mostFrame = frame;
+  mostPixel = pixel;
 }
 
 bool OutputValues::keepsNan() const {

@@ -22,8 +22,8 @@ struct OutputValues {
   std::size_t colorInSteps = 0; ///< values of the frames' own colors that are so
   std::size_t colorValues = 0;  ///< of how many
   std::size_t beyond = 0;       ///< values above 1
-  // Where neither motion nor the picture changes the place that is read:
-  std::size_t resting = 0; ///< values whose current color is off by less than a step, but is another
+  // Of pixels without motion:
+  std::size_t resting = 0; ///< values that the current color wants otherwise by one to three steps
   std::size_t stuck = 0;   ///< of these: exactly those of the frame before
 
   /// `before`: null at the start of history.
@@ -32,6 +32,12 @@ struct OutputValues {
   bool keepsNan() const;
   /// Whether all of the output is in steps of 8 bits, though colors are not.
   bool isOfFewBits() const;
+
+ private:
+  /// Of a value of the output: that of the frame's color and that of the output before, NaN where they are
+  /// not known or the pixel does not rest.
+  void addValue(float value, float color, float before);
+  void addSpoiled(int frame, std::size_t pixels, const glm::ivec2& pixel);
 };
 
 } // namespace taa::doctor

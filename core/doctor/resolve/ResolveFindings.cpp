@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace taa::doctor {
 
@@ -130,8 +131,12 @@ Finding resolveFinding(const ResolveWords& words) {
 }
 
 std::string nearestText(const ResolveFit& fit) {
+  const WeightSettings& weight = modelOf(fit).settings.weight;
+  const bool isConstant = fit.alpha == kOwnRule && weight.source == AlphaSource::Constant;
   return say<"Nearest is the preset \"%1\" of this program with α %2, to %3 thousandths.">(
-      modelOf(fit).preset->id, alphaText(fit.alpha), shortNumber(kPer1000 * fit.error));
+      modelOf(fit).preset->id,
+      isConstant ? shortNumber(static_cast<double>(weight.alpha)) : alphaText(fit.alpha),
+      shortNumber(kPer1000 * fit.error));
 }
 
 /// The kind that explains a set much better than any sound model, in nearly all pairs.
@@ -214,8 +219,21 @@ bool tellStuckAlpha(const ResolveEvidence& evidence, Diagnosis& out) {
   return false;
 }
 
+bool seesCuts(const ResolveEvidence& evidence) {
+  return std::ranges::any_of(evidence.models(), [](const ModelEvidence& model) {
+    return model.isTried && model.cuts.pixels >= kEnoughApart;
+  });
+}
+
 /// Whether histories go on where the frames say that they start anew, by the models that fit elsewhere.
 void tellCuts(const ResolveEvidence& evidence, const ResolveFit& sound, Diagnosis& out) {
+  if (!seesCuts(evidence)) {
+    out.undecided.push_back({say<"The resolve at cuts">(),
+                             say<"none of these frames states that history starts anew">(),
+                             say<"Capture a cut and some frames before and after it.">(),
+                             {Fault::NoResetAtCut}});
+    return;
+  }
   const AlphaErrors* nearest = nullptr;
   std::size_t alpha = kOwnRule;
   double reset = 1.0;
@@ -270,8 +288,19 @@ void tellValues(const OutputValues& values, Diagnosis& out) {
   out.findings.push_back(std::move(finding));
 }
 
-void leaveUndecided(std::string reason, std::string capture, Diagnosis& out) {
-  out.undecided.push_back({say<"The resolve">(), std::move(reason), std::move(capture)});
+/// Those of the resolve; `values`: also those that values show by themselves.
+std::vector<Fault> resolveFaults(bool values) {
+  std::vector<Fault> out;
+  for (const FaultInfo& info : faultTable())
+    if (info.part == FaultPart::Resolve &&
+        (values || (info.fault != Fault::NanKept && info.fault != Fault::LowPrecision)))
+      out.push_back(info.fault);
+  return out;
+}
+
+void leaveUndecided(std::string reason, std::string capture, Diagnosis& out, bool hasOutput = true) {
+  out.undecided.push_back(
+      {say<"The resolve">(), std::move(reason), std::move(capture), resolveFaults(!hasOutput)});
 }
 
 /// What fits, if all is as it should be, or why nothing is said.
@@ -286,6 +315,16 @@ void tellNearest(const ResolveFit& sound, Diagnosis& out) {
 
 /// Mistakes at pixels that lie apart; rests on models that fit all others.
 void tellApart(const ResolveEvidence& evidence, Diagnosis& out) {
+  if (evidence.pixels(PixelSet::Rims) < kEnoughApart)
+    out.undecided.push_back({say<"Dilation">(),
+                             say<"too few rims move otherwise than what is behind them">(),
+                             say<"Let something move before a background that rests.">(),
+                             {Fault::DilatesFarthest}});
+  if (evidence.pixels(PixelSet::Border) < kEnoughApart)
+    out.undecided.push_back({say<"History beyond the picture">(),
+                             say<"too little comes in from its border">(),
+                             say<"Let the camera turn by some pixels a frame.">(),
+                             {Fault::OffScreenClamped}});
   for (const PixelSet set : {PixelSet::Rims, PixelSet::Border}) {
     if (evidence.pixels(set) < kEnoughApart) continue;
     if (const auto fit = mistakeOf(evidence, set)) tellMistake(evidence, *fit, out);
@@ -297,7 +336,7 @@ void tellApart(const ResolveEvidence& evidence, Diagnosis& out) {
 void tellResolve(const ResolveEvidence& evidence, bool areInputsRight, Diagnosis& out) {
   if (!evidence.hasOutput())
     return leaveUndecided(say<"there is no output of the engine">(),
-                          say<"Capture what the engine's TAA makes of each frame, too.">(), out);
+                          say<"Capture what the engine's TAA makes of each frame, too.">(), out, false);
   tellValues(evidence.values(), out);
   if (evidence.isOtherSize())
     return leaveUndecided(say<"the output is larger than what is drawn">(),
