@@ -29,9 +29,13 @@ The shift of each picture against the one before, warped by the camera's motion,
 
 Of pixels that the camera passes, motion and matrices say at which depth they rest. That depth is the stored one, or it follows from it: by a factor (the near plane is another one), the other way around, or as a distance.
 
+### The resolve
+
+What the engine's own TAA made of the frames comes with a capture, or is what the preset makes of a scene. At some hundred pixels a frame each preset of this program is tried, as it is and with each mistake of the table above, on the frame's colors, motion and depth and on the output before: history read off by the last jitter, in place, on the other side, of the frame before the last, a box of two corners, and, at rims and where history lies beyond the picture, the motion of the farthest and a history that is kept. α is that of the preset, and eight from 0 to 1. A mistake is told where it leaves at most half of what the best sound resolve leaves; the preset that fits is told as the nearest one. Values that are no number and stay, and outputs in steps of 1/255, are seen without that. An output that no preset is near to is not decided, nor is one made of frames in which something is wrong, unless it fits exactly.
+
 ### What it does not decide
 
-A region that is still, plain or small, or whose light changes, is not decided; the doctor says which and what to capture instead. A finding whose own explanations these frames do not tell apart is told as likely, with the others beside it. What is wrong inside of the resolve it does not look at: that is what [verdicts](verdicts.md) are for.
+A region that is still, plain or small, or whose light changes, is not decided; the doctor says which and what to capture instead. A finding whose own explanations these frames do not tell apart is told as likely, with the others beside it.
 )") + doctorConfusions(judgedCases());
 }
 
