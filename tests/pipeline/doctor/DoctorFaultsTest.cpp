@@ -32,15 +32,18 @@ class DoctorFaults : public test::GlTest {};
 } // namespace
 
 TEST_F(DoctorFaults, AreNamedFirst) {
-  const std::vector<FaultyShot> shots = {{"gallery",
-                                          "orbit",
-                                          {Fault::MotionNegatedX, Fault::MotionSwapped, Fault::MotionZero,
-                                           Fault::MotionShifted, Fault::MotionCoarse, Fault::JitterNegated,
-                                           Fault::JitterLate, Fault::JitterDoubled, Fault::SkyWithoutMotion}},
-                                         {"disocclusion",
-                                          "",
-                                          {Fault::MotionHalved, Fault::MotionInUv, Fault::MotionCameraOnly,
-                                           Fault::JitterSwapped, Fault::JitterFrozen}}};
+  const std::vector<FaultyShot> shots = {
+      {"gallery",
+       "orbit",
+       {Fault::MotionNegatedX, Fault::MotionSwapped, Fault::MotionZero, Fault::MotionShifted,
+        Fault::MotionCoarse, Fault::JitterNegated, Fault::JitterLate, Fault::JitterDoubled,
+        Fault::SkyWithoutMotion, Fault::HistoryNotSwapped, Fault::HistoryReadJittered, Fault::NanKept,
+        Fault::AlphaOne, Fault::AlphaZero, Fault::BoxOfCorners, Fault::DilatesFarthest,
+        Fault::OffScreenClamped, Fault::LowPrecision}},
+      {"disocclusion",
+       "",
+       {Fault::MotionHalved, Fault::MotionInUv, Fault::MotionCameraOnly, Fault::JitterSwapped,
+        Fault::JitterFrozen}}};
   for (const FaultyShot& shot : shots) {
     EXPECT_TRUE(diagnosisWith(shot, nullptr).isHealthy()) << shot.scene;
     for (const Fault fault : shot.faults) {
