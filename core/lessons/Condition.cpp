@@ -152,7 +152,7 @@ bool isYesOrNo(const Quantity& quantity) {
 
 Condition conditionFrom(std::string_view text) {
   Condition condition;
-  condition.text = std::string(trimmed(text));
+  condition.text = std::string(withoutBlanks(text));
   WordReader words(text);
   const bool isDenied = words.takes("not");
   condition.left = readQuantity(words);

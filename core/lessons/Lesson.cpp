@@ -76,7 +76,7 @@ class LessonReader {
   void read(std::string_view line, int number) {
     line_ = number;
     if (inHeader_)
-      readHeader(trimmed(line));
+      readHeader(withoutBlanks(line));
     else
       readText(line);
   }
@@ -95,18 +95,18 @@ class LessonReader {
   using Line = std::pair<int, std::string>;
 
   void readText(std::string_view line) {
-    if (line.starts_with("## ")) return beginStep(trimmed(line.substr(3)));
+    if (line.starts_with("## ")) return beginStep(withoutBlanks(line.substr(3)));
     if (line.starts_with("# ") && lesson_.title.empty() && lesson_.steps.empty()) {
-      lesson_.title = trimmed(line.substr(2));
+      lesson_.title = withoutBlanks(line.substr(2));
       return;
     }
-    if (trimmed(line) == kHeaderBegin) {
+    if (withoutBlanks(line) == kHeaderBegin) {
       if (lesson_.steps.empty()) throw Error(say<"a header comes below the title of a step">());
       inHeader_ = true;
       return;
     }
     std::string& text = lesson_.steps.empty() ? lesson_.summary : lesson_.steps.back().text;
-    if (text.empty() && trimmed(line).empty()) return;
+    if (text.empty() && withoutBlanks(line).empty()) return;
     text += std::string(line) + "\n";
   }
 
@@ -134,7 +134,7 @@ class LessonReader {
     const std::size_t colon = line.find(':');
     if (colon == line.npos)
       throw Error(say<"\"%1\" is no line of a header: expected key: value">(shownText(line)));
-    readKey(trimmed(line.substr(0, colon)), trimmed(line.substr(colon + 1)));
+    readKey(withoutBlanks(line.substr(0, colon)), withoutBlanks(line.substr(colon + 1)));
   }
 
   void readKey(std::string_view key, std::string_view value) {
@@ -182,7 +182,8 @@ class LessonReader {
       for (const auto& [line, text] : std::exchange(solution_, {})) {
         line_ = line;
         const std::size_t blank = std::min(text.find(' '), text.size());
-        writer.apply(std::string_view(text).substr(0, blank), trimmed(std::string_view(text).substr(blank)));
+        writer.apply(std::string_view(text).substr(0, blank),
+                     withoutBlanks(std::string_view(text).substr(blank)));
       }
       requireTask(*step.task, step.line);
     }
@@ -232,7 +233,7 @@ Lesson lessonFromText(const std::string& text, const std::string& place, const s
   LessonReader reader(place, folder);
   try {
     forEachLine(text, [&](std::string_view line, int number) {
-      if (!isPlainText(line.find('\t') == line.npos ? line : trimmed(line)))
+      if (!isPlainText(line.find('\t') == line.npos ? line : withoutBlanks(line)))
         throw Error(say<"line %1 has bytes that are no text">(number));
       reader.read(line, number);
     });

@@ -173,7 +173,7 @@ class StateMeasurer {
 };
 
 /// Source, size and camera; what is open already stays.
-void openShotOf(InspectedShot& shot, const LessonState& state, const Progress& progress) {
+void openLessonShot(InspectedShot& shot, const LessonState& state, const Progress& progress) {
   const bool isOpen = shot.source() == state.shot.source && shot.choice() == state.shot.choice;
   if (shot.source().empty()) shot.setSize(state.shot.size.x, state.shot.size.y);
   if (!isOpen) shot.open(state.shot.source, progress, state.shot.choice);
@@ -250,7 +250,7 @@ void openState(Inspector& inspector, const LessonState& state, const Progress& p
   InspectedShot& shot = inspector.shot();
   std::vector<Settings> settings{state.shot.settings.settings};
   for (const LessonLane& lane : state.lanes) settings.push_back(lane.settings);
-  openShotOf(shot, state, progress);
+  openLessonShot(shot, state, progress);
   shot.setLanes(settings);
   if (!shot.capture()) shot.setMotionModes(state.shot.motionModes);
   shot.setObjectFilter(state.shot.filter);

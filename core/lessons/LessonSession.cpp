@@ -8,6 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
+#include <string>
+
 namespace taa {
 
 using nlohmann::ordered_json;

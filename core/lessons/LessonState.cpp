@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <span>
+#include <utility>
 
 namespace taa {
 
@@ -83,16 +85,17 @@ void setPreset(const KeyLine& line) {
   line.state.shot.settings = {preset.id, preset.settings, preset.settings};
 }
 
-void assignAll(Settings& settings, std::string_view words) {
+void assignWords(Settings& settings, std::string_view words) {
   for (const std::string_view assignment : wordsOf(words)) applyAssignment(settings, assignment);
 }
 
 /// "clip = this rectify.method=clip": a preset, or "this" for the state's own settings, and what differs.
-void addLane(const KeyLine& line) {
+void addLessonLane(const KeyLine& line) {
   const std::size_t equals = line.value.find('=');
   if (equals == line.value.npos)
     throw Error(say<"a lane is NAME = PRESET path=value …, or NAME = this path=value …">());
-  LessonLane lane{std::string(trimmed(line.value.substr(0, equals))), line.state.shot.settings.settings};
+  LessonLane lane{std::string(withoutBlanks(line.value.substr(0, equals))),
+                  line.state.shot.settings.settings};
   const std::vector<std::string_view> words = wordsOf(line.value.substr(equals + 1));
   if (lane.name.empty() || words.empty())
     throw Error(say<"a lane is NAME = PRESET path=value …, or NAME = this path=value …">());
@@ -156,7 +159,8 @@ void addRestart(const KeyLine& line) {
 }
 
 /// Of a fixed list; "none" is empty.
-std::string nameOf(const KeyLine& line, std::span<const std::string_view> known, const std::string& what) {
+std::string listedName(const KeyLine& line, std::span<const std::string_view> known,
+                       const std::string& what) {
   if (line.value == "none") return {};
   requireName(line.value, known, what);
   return std::string(line.value);
@@ -182,20 +186,20 @@ constexpr LessonKey kLessonKeys[] = {
      [](const KeyLine& line) { line.state.shot.frame = wholeNumberFrom(line.value, 0, kMaxLessonFrame); }},
     {"size", setSize},
     {"preset", setPreset},
-    {"set", [](const KeyLine& line) { assignAll(line.state.shot.settings.settings, line.value); }},
+    {"set", [](const KeyLine& line) { assignWords(line.state.shot.settings.settings, line.value); }},
     {"fault",
      [](const KeyLine& line) { inject(faultInfo(line.value).fault, line.state.shot.settings.settings); }},
     {"hide", [](const KeyLine& line) { line.state.shot.filter.hidden.emplace_back(line.value); }},
     {"restart", addRestart},
-    {"lane", addLane},
+    {"lane", addLessonLane},
     {"view", addView},
     {"probe", addProbe},
     {"plots", setPlots},
     {"look", setLook},
-    {"page", [](const KeyLine& line) { line.state.page = nameOf(line, kLessonPages, say<"page">()); }},
-    {"tab", [](const KeyLine& line) { line.state.tab = nameOf(line, kLessonTabs, say<"tab">()); }},
+    {"page", [](const KeyLine& line) { line.state.page = listedName(line, kLessonPages, say<"page">()); }},
+    {"tab", [](const KeyLine& line) { line.state.tab = listedName(line, kLessonTabs, say<"tab">()); }},
     {"highlight",
-     [](const KeyLine& line) { line.state.highlight = nameOf(line, kLessonParts, say<"part">()); }},
+     [](const KeyLine& line) { line.state.highlight = listedName(line, kLessonParts, say<"part">()); }},
     {"play",
      [](const KeyLine& line) {
        requireName(line.value, kOnOff, say<"switch">());

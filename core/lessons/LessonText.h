@@ -10,7 +10,7 @@
 
 namespace taa {
 
-std::string_view trimmed(std::string_view text);
+std::string_view withoutBlanks(std::string_view text);
 /// What spaces and tabs part.
 std::vector<std::string_view> wordsOf(std::string_view text);
 

@@ -1,13 +1,19 @@
-// taa-batch lessons: what lessons there are, and whether what they say is true.
+// taa-batch lessons: what lessons there are, whether what they say is true, and they as pages.
+#include "core/base/ExistingFiles.h"
+#include "core/cli/ShotOptions.h"
 #include "core/cli/Table.h"
 #include "core/cli/lessons/LessonsOptions.h"
 #include "core/inspect/Inspector.h"
 #include "core/lessons/LessonCheck.h"
+#include "core/lessons/LessonPages.h"
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <iostream>
 #include <ostream>
+#include <string>
+#include <vector>
 
 namespace taa::cli {
 
@@ -49,19 +55,37 @@ bool checkLessons(const std::vector<Lesson>& lessons, bool isVerbose, std::ostre
 bool runLessons(const LessonsArguments& arguments, std::ostream& out, const Progress& progress) {
   const std::vector<Lesson> lessons = lessonsOf(arguments);
   if (arguments.check) return checkLessons(lessons, arguments.verbose, out, progress);
-  listLessons(lessons, out);
+  if (arguments.html.empty()) {
+    listLessons(lessons, out);
+    return true;
+  }
+  const std::vector<std::filesystem::path> files = lessonPageFiles(lessons, arguments.html);
+  if (!arguments.force) refuseToReplace(files);
+  Inspector inspector;
+  writeLessonPages(inspector, lessons, arguments.html, arguments.manual, progress);
+  for (const std::filesystem::path& file : files) out << file.string() << '\n';
   return true;
 }
 
 void addLessons(CLI::App& app, LessonsArguments& lessons, const Progress& progress, bool& isMistaken) {
   CLI::App* command = app.add_subcommand(
-      "lessons", "List the lessons, or check what they claim; ends with 3 where something does not hold");
+      "lessons",
+      "List the lessons, check what they claim, or write them as pages; ends with 3 where something does not "
+      "hold");
   command->add_option("FILE", lessons.files, "Lessons as Markdown; without any the built-in ones");
   command->add_flag("--check", lessons.check,
                     "Set the state of each step, and say which claims do not hold and which tasks cannot be "
                     "solved as they say");
   command->add_flag("--verbose", lessons.verbose,
                     "With --check: also say what was measured where all is right");
+  command
+      ->add_option(
+          "--html", lessons.html,
+          "Write them into this folder as pages with the pictures of their views, which need no program")
+      ->type_name("FOLDER");
+  command->add_option("--manual", lessons.manual,
+                      "With --html: folder or address of the manual that pages link to, with / at its end");
+  addForce(*command, lessons.force);
   command->callback(
       [&lessons, &progress, &isMistaken] { isMistaken = !runLessons(lessons, std::cout, progress); });
 }

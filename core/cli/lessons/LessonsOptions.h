@@ -16,9 +16,13 @@ namespace taa::cli {
 struct LessonsArguments {
   std::vector<std::string> files; ///< Markdown; empty: the built-in ones
   bool check = false, verbose = false;
+  std::string html;   ///< a folder; empty: no pages are written
+  std::string manual; ///< where they link to
+  bool force = false; ///< replace files that are there
 };
 
-/// Lists lessons, or checks all that they say. Returns whether nothing is wrong. Throws Error, Cancelled.
+/// Lists lessons, checks all that they say, or writes them as pages. Returns whether nothing is wrong. Throws
+/// Error, Cancelled.
 bool runLessons(const LessonsArguments& arguments, std::ostream& out, const Progress& progress);
 
 /// What is given must outlive the parsing; see runLessons() of `isMistaken`.
