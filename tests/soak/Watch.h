@@ -1,0 +1,42 @@
+// Ends the program when nothing has gone on for too long: a soak that hangs is a finding.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <utility>
+
+namespace taa::soak {
+
+class Watch {
+ public:
+  /// `step` says how to repeat it.
+  explicit Watch(std::string step)
+      : step_(std::move(step)), thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+  void tick() { ++ticks_; }
+
+ private:
+  void run(const std::stop_token& stop) {
+    constexpr int kMaxSilence = 180; // s; sanitizers and a busy machine included
+    long long seen = -1;
+    for (int silent = 0; !stop.stop_requested(); std::this_thread::sleep_for(std::chrono::seconds(1))) {
+      silent = ticks_ == seen ? silent + 1 : 0;
+      seen = ticks_;
+      if (silent < kMaxSilence) continue;
+      std::fprintf(stderr, "FINDING: nothing goes on for %d s after step %lld of %s\n", kMaxSilence, seen,
+                   step_.c_str());
+      std::abort();
+    }
+  }
+
+  std::string step_;
+  std::atomic<long long> ticks_ = 0;
+  std::jthread thread_; // ends before what it reads
+};
+
+} // namespace taa::soak
