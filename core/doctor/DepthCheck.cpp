@@ -24,7 +24,7 @@ constexpr double kSamplesPerFrame = 4000.0;
 constexpr std::size_t kEnoughDepths = 500;
 // px: a depth that moves a pixel by less is not measured by it; what is farther from any depth's motion moves
 // by itself.
-constexpr double kLeastParallaxPx = 1.0, kOffLinePx = 0.05;
+constexpr double kLeastParallaxPx = 0.2, kOffLinePx = 0.01;
 // Of median |log|: what fits, and what is clearly something else.
 constexpr double kFittingLog = 0.05, kMissingLog = 0.15, kBetterRelation = 3.0;
 /// Of |log| of what is stated over the projection's distances.
@@ -146,7 +146,25 @@ bool haveRange(const std::vector<DepthSample>& samples) {
   return depths[depths.size() * 9 / 10] >= kLeastRange * depths[depths.size() / 10];
 }
 
+/// The relation that fits where what is stated does not, and none of the others nearly as well; null: none.
+const DepthRelation* clearRelation(const std::vector<DepthRelation>& relations,
+                                   const std::vector<DepthSample>& samples) {
+  const DepthRelation& best = *std::ranges::min_element(relations, {}, &DepthRelation::residual);
+  const bool isClear = std::ranges::all_of(relations, [&](const DepthRelation& other) {
+    return &other == &best || other.residual >= kBetterRelation * best.residual;
+  });
+  const bool fits = best.residual <= kFittingLog && relations.front().residual >= kMissingLog;
+  return fits && isClear && haveRange(samples) ? &best : nullptr;
+}
+
 } // namespace
+
+bool isDepthOtherwise(const DepthEvidence& evidence) {
+  if (evidence.samples.size() < kEnoughDepths) return false;
+  const std::vector<DepthRelation> relations = depthRelations(evidence.samples);
+  const DepthRelation* best = clearRelation(relations, evidence.samples);
+  return best && (best->kind == RelationKind::Reversed || best->kind == RelationKind::Linear);
+}
 
 void DepthEvidence::add(const DoctorFrame& frame) {
   if (frame.distanceFactor > 0.0f) factors.push_back(static_cast<double>(frame.distanceFactor));
@@ -186,18 +204,14 @@ void tellDepth(const DepthEvidence& evidence, Diagnosis& out) {
     out.healthy.push_back(say<"Depth and matrices make the motion of what rests.">());
     return;
   }
-  const DepthRelation& best = *std::ranges::min_element(relations, {}, &DepthRelation::residual);
-  const bool isClear = std::ranges::all_of(relations, [&](const DepthRelation& other) {
-    return &other == &best || other.residual >= kBetterRelation * best.residual;
-  });
-  if (best.residual > kFittingLog || stated.residual < kMissingLog || !isClear ||
-      !haveRange(evidence.samples))
+  const DepthRelation* best = clearRelation(relations, evidence.samples);
+  if (!best)
     out.undecided.push_back({say<"Depth">(),
                              say<"the depths that the motion given would have do not follow from those "
                                  "stored: motion or matrices may be wrong">(),
                              capture});
   else
-    out.findings.push_back(depthFinding(relations, best, evidence.samples.size()));
+    out.findings.push_back(depthFinding(relations, *best, evidence.samples.size()));
 }
 
 } // namespace taa::doctor

@@ -41,6 +41,9 @@ struct DepthEvidence {
 /// All relations, AsStated first. Expects samples.
 std::vector<DepthRelation> depthRelations(const std::vector<DepthSample>& samples);
 
+/// Whether depth is clearly the other way around or linear: no mistake of motion looks like that.
+bool isDepthOtherwise(const DepthEvidence& evidence);
+
 /// Adds what is wrong, right or not decided about depth.
 void tellDepth(const DepthEvidence& evidence, Diagnosis& out);
 

@@ -111,14 +111,28 @@ Patient sizedPatient(const Examination& examination) {
   return patient;
 }
 
+/// Whether a finding is of so much of the picture that motion is no witness of anything else.
+bool isOfMuch(const Finding& finding) {
+  constexpr double kMuch = 0.3;
+  double share = 0.0;
+  for (const RegionPlace& region : finding.regions) share += region.share;
+  return finding.isWholePicture || share >= kMuch;
+}
+
 /// Motion, and depth as far as motion is a witness of it.
 void tellPlanes(const Examiner& examiner, const Examination& examination, Diagnosis& out) {
   const std::size_t before = out.findings.size();
+  if (examination.known.camera && isDepthOtherwise(examiner.depth())) {
+    tellDepth(examiner.depth(), out);
+    out.undecided.push_back({say<"Motion">(),
+                             say<"depth is not what it is said to be, by which motion is examined">(),
+                             say<"Mend depth first.">()});
+    return;
+  }
   examiner.tellMotion(out);
   const bool isMotionRight = out.findings.size() == before;
   const bool isMotionWrong =
-      std::any_of(out.findings.begin() + static_cast<std::ptrdiff_t>(before), out.findings.end(),
-                  [](const Finding& finding) { return finding.isWholePicture; });
+      std::any_of(out.findings.begin() + static_cast<std::ptrdiff_t>(before), out.findings.end(), isOfMuch);
   if (examination.known.camera && isMotionWrong)
     out.undecided.push_back({say<"Depth">(), say<"motion is wrong, which says at which depth things rest">(),
                              say<"Mend motion first.">()});

@@ -16,12 +16,16 @@ namespace taa::doctor {
 
 namespace {
 
+FrameCameras camerasOf(const shared::FrameBlock& block) {
+  const glm::dmat4 viewFromWorld(block.viewFromWorld);
+  return {glm::dmat4(block.clipFromWorld) * glm::inverse(viewFromWorld), viewFromWorld,
+          glm::dmat4(block.previousViewFromWorld)};
+}
+
 /// Of something 10 m away, in the middle of the picture.
 float distanceFactor(const shared::FrameBlock& block) {
   constexpr double kDistance = 10.0;
-  const glm::dmat4 clipFromView =
-      glm::dmat4(block.clipFromWorld) * glm::inverse(glm::dmat4(block.viewFromWorld));
-  const glm::dvec4 clip = clipFromView * glm::dvec4(0.0, 0.0, -kDistance, 1.0);
+  const glm::dvec4 clip = camerasOf(block).clipFromView * glm::dvec4(0.0, 0.0, -kDistance, 1.0);
   if (!(clip.w > 0.0) || !(clip.z > 0.0)) return 0.0f;
   const auto depth = static_cast<float>(clip.z / clip.w);
   return twin::viewDepth(depth, block.depthTerms) / static_cast<float>(kDistance);
@@ -61,6 +65,7 @@ DoctorFrame readFrame(FrameSource& source, const FrameRequest& request, const Kn
   if (known.ids) out.objectId = drawn.objectId.downloadIntegers();
   if (known.camera && known.depth) out.previousClipFromClip = drawn.block.previousClipFromClip;
   if (known.depthJittered) out.depthJitterPx = out.jitterPx;
+  if (known.camera && known.depth) out.cameras = camerasOf(drawn.block);
   if (known.camera && known.depth) out.distanceFactor = distanceFactor(drawn.block);
   return out;
 }
@@ -72,9 +77,14 @@ std::optional<glm::vec2> cameraMotionPx(const DoctorFrame& frame, const glm::ive
 
 std::optional<glm::vec2> cameraMotionPx(const DoctorFrame& frame, const glm::ivec2& pixel, float depth) {
   if (!frame.previousClipFromClip) return {};
+  return motionUnder(*frame.previousClipFromClip, frame, pixel, depth);
+}
+
+std::optional<glm::vec2> motionUnder(const glm::mat4& previousClipFromClip, const DoctorFrame& frame,
+                                     const glm::ivec2& pixel, float depth) {
   const glm::vec2 pxPerNdc = glm::vec2(0.5f, -0.5f) * glm::vec2(frame.sizePx());
   const glm::vec2 ndc = (glm::vec2(pixel) + 0.5f - frame.depthJitterPx) / pxPerNdc + glm::vec2(-1.0f, 1.0f);
-  const glm::vec4 previous = *frame.previousClipFromClip * glm::vec4(ndc, depth, 1.0f);
+  const glm::vec4 previous = previousClipFromClip * glm::vec4(ndc, depth, 1.0f);
   if (!(previous.w > 0.0f)) return {};
   const glm::vec2 motionPx = (ndc - glm::vec2(previous) / previous.w) * pxPerNdc;
   if (!isMotion(motionPx)) return {};

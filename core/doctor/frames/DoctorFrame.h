@@ -24,6 +24,11 @@ struct KnownPlanes {
   bool output = false;       ///< what a TAA made of the frames
 };
 
+/// Of a frame and of the one before it, without jitter; the projection is that of both.
+struct FrameCameras {
+  glm::dmat4 clipFromView{1.0}, viewFromWorld{1.0}, previousViewFromWorld{1.0};
+};
+
 /// Row 0 is the top. All planes have the size of what was drawn; those that are not known are empty.
 struct DoctorFrame {
   int frame = 0;
@@ -37,6 +42,7 @@ struct DoctorFrame {
   Image mask;               ///< two channels: reactive, responsive; 0 to 1
   std::vector<std::uint32_t> objectId;           ///< 0: nothing
   std::optional<glm::mat4> previousClipFromClip; ///< both without jitter; none: cameras are not known
+  std::optional<FrameCameras> cameras;           ///< none: they are not known
   glm::vec2 depthJitterPx{0.0f};                 ///< displacement of what depth shows
   /// View depth as stated over that by the matrices, which is 1; 0: one of them is not known.
   float distanceFactor = 0.0f;
@@ -66,5 +72,8 @@ bool isMotion(const glm::vec2& motionPx);
 std::optional<glm::vec2> cameraMotionPx(const DoctorFrame& frame, const glm::ivec2& pixel);
 /// The same if the depth there was another one; 0: infinitely far away.
 std::optional<glm::vec2> cameraMotionPx(const DoctorFrame& frame, const glm::ivec2& pixel, float depth);
+/// The same with other cameras.
+std::optional<glm::vec2> motionUnder(const glm::mat4& previousClipFromClip, const DoctorFrame& frame,
+                                     const glm::ivec2& pixel, float depth);
 
 } // namespace taa::doctor

@@ -115,12 +115,15 @@ class PairEvidence {
         const std::size_t i = static_cast<std::size_t>(y) * size.x + x;
         const int square = y / cell * columns + x / cell;
         addPixel({x, y}, inside_[i], square);
+        witness({x, y}, labels_[i], inside_[i] != kNoRegion);
         if (inside_[i] == kNoRegion && labels_[i] != kNoRegion) rims_[{labels_[i], square}].push_back({x, y});
       }
     for (const auto& [key, cellPixels] : cells_) compareCell(key, cellPixels);
     for (const auto& [region, sums] : pairs_) finish(region, sums);
     for (const RegionIndex region : markedIn_) ++regions_[static_cast<std::size_t>(region)].markedPairs;
+    finishRims();
   }
+  const PairWitness& witness() const { return witness_; }
 
  private:
   struct PairSums {
@@ -162,6 +165,24 @@ class PairEvidence {
     ++out.textured;
     out.texturedError += static_cast<double>(seen.error);
     cells_[{region, cell}].push_back(seen);
+  }
+
+  void witness(const glm::ivec2& pixel, RegionIndex region, bool isInside) {
+    if (region == kNoRegion || isMasked(frames_.now, pixel)) return;
+    if (isInside) addWitness(witness_, frames_, pixel);
+    if (!isMotion(frames_.now.motionAt(pixel.x, pixel.y))) return;
+    addRimWitness(rimWitness_[region], frames_, pixel);
+    if (isInside) addWitness(regions_[static_cast<std::size_t>(region)].witness, trials_, frames_, pixel);
+  }
+
+  /// Rims say when motion was made only where it is not wrong everywhere.
+  void finishRims() {
+    if (2 * witness_.off > witness_.known) return;
+    for (const auto& [region, rims] : rimWitness_) {
+      WitnessEvidence& out = regions_[static_cast<std::size_t>(region)].witness;
+      out.off += rims.off;
+      out.offLate += rims.offLate;
+    }
   }
 
   void addOffCamera(RegionEvidence& out, const glm::ivec2& pixel, const glm::dvec2& offPx) const {
@@ -283,6 +304,8 @@ class PairEvidence {
   CellPixels cells_;
   std::map<std::pair<RegionIndex, int>, std::vector<glm::ivec2>> rims_; ///< pixels that are not
   std::map<RegionIndex, PairSums> pairs_;
+  PairWitness witness_{frames_.now.frame};
+  std::map<RegionIndex, WitnessEvidence> rimWitness_;
   std::set<RegionIndex> markedIn_; ///< regions with marks of no previous position
 };
 
@@ -306,7 +329,11 @@ void MotionEvidence::add(const FrameNeighbors& frames, const std::vector<RegionI
   const std::size_t count = highest == labels.end() ? 0 : static_cast<std::size_t>(*highest + 1);
   if (regions_.size() < count) regions_.resize(count);
   for (RegionEvidence& region : regions_) region.trials.resize(trials_.size());
-  PairEvidence(frames, trials_, labels, labelsBefore, regions_).add();
+  FrameNeighbors known = frames;
+  known.others = otherCameras(frames.now);
+  PairEvidence pair(known, trials_, labels, labelsBefore, regions_);
+  pair.add();
+  pairs_.push_back(pair.witness());
 }
 
 } // namespace taa::doctor

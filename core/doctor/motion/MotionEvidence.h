@@ -4,6 +4,7 @@
 
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/motion/MotionTrials.h"
+#include "core/doctor/motion/MotionWitness.h"
 
 #include <glm/vec2.hpp>
 
@@ -94,6 +95,7 @@ struct RegionEvidence {
   glm::dvec2 foundPx{0.0}; ///< sum over the pixels of `found`
   MotionExample example;
   std::vector<PairTrace> traces;
+  WitnessEvidence witness;
 };
 
 /// px: a motion is the camera's where it differs by less, or by less than a thousandth; half floats do.
@@ -111,10 +113,12 @@ class MotionEvidence {
   const std::vector<MotionTrial>& trials() const { return trials_; }
   /// By region; those never seen have no pixels.
   const std::vector<RegionEvidence>& regions() const { return regions_; }
+  const std::vector<PairWitness>& pairs() const { return pairs_; }
 
  private:
   std::vector<MotionTrial> trials_;
   std::vector<RegionEvidence> regions_;
+  std::vector<PairWitness> pairs_;
 };
 
 } // namespace taa::doctor

@@ -2,6 +2,7 @@
 
 #include "core/base/Say.h"
 #include "core/doctor/NumberText.h"
+#include "core/doctor/motion/MotionJudgement.h"
 #include "core/doctor/motion/MotionJumps.h"
 #include "core/doctor/motion/MotionMarks.h"
 #include "core/doctor/motion/MotionWords.h"
@@ -29,84 +30,6 @@ constexpr std::size_t kShownResiduals = 12;
 constexpr double kSkyMovesPx = 0.1;
 constexpr double kTrustedShare = 0.3;
 
-/// A region with what was measured and decided.
-struct JudgedRegion {
-  const Region* region;
-  const RegionEvidence* evidence;
-  MotionDecision decision;
-  std::optional<std::size_t> trial; ///< of a wrong one: what it is told by; none: what was searched for
-};
-
-using Judged = std::vector<JudgedRegion>;
-
-Judged judgedRegions(const MotionEvidence& evidence, const std::vector<Region>& regions) {
-  Judged out;
-  for (std::size_t i = 0; i < regions.size() && i < evidence.regions().size(); ++i) {
-    const RegionEvidence& measured = evidence.regions()[i];
-    if (measured.pixels == 0 || isUnwrittenMark(measured) || isKeptAsMissing(measured)) continue;
-    JudgedRegion region{&regions[i], &measured, decideMotion(measured, evidence.trials()), {}};
-    // Clouds may drift; nobody writes motion for them.
-    const bool isDrifting = regions[i].isSky && region.decision.verdict == MotionVerdict::Wrong &&
-                            region.decision.explanations.empty();
-    if (isDrifting) region.decision.verdict = MotionVerdict::Contradicted;
-    out.push_back(std::move(region));
-  }
-  return out;
-}
-
-/// The explanation that fits the most pixels of regions that are still open; of those that fit as many, the
-/// first that gains nearly as much as any.
-std::size_t broadestTrial(const std::vector<JudgedRegion*>& open, std::size_t trialCount) {
-  constexpr double kAsMuch = 0.99;
-  std::vector<double> pixels(trialCount, 0.0), gains(trialCount, 0.0);
-  for (const JudgedRegion* region : open)
-    for (const std::size_t trial : region->decision.explanations) {
-      pixels[trial] += region->region->pixels;
-      gains[trial] += region->evidence->trials[trial].gain();
-    }
-  const double most = *std::ranges::max_element(pixels);
-  double gain = 0.0;
-  for (std::size_t t = 0; t < trialCount; ++t)
-    if (pixels[t] == most) gain = std::max(gain, gains[t]);
-  std::size_t best = 0;
-  while (pixels[best] < most || gains[best] < kAsMuch * gain) ++best;
-  return best;
-}
-
-/// Tells the most with the fewest: the explanation that fits the most pixels is that of all regions that it
-/// fits, then the next one.
-void explainByFewest(Judged& judged, std::size_t trialCount) {
-  std::vector<JudgedRegion*> open;
-  for (JudgedRegion& region : judged)
-    if (region.decision.verdict == MotionVerdict::Wrong && !region.decision.explanations.empty())
-      open.push_back(&region);
-  while (!open.empty()) {
-    const std::size_t best = broadestTrial(open, trialCount);
-    std::erase_if(open, [&](JudgedRegion* region) {
-      if (std::ranges::count(region->decision.explanations, best) == 0) return false;
-      region->trial = best;
-      return true;
-    });
-  }
-}
-
-/// Whether another explanation moves the region's example as the one that is told does.
-bool isAlike(const JudgedRegion& region, std::size_t other) {
-  constexpr float kSamePx = 0.25f;
-  const auto& moved = region.evidence->example.byTrial;
-  const auto &told = moved[*region.trial], &rival = moved[other];
-  return told && rival && glm::distance(*told, *rival) <= kSamePx;
-}
-
-/// Explanations that fit a region as well and lead elsewhere.
-std::vector<std::size_t> rivalsOf(const JudgedRegion& region) {
-  std::vector<std::size_t> out;
-  if (!region.trial) return out;
-  for (const std::size_t other : region.decision.explanations)
-    if (other != *region.trial && !isAlike(region, other)) out.push_back(other);
-  return out;
-}
-
 /// One fault and the regions that it shows in.
 struct FaultGroup {
   MotionFault fault;
@@ -115,17 +38,30 @@ struct FaultGroup {
   double pixels = 0.0;
 };
 
-/// The region that says what a fault is called: of those that one explanation fits, one that motion was
-/// written for tells more than one that has none.
-const JudgedRegion& namedBy(const JudgedRegion& region, const Judged& judged) {
-  if (!region.trial || !isUnwritten(*region.evidence)) return region;
-  const auto written = std::ranges::find_if(judged, [&](const JudgedRegion& other) {
-    return other.trial == region.trial && !isUnwritten(*other.evidence);
+/// Whether nothing that rests has motion, though depth and matrices move it.
+bool isNothingOfCamera(const std::vector<JudgedRegion>& judged) {
+  return std::ranges::none_of(judged, [](const JudgedRegion& region) {
+    return region.witness.verdict == WitnessVerdict::OfCamera && region.evidence->givenPx > 0.0;
   });
-  return written == judged.end() ? region : *written;
 }
 
-std::vector<FaultGroup> groupsOf(const Judged& judged, const std::vector<MotionTrial>& trials) {
+/// The region that says what a fault is called: of those that one explanation fits, one that motion was
+/// written for tells more than one that has none; where what rests has none, likewise one that moves by
+/// itself.
+const JudgedRegion& namedBy(const JudgedRegion& region, const std::vector<JudgedRegion>& judged) {
+  if (!region.trial || !isUnwritten(*region.evidence)) return region;
+  const bool isNothing = isNothingOfCamera(judged);
+  const JudgedRegion* surface = &region;
+  for (const JudgedRegion& other : judged) {
+    const bool isApart = isNothing && other.witness.verdict == WitnessVerdict::Apart;
+    if ((other.trial == region.trial || isApart) && !isUnwritten(*other.evidence)) return other;
+    if (other.trial == region.trial && !other.region->isSky) surface = &other;
+  }
+  return *surface;
+}
+
+std::vector<FaultGroup> groupsOf(const std::vector<JudgedRegion>& judged,
+                                 const std::vector<MotionTrial>& trials) {
   std::vector<FaultGroup> groups;
   for (const JudgedRegion& region : judged) {
     if (region.decision.verdict != MotionVerdict::Wrong) continue;
@@ -144,6 +80,16 @@ std::vector<FaultGroup> groupsOf(const Judged& judged, const std::vector<MotionT
   }
   std::ranges::stable_sort(groups, std::greater(), &FaultGroup::pixels);
   return groups;
+}
+
+/// By what they leave; the first, and those that are always shown.
+std::vector<Residual> sortedResiduals(std::vector<Residual> all) {
+  std::ranges::stable_sort(all, {}, &Residual::value);
+  std::size_t kept = 0;
+  std::erase_if(all, [&](const Residual& residual) {
+    return ++kept > kShownResiduals && !residual.isGiven && !residual.isBest;
+  });
+  return all;
 }
 
 /// What each explanation leaves of the pixels with detail of all regions of a group, × 1000. Where it says
@@ -165,12 +111,30 @@ std::vector<Residual> residualsOf(const FaultGroup& group, const std::vector<Mot
   for (std::size_t t = 0; t < trials.size(); ++t)
     out.push_back({trialId(trials[t]), trialText(trials[t]), left(gains[t]), t == 0, t == group.trial});
   if (!group.trial) out.push_back({"found", say<"found by search">(), left(foundGain), false, true});
-  std::ranges::stable_sort(out, {}, &Residual::value);
-  std::size_t kept = 0;
-  std::erase_if(out, [&](const Residual& residual) {
-    return ++kept > kShownResiduals && !residual.isGiven && !residual.isBest;
-  });
+  return sortedResiduals(std::move(out));
+}
+
+bool isWitnessed(const FaultGroup& group) {
+  return group.regions.front()->isWitnessed;
+}
+
+/// How far each explanation is from the camera's motion, of all regions of a group.
+std::vector<DistanceCounts> distancesOf(const FaultGroup& group, std::size_t trialCount) {
+  std::vector<DistanceCounts> out(trialCount);
+  for (const JudgedRegion* region : group.regions)
+    for (std::size_t t = 0; t < region->evidence->witness.trials.size(); ++t)
+      out[t].add(region->evidence->witness.trials[t]);
   return out;
+}
+
+std::vector<Residual> witnessResiduals(const FaultGroup& group, const std::vector<MotionTrial>& trials) {
+  const std::vector<DistanceCounts> distances = distancesOf(group, trials.size());
+  std::vector<Residual> out;
+  for (std::size_t t = 0; t < trials.size(); ++t)
+    if (distances[t].count() > 0)
+      out.push_back(
+          {trialId(trials[t]), trialText(trials[t]), distances[t].medianPx(), t == 0, t == group.trial});
+  return sortedResiduals(std::move(out));
 }
 
 double percentOf(std::size_t part, std::size_t whole) {
@@ -183,11 +147,25 @@ bool isTold(const FaultGroup& group) {
                              [](const JudgedRegion* region) { return rivalsOf(*region).empty(); });
 }
 
+/// Explanations that depth and matrices fit as well.
+std::vector<std::size_t> witnessAlikes(const FaultGroup& group) {
+  std::vector<std::size_t> out;
+  for (const std::size_t other : group.regions.front()->decision.explanations)
+    if (other != *group.trial) out.push_back(other);
+  std::erase_if(out, [&](std::size_t other) {
+    return !std::ranges::all_of(group.regions, [other](const JudgedRegion* region) {
+      return !region->isWitnessed || std::ranges::count(region->decision.explanations, other) > 0;
+    });
+  });
+  return out;
+}
+
 /// Explanations that fit all regions as well and lead to the same places: x negated, where nothing moves
 /// along y, is both negated.
 std::vector<std::size_t> alikesOf(const FaultGroup& group) {
   std::vector<std::size_t> out;
   if (!group.trial) return out;
+  if (isWitnessed(group)) return witnessAlikes(group);
   for (const std::size_t other : group.regions.front()->decision.explanations) {
     const auto isSame = [other](const JudgedRegion* region) {
       return std::ranges::count(region->decision.explanations, other) > 0 && isAlike(*region, other);
@@ -202,6 +180,21 @@ std::string namesOf(const std::vector<std::size_t>& explanations, const std::vec
   for (const std::size_t trial : explanations)
     names += (names.empty() ? "" : "; ") + trialText(trials[trial]);
   return names;
+}
+
+std::string witnessReason(const FaultGroup& group, const std::vector<MotionTrial>& trials) {
+  const std::vector<DistanceCounts> distances = distancesOf(group, trials.size());
+  std::string text =
+      say<"At %1 pixels depth and matrices make the motion given if it is taken like this, to %2 px: %3. As "
+          "given it is %4 px away.">(distances[*group.trial].count(),
+                                     shortNumber(distances[*group.trial].medianPx()),
+                                     trialText(trials[*group.trial]), shortNumber(distances[0].medianPx()));
+  text += " " + (group.regions.front()->pixelsSay == PixelsSay::Yes
+                     ? say<"The pictures confirm it.">()
+                     : say<"The pictures have too little detail, or move too little, to confirm it.">());
+  if (const std::vector<std::size_t> alikes = alikesOf(group); !alikes.empty())
+    text += " " + say<"Here it leads to the same places as: %1.">(namesOf(alikes, trials));
+  return text;
 }
 
 std::string reasonOf(const FaultGroup& group, const std::vector<MotionTrial>& trials) {
@@ -230,7 +223,7 @@ std::string reasonOf(const FaultGroup& group, const std::vector<MotionTrial>& tr
 }
 
 /// Pixels of regions that are right or wrong.
-double decidedPixels(const Judged& judged) {
+double decidedPixels(const std::vector<JudgedRegion>& judged) {
   double pixels = 0.0;
   for (const JudgedRegion& region : judged)
     if (region.decision.verdict == MotionVerdict::Right || region.decision.verdict == MotionVerdict::Wrong)
@@ -238,19 +231,43 @@ double decidedPixels(const Judged& judged) {
   return pixels;
 }
 
-Finding findingOf(const FaultGroup& group, const Judged& judged, const MotionEvidence& evidence,
-                  const Patient& patient, double allPixels) {
+bool isSure(const FaultGroup& group) {
+  if (!alikesOf(group).empty()) return false;
+  return isWitnessed(group) ? group.regions.front()->pixelsSay == PixelsSay::Yes : isTold(group);
+}
+
+/// Of the faults that a group's other explanations would be.
+std::vector<std::string> alikeIds(const FaultGroup& group, const std::vector<MotionTrial>& trials) {
+  std::vector<std::string> out;
+  std::vector<std::size_t> others = alikesOf(group);
+  if (!isWitnessed(group) && !isTold(group))
+    for (const JudgedRegion* region : group.regions)
+      for (const std::size_t rival : rivalsOf(*region)) others.push_back(rival);
+  for (const std::size_t other : others) {
+    const JudgedRegion& region = *group.regions.front();
+    std::string id = motionFault(&trials[other], *region.region, *region.evidence).id;
+    if (id != group.fault.id && std::ranges::count(out, id) == 0) out.push_back(std::move(id));
+  }
+  return out;
+}
+
+Finding findingOf(const FaultGroup& group, const std::vector<JudgedRegion>& judged,
+                  const MotionEvidence& evidence, const Patient& patient, double allPixels) {
   Finding out;
   out.id = group.fault.id;
   out.name = group.fault.name;
-  out.sureness = isTold(group) && alikesOf(group).empty() ? Sureness::Sure : Sureness::Likely;
+  out.sureness = isSure(group) ? Sureness::Sure : Sureness::Likely;
   out.isWholePicture = group.pixels >= kWholeShare * decidedPixels(judged);
   for (const JudgedRegion* region : group.regions)
     out.regions.push_back(placeOf(*region->region, patient, allPixels));
   std::ranges::stable_sort(out.regions, std::greater(), &RegionPlace::share);
-  out.reason = reasonOf(group, evidence.trials());
-  out.measure = say<"mean difference of luma, × 1000">();
-  out.residuals = residualsOf(group, evidence.trials());
+  const bool isOfMatrices = isWitnessed(group);
+  out.reason = isOfMatrices ? witnessReason(group, evidence.trials()) : reasonOf(group, evidence.trials());
+  out.measure = isOfMatrices ? say<"median distance from the camera's motion, px">()
+                             : say<"mean difference of luma, × 1000">();
+  out.residuals =
+      isOfMatrices ? witnessResiduals(group, evidence.trials()) : residualsOf(group, evidence.trials());
+  out.alike = alikeIds(group, evidence.trials());
   out.symptom = group.fault.symptom;
   out.change = group.fault.change;
   if (!group.trial) return out;
@@ -262,7 +279,7 @@ Finding findingOf(const FaultGroup& group, const Judged& judged, const MotionEvi
 }
 
 /// Whether the motion of surfaces is that of the cameras at so many pixels that these are right.
-bool areCamerasTrusted(const Judged& judged) {
+bool areCamerasTrusted(const std::vector<JudgedRegion>& judged) {
   std::size_t known = 0, ofCamera = 0;
   for (const JudgedRegion& region : judged) {
     if (region.region->isSky || region.evidence->cameraPx == 0.0) continue;
@@ -273,10 +290,14 @@ bool areCamerasTrusted(const Judged& judged) {
 }
 
 /// The sky cannot move by itself: where the cameras are right, they decide, whatever its detail.
-bool isSkyUnwritten(const JudgedRegion& sky, bool isTrusted) {
+bool isSkyUnwritten(const JudgedRegion& sky, const std::vector<JudgedRegion>& judged, bool isTrusted) {
   const RegionEvidence& evidence = *sky.evidence;
   const auto pixels = static_cast<double>(evidence.pixels);
-  return sky.region->isSky && isTrusted && isUnwritten(evidence) && evidence.cameraPx >= kSkyMovesPx * pixels;
+  const bool isAlone = !sky.trial || std::ranges::none_of(judged, [&](const JudgedRegion& other) {
+    return &other != &sky && other.trial == sky.trial;
+  });
+  return sky.region->isSky && isAlone && isTrusted && isUnwritten(evidence) &&
+         evidence.cameraPx >= kSkyMovesPx * pixels;
 }
 
 Finding skyFinding(const JudgedRegion& sky, const Patient& patient, double allPixels) {
@@ -301,7 +322,8 @@ Finding skyFinding(const JudgedRegion& sky, const Patient& patient, double allPi
 }
 
 /// Sentences of what is right and of what is not known.
-void tellOthers(const Judged& judged, const Patient& patient, double allPixels, Diagnosis& out) {
+void tellOthers(const std::vector<JudgedRegion>& judged, const Patient& patient, double allPixels,
+                Diagnosis& out) {
   // A hundred small things are not worth a hundred sentences.
   constexpr double kWorthNaming = 0.002;
   std::size_t small = 0, right = 0;
@@ -350,19 +372,23 @@ void tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regio
                 Diagnosis& out) {
   const double allPixels = static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
   tellMarks(evidence, regions, patient, allPixels, out);
-  Judged judged = judgedRegions(evidence, regions);
-  const bool isTrusted = areCamerasTrusted(judged);
-  for (JudgedRegion& region : judged)
-    if (isSkyUnwritten(region, isTrusted)) {
+  Judged judged = judgeMotion(evidence, regions);
+  const bool isTrusted = areCamerasTrusted(judged.regions);
+  for (const JudgedRegion& region : judged.regions)
+    if (isSkyUnwritten(region, judged.regions, isTrusted)) {
       out.findings.push_back(skyFinding(region, patient, allPixels));
-      std::erase_if(judged, [](const JudgedRegion& other) { return other.region->isSky; });
+      std::erase_if(judged.regions, [](const JudgedRegion& other) { return other.region->isSky; });
       break;
     }
-  explainByFewest(judged, evidence.trials().size());
-  for (const FaultGroup& group : groupsOf(judged, evidence.trials()))
-    out.findings.push_back(findingOf(group, judged, evidence, patient, allPixels));
+  for (const FaultGroup& group : groupsOf(judged.regions, evidence.trials()))
+    out.findings.push_back(findingOf(group, judged.regions, evidence, patient, allPixels));
+  const Finding late = lateFinding();
+  if (judged.isLate && std::ranges::count(out.findings, late.id, &Finding::id) == 0)
+    out.findings.push_back(late);
   tellJumps(evidence, regions, patient, allPixels, out);
-  tellOthers(judged, patient, allPixels, out);
+  if (judged.contradicted)
+    out.undecided.push_back(contradictedMatrices(evidence.trials()[*judged.contradicted]));
+  tellOthers(judged.regions, patient, allPixels, out);
 }
 
 } // namespace taa::doctor

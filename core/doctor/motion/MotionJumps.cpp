@@ -35,6 +35,15 @@ std::string jumpChange(bool isWhole) {
              "it was last drawn in; or mark it as having no previous position.">();
 }
 
+/// In one frame all motion is that of a matrix that was never set.
+Finding identityFinding(int frame) {
+  Finding out = faultFinding(Fault::PreviousIdentity);
+  out.isWholePicture = true;
+  out.reason = say<"In frame %1 alone motion is what a previous matrix of 1 makes.">(frame);
+  out.change = jumpChange(true);
+  return out;
+}
+
 } // namespace
 
 std::optional<int> jumpOf(const RegionEvidence& evidence) {
@@ -51,8 +60,22 @@ std::optional<int> jumpOf(const RegionEvidence& evidence) {
   return found;
 }
 
+Finding lateFinding() {
+  Finding out = faultFinding(Fault::MotionLingers);
+  out.isWholePicture = true;
+  out.reason =
+      say<"At the rims of what moves, motion is that of what was there in the frame before: everywhere "
+          "else it is the same in both.">();
+  out.change = say<"Give each frame its own motion: what you write is that of the frame before.">();
+  return out;
+}
+
 void tellJumps(const MotionEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
                double allPixels, Diagnosis& out) {
+  if (const auto never = identityFrame(evidence.pairs())) {
+    out.findings.push_back(identityFinding(*never));
+    return;
+  }
   std::vector<RegionPlace> places;
   double jumping = 0.0, measured = 0.0;
   std::optional<int> frame;

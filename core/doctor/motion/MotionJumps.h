@@ -16,6 +16,9 @@ namespace taa::doctor {
 /// worse than the motion of the frame before or after does. None: there is none, or more than one.
 std::optional<int> jumpOf(const RegionEvidence& evidence);
 
+/// At the rims of what moves, motion is that of where it was a frame ago; see isLateAtRims().
+Finding lateFinding();
+
 /// Adds a finding where regions jump. `allPixels`: of all frames that were looked at.
 void tellJumps(const MotionEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
                double allPixels, Diagnosis& out);

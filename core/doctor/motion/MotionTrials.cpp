@@ -18,7 +18,7 @@ struct TrialWords {
 };
 
 /// In the order of the enumerators; those with a factor say it.
-constexpr std::array<TrialWords, 19> kTrialWords = {{
+constexpr std::array<TrialWords, 24> kTrialWords = {{
     {"asGiven", [] { return say<"as given">(); }},
     {"resting", [] { return say<"at rest on the screen">(); }},
     {"ofCamera", [] { return say<"that of the camera">(); }},
@@ -38,6 +38,11 @@ constexpr std::array<TrialWords, 19> kTrialWords = {{
     {"frameEarly", [] { return say<"that of the frame before">(); }},
     {"encoded", [] { return say<"decoded from 0 to 1">(); }},
     {"root", [] { return say<"squared, in shares of the picture">(); }},
+    {"twoFramesOld", [] { return say<"without that of the frame before, which it holds as well">(); }},
+    {"cameraTurned", [] { return say<"with the previous camera turned back">(); }},
+    {"cameraBeside", [] { return say<"with the previous camera moved back">(); }},
+    {"cameraMirrored", [] { return say<"with the previous camera's own matrix, not that of a mirror">(); }},
+    {"cameraIdentity", [] { return say<"with the previous camera's matrix, which was never set">(); }},
 }};
 
 const TrialWords& wordsOf(const MotionTrial& trial) {
@@ -53,6 +58,26 @@ std::optional<glm::vec2> withOther(const glm::vec2& motionPx, const std::optiona
                                    float factor) {
   if (!other) return {};
   return motionPx + factor * *other;
+}
+
+/// m was made with another camera: the difference of both is taken off.
+std::optional<glm::vec2> withoutOther(const std::optional<glm::mat4>& other, const DoctorFrame& now,
+                                      const glm::ivec2& pixel) {
+  const auto camera = cameraMotionPx(now, pixel);
+  if (!other || !camera) return {};
+  const auto wrong = motionUnder(*other, now, pixel, *now.depth.at(pixel.x, pixel.y));
+  if (!wrong) return {};
+  return now.motionAt(pixel.x, pixel.y) - (*wrong - *camera);
+}
+
+/// m holds the motion of the frame before as well, that of where the camera's motion leads.
+std::optional<glm::vec2> withoutOlder(const FrameNeighbors& frames, const glm::ivec2& pixel) {
+  const auto camera = cameraMotionPx(frames.now, pixel);
+  if (!camera || frames.before.startsHistory) return {};
+  const glm::vec2 place = glm::floor(glm::vec2(pixel) + 0.5f - *camera);
+  const glm::ivec2 before(place), size = frames.now.sizePx();
+  if (before.x < 0 || before.y < 0 || before.x >= size.x || before.y >= size.y) return {};
+  return withOther(frames.now.motionAt(pixel.x, pixel.y), cameraMotionPx(frames.before, before), -1.0f);
 }
 
 } // namespace
@@ -71,9 +96,13 @@ std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx) {
   for (const MotionKind kind : {MotionKind::Encoded, MotionKind::Root}) trials.push_back({kind});
   // Texture or device coordinates taken for pixels, and the other way; y of the latter may point up.
   const glm::vec2 uv(sizePx), ndc = 0.5f * uv, yUp(1.0f, -1.0f);
-  for (const glm::vec2& unit : {uv, ndc})
-    for (const glm::vec2& factor : {unit, unit * yUp, 1.0f / unit, yUp / unit})
-      trials.push_back({MotionKind::OtherUnit, factor});
+  for (const glm::vec2& factor : {uv, uv * yUp, 1.0f / uv, yUp / uv})
+    trials.push_back({MotionKind::OtherUnit, factor});
+  for (const glm::vec2& factor : {ndc * yUp, ndc, yUp / ndc, 1.0f / ndc})
+    trials.push_back({MotionKind::OtherUnit, factor, true});
+  for (const MotionKind kind : {MotionKind::TwoFramesOld, MotionKind::CameraTurned, MotionKind::CameraBeside,
+                                MotionKind::CameraMirrored, MotionKind::CameraIdentity})
+    trials.push_back({kind});
   // Last: whatever is wrong with what rests in the world, this fits it, and says the least.
   trials.push_back({MotionKind::OfCamera});
   return trials;
@@ -138,6 +167,16 @@ std::optional<glm::vec2> trueMotion(const MotionTrial& trial, const FrameNeighbo
     return 2.0f * given - glm::vec2(frames.now.sizePx());
   case MotionKind::Root:
     return glm::abs(given) * given / glm::vec2(frames.now.sizePx());
+  case MotionKind::TwoFramesOld:
+    return withoutOlder(frames, pixel);
+  case MotionKind::CameraTurned:
+    return withoutOther(frames.others.turned, frames.now, pixel);
+  case MotionKind::CameraBeside:
+    return withoutOther(frames.others.beside, frames.now, pixel);
+  case MotionKind::CameraMirrored:
+    return withoutOther(frames.others.mirrored, frames.now, pixel);
+  case MotionKind::CameraIdentity:
+    return withoutOther(frames.others.identity, frames.now, pixel);
   }
   return {};
 }

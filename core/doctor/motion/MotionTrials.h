@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/doctor/frames/DoctorFrame.h"
+#include "core/doctor/motion/OtherCameras.h"
 
 #include <glm/vec2.hpp>
 
@@ -35,11 +36,17 @@ enum class MotionKind : std::uint8_t {
   FrameEarly,     ///< m is that of the frame after
   Encoded,        ///< m is ½ + ½ of what it should be, in shares of the picture
   Root,           ///< m is the root of what it should be, in shares of the picture
+  TwoFramesOld,   ///< m goes back two frames
+  CameraTurned,   ///< m was made with a previous camera that is turned; moved; mirrored; never set
+  CameraBeside,
+  CameraMirrored,
+  CameraIdentity,
 };
 
 struct MotionTrial {
   MotionKind kind = MotionKind::AsGiven;
   glm::vec2 factor{1.0f}; ///< of Scaled, OtherUnit: the true motion is m times it
+  bool isDevice = false;  ///< of OtherUnit: device coordinates, not those of a texture
 };
 
 /// AsGiven first, then all others for pictures of a size: those that say most before those that say little.
@@ -55,6 +62,7 @@ struct FrameNeighbors {
   const DoctorFrame& now;
   const DoctorFrame& before;
   const DoctorFrame* after = nullptr;
+  OtherCameras others{}; ///< of `now`
 
   /// What is added to a place of now to find the same place before, besides −motion, px.
   glm::vec2 jitterStep() const { return before.jitterPx - now.jitterPx; }

@@ -48,7 +48,7 @@ MotionFault unitFault(const MotionTrial& trial) {
     return {"motionUnit", say<"Motion of another unit">(),
             say<"History comes from outside of the picture: nothing accumulates while anything moves.">(),
             change};
-  return ofTable(trial.factor.y < 0.0f ? Fault::MotionInNdc : Fault::MotionInUv, change);
+  return ofTable(trial.isDevice ? Fault::MotionInNdc : Fault::MotionInUv, change);
 }
 
 /// Which camera makes motion that is not the camera's: of one that is turned everything moves by the same
@@ -126,6 +126,31 @@ MotionFault lacksCameraFault(const Region& region, const RegionEvidence& evidenc
                      "this frame's.">());
 }
 
+MotionFault otherCameraFault(MotionKind kind) {
+  switch (kind) {
+  case MotionKind::CameraTurned:
+    return ofTable(
+        Fault::CameraTurned,
+        say<"What rests moves as if the previous camera had looked elsewhere: make motion with the "
+            "view of the frame before, unchanged.">());
+  case MotionKind::CameraBeside:
+    return ofTable(
+        Fault::CameraOfSecondView,
+        say<"What rests moves as if the previous camera had stood beside this one: make motion with "
+            "the matrices of the frame before of the same view.">());
+  case MotionKind::CameraMirrored:
+    return ofTable(
+        Fault::CameraOfMirror,
+        say<"What rests moves as if the previous camera had been that of a mirror: keep the matrices "
+            "of each view apart.">());
+  default:
+    return ofTable(
+        Fault::PreviousIdentity,
+        say<"What rests moves as if the previous matrix were 1: set it to that of the frame before, "
+            "and in the first frame to this frame's.">());
+  }
+}
+
 MotionFault searchedFault(const Region& region, const RegionEvidence& evidence) {
   if (isUnwritten(evidence)) return unwrittenFault(region);
   return ofTable(Fault::MotionCameraOnly,
@@ -171,6 +196,15 @@ MotionFault motionFault(const MotionTrial* trial, const Region& region, const Re
   case MotionKind::Encoded:
   case MotionKind::Root:
     return decodedFault(trial->kind);
+  case MotionKind::TwoFramesOld:
+    return ofTable(
+        Fault::PreviousTwoFramesOld,
+        say<"Keep the transforms of the frame before: motion goes back to those of two frames ago.">());
+  case MotionKind::CameraTurned:
+  case MotionKind::CameraBeside:
+  case MotionKind::CameraMirrored:
+  case MotionKind::CameraIdentity:
+    return otherCameraFault(trial->kind);
   }
   return {};
 }
@@ -200,6 +234,14 @@ std::string motionExample(const Patient& patient, const RegionEvidence& evidence
         place, shortVector(given), shortVector(should));
   return say<"For example %1 you write %2; the pictures show %3.">(place, shortVector(given),
                                                                    shortVector(should));
+}
+
+Undecided contradictedMatrices(const MotionTrial& trial) {
+  return {
+      say<"Depth and matrices">(),
+      say<"motion is not what they make, and would be if it were taken like this: %1; but the pictures fit "
+          "it as it is">(trialText(trial)),
+      say<"State matrices and depth as they are used.">()};
 }
 
 Undecided undecidedMotion(MotionVerdict verdict, const RegionPlace& place, const RegionEvidence& evidence) {

@@ -27,6 +27,8 @@ glm::dvec2 storedMotion(const Patient& patient, const glm::dvec2& motionPx);
 /// Empty where the trial says nothing there.
 std::string motionExample(const Patient& patient, const RegionEvidence& evidence, std::size_t trial);
 
+/// Depth and matrices make something of the motion given that pixels contradict.
+Undecided contradictedMatrices(const MotionTrial& trial);
 /// A sentence why a region's motion is not decided, and what to capture instead.
 Undecided undecidedMotion(MotionVerdict verdict, const RegionPlace& place, const RegionEvidence& evidence);
 

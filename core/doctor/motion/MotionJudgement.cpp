@@ -1,0 +1,217 @@
+#include "core/doctor/motion/MotionJudgement.h"
+
+#include "core/doctor/motion/MotionMarks.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace taa::doctor {
+
+namespace {
+
+// What pixels say of an explanation of depth and matrices, over all regions that it explains: they contradict
+// or confirm it where it leaves so many times as much or as little as the motion given.
+constexpr std::size_t kEnoughToContradict = 300, kEnoughToConfirm = 150;
+constexpr double kContradicts = 1.15, kConfirms = 1.1, kConfirmingShare = 0.6;
+/// Of all pixels whose motion could be the camera's: an explanation of so many needs no pixels to confirm it;
+/// and none of fewer does where so many others have the camera's motion, by which that is known to be right.
+constexpr double kMostOfAll = 0.5, kTrustedOfAll = 0.3;
+
+std::vector<JudgedRegion> judgedRegions(const MotionEvidence& evidence, const std::vector<Region>& regions) {
+  std::vector<JudgedRegion> out;
+  for (std::size_t i = 0; i < regions.size() && i < evidence.regions().size(); ++i) {
+    const RegionEvidence& measured = evidence.regions()[i];
+    if (measured.pixels == 0 || isUnwrittenMark(measured) || isKeptAsMissing(measured)) continue;
+    JudgedRegion region;
+    region.region = &regions[i];
+    region.evidence = &measured;
+    region.decision = decideMotion(measured, evidence.trials());
+    region.witness = decideWitness(measured.witness, evidence.trials());
+    // Clouds may drift; nobody writes motion for them.
+    const bool isDrifting = regions[i].isSky && region.decision.verdict == MotionVerdict::Wrong &&
+                            region.decision.explanations.empty();
+    if (isDrifting) region.decision.verdict = MotionVerdict::Contradicted;
+    out.push_back(std::move(region));
+  }
+  return out;
+}
+
+/// Regions that one explanation makes the camera's motion of.
+struct WitnessedRegions {
+  std::size_t trial = 0;
+  std::vector<JudgedRegion*> regions;
+
+  PixelsSay pixelsSay() const {
+    TrialEvidence sum;
+    for (const JudgedRegion* region : regions) {
+      const TrialEvidence& one = region->evidence->trials[trial];
+      sum.pixels += one.pixels;
+      sum.given += one.given;
+      sum.tried += one.tried;
+      sum.cells += one.cells;
+      sum.cellsWon += one.cellsWon;
+    }
+    if (sum.pixels >= kEnoughToContradict && sum.tried >= kContradicts * sum.given) return PixelsSay::No;
+    const bool isConfirmed =
+        sum.pixels >= kEnoughToConfirm && sum.given >= kConfirms * sum.tried &&
+        static_cast<double>(sum.cellsWon) >= kConfirmingShare * static_cast<double>(sum.cells);
+    return isConfirmed ? PixelsSay::Yes : PixelsSay::Nothing;
+  }
+  double pixels() const {
+    double out = 0.0;
+    for (const JudgedRegion* region : regions) out += region->region->pixels;
+    return out;
+  }
+};
+
+double pixelsWith(const std::vector<JudgedRegion>& judged, WitnessVerdict verdict) {
+  double pixels = 0.0;
+  for (const JudgedRegion& region : judged)
+    if (region.witness.verdict == verdict) pixels += region.region->pixels;
+  return pixels;
+}
+
+/// The explanation that the most pixels of regions that are still open are told by, and these regions; of
+/// those that depth and matrices do not tell apart the one that fits the pixels of what moves by itself, too.
+WitnessedRegions broadestWitness(const std::vector<JudgedRegion*>& open, const std::vector<JudgedRegion>& all,
+                                 std::size_t trialCount) {
+  std::vector<double> pixels(trialCount, 0.0);
+  for (const JudgedRegion* region : open)
+    for (const std::size_t trial : region->witness.explanations) pixels[trial] += region->region->pixels;
+  const double most = *std::ranges::max_element(pixels);
+  for (const JudgedRegion& region : all)
+    if (region.witness.verdict == WitnessVerdict::Apart)
+      for (const std::size_t trial : region.decision.explanations)
+        if (pixels[trial] >= most) pixels[trial] += region.region->pixels;
+  WitnessedRegions out;
+  out.trial = static_cast<std::size_t>(std::ranges::max_element(pixels) - pixels.begin());
+  for (JudgedRegion* region : open)
+    if (std::ranges::count(region->witness.explanations, out.trial) > 0) out.regions.push_back(region);
+  return out;
+}
+
+bool isBelieved(const WitnessedRegions& told, const MotionTrial& trial, PixelsSay pixelsSay,
+                const std::vector<JudgedRegion>& judged) {
+  // What was fitted fits wrong depth as well: pixels have to confirm it.
+  if (pixelsSay != PixelsSay::Nothing || isFitted(trial)) return pixelsSay == PixelsSay::Yes;
+  const double ofCamera = pixelsWith(judged, WitnessVerdict::OfCamera);
+  const double known =
+      ofCamera + pixelsWith(judged, WitnessVerdict::Explained) + pixelsWith(judged, WitnessVerdict::Apart);
+  if (told.pixels() >= kMostOfAll * known) return true;
+  return isParticular(trial) && ofCamera >= kTrustedOfAll * known;
+}
+
+/// What moves by itself has no witness: what all that rests is told by is its fault, too, where pixels do not
+/// contradict that.
+void spreadTold(std::size_t trial, std::vector<JudgedRegion>& judged) {
+  for (JudgedRegion& region : judged) {
+    if (region.trial || region.decision.verdict != MotionVerdict::Wrong) continue;
+    const TrialEvidence& evidence = region.evidence->trials[trial];
+    if (evidence.gain() <= 0.0) continue;
+    region.trial = trial;
+    region.decision.explanations = {trial};
+  }
+}
+
+void judgeByWitness(Judged& out, const MotionEvidence& evidence) {
+  std::vector<JudgedRegion*> open;
+  double known = pixelsWith(out.regions, WitnessVerdict::OfCamera);
+  for (JudgedRegion& region : out.regions)
+    if (region.witness.verdict == WitnessVerdict::Explained) {
+      open.push_back(&region);
+      known += region.region->pixels;
+    }
+  while (!open.empty()) {
+    const WitnessedRegions told = broadestWitness(open, out.regions, evidence.trials().size());
+    std::erase_if(open, [&](JudgedRegion* region) { return std::ranges::count(told.regions, region) > 0; });
+    const PixelsSay pixelsSay = told.pixelsSay();
+    if (!isBelieved(told, evidence.trials()[told.trial], pixelsSay, out.regions)) {
+      if (pixelsSay == PixelsSay::No && !out.contradicted) out.contradicted = told.trial;
+      continue;
+    }
+    for (JudgedRegion* region : told.regions) {
+      region->decision = {MotionVerdict::Wrong, region->witness.explanations};
+      region->trial = told.trial;
+      region->isWitnessed = true;
+      region->pixelsSay = pixelsSay;
+    }
+    if (told.pixels() >= kMostOfAll * known) spreadTold(told.trial, out.regions);
+  }
+}
+
+bool isLate(const std::vector<JudgedRegion>& judged) {
+  WitnessEvidence rims;
+  for (const JudgedRegion& region : judged) {
+    if (region.witness.verdict != WitnessVerdict::OfCamera) continue;
+    rims.off += region.evidence->witness.off;
+    rims.offLate += region.evidence->witness.offLate;
+  }
+  return isLateAtRims(rims);
+}
+
+/// The explanation that fits the most pixels of regions that are still open; of those that fit as many, the
+/// first that gains nearly as much as any.
+std::size_t broadestTrial(const std::vector<JudgedRegion*>& open, std::size_t trialCount) {
+  constexpr double kAsMuch = 0.99;
+  std::vector<double> pixels(trialCount, 0.0), gains(trialCount, 0.0);
+  for (const JudgedRegion* region : open)
+    for (const std::size_t trial : region->decision.explanations) {
+      pixels[trial] += region->region->pixels;
+      gains[trial] += region->evidence->trials[trial].gain();
+    }
+  const double most = *std::ranges::max_element(pixels);
+  double gain = 0.0;
+  for (std::size_t t = 0; t < trialCount; ++t)
+    if (pixels[t] == most) gain = std::max(gain, gains[t]);
+  std::size_t best = 0;
+  while (pixels[best] < most || gains[best] < kAsMuch * gain) ++best;
+  return best;
+}
+
+/// Tells the most with the fewest: the explanation that fits the most pixels is that of all regions that it
+/// fits, then the next one.
+void explainByFewest(std::vector<JudgedRegion>& judged, std::size_t trialCount) {
+  std::vector<JudgedRegion*> open;
+  for (JudgedRegion& region : judged)
+    if (region.decision.verdict == MotionVerdict::Wrong && !region.decision.explanations.empty() &&
+        !region.trial)
+      open.push_back(&region);
+  while (!open.empty()) {
+    const std::size_t best = broadestTrial(open, trialCount);
+    std::erase_if(open, [&](JudgedRegion* region) {
+      if (std::ranges::count(region->decision.explanations, best) == 0) return false;
+      region->trial = best;
+      return true;
+    });
+  }
+}
+
+} // namespace
+
+bool isAlike(const JudgedRegion& region, std::size_t other) {
+  constexpr float kSamePx = 0.25f;
+  const auto& moved = region.evidence->example.byTrial;
+  const auto &told = moved[*region.trial], &rival = moved[other];
+  return told && rival && glm::distance(*told, *rival) <= kSamePx;
+}
+
+std::vector<std::size_t> rivalsOf(const JudgedRegion& region) {
+  std::vector<std::size_t> out;
+  if (!region.trial) return out;
+  for (const std::size_t other : region.decision.explanations)
+    if (other != *region.trial && !isAlike(region, other)) out.push_back(other);
+  return out;
+}
+
+Judged judgeMotion(const MotionEvidence& evidence, const std::vector<Region>& regions) {
+  Judged out;
+  out.regions = judgedRegions(evidence, regions);
+  judgeByWitness(out, evidence);
+  out.isLate = isLate(out.regions);
+  explainByFewest(out.regions, evidence.trials().size());
+  return out;
+}
+
+} // namespace taa::doctor

@@ -1,0 +1,44 @@
+// Which explanation each region's motion is told by: by depth and matrices where these say more than pixels
+// can, by pixels elsewhere, and the most by the fewest.
+#pragma once
+
+#include "core/doctor/frames/Regions.h"
+#include "core/doctor/motion/MotionDecision.h"
+#include "core/doctor/motion/MotionEvidence.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace taa::doctor {
+
+/// What the pixels say of an explanation that rests on depth and matrices.
+enum class PixelsSay : std::uint8_t { Nothing, Yes, No };
+
+/// A region with what was measured and decided.
+struct JudgedRegion {
+  const Region* region = nullptr;
+  const RegionEvidence* evidence = nullptr;
+  MotionDecision decision;
+  std::optional<std::size_t> trial; ///< of a wrong one: what it is told by; none: what was searched for
+  WitnessDecision witness;
+  bool isWitnessed = false; ///< told by depth and matrices
+  PixelsSay pixelsSay = PixelsSay::Nothing;
+};
+
+struct Judged {
+  std::vector<JudgedRegion> regions; ///< that were measured, and whose motion is one
+  /// An explanation that depth and matrices make, and pixels contradict: these may be wrong instead.
+  std::optional<std::size_t> contradicted;
+  bool isLate = false; ///< isLateAtRims() of all that rests
+};
+
+/// `regions`: those of the evidence, which live as long as what is returned.
+Judged judgeMotion(const MotionEvidence& evidence, const std::vector<Region>& regions);
+
+/// Explanations that fit a region as well; those that lead elsewhere, and those that lead to the same places.
+std::vector<std::size_t> rivalsOf(const JudgedRegion& region);
+bool isAlike(const JudgedRegion& region, std::size_t other);
+
+} // namespace taa::doctor

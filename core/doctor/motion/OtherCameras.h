@@ -1,0 +1,25 @@
+// Previous cameras that an engine may have made motion with instead of the one that it had: another one for
+// everything that rests in the world.
+#pragma once
+
+#include "core/doctor/frames/DoctorFrame.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <optional>
+
+namespace taa::doctor {
+
+/// Previous clip from clip, both without jitter, of a frame.
+struct OtherCameras {
+  std::optional<glm::mat4> turned;   ///< the previous camera, turned: by what fits the motion given
+  std::optional<glm::mat4> beside;   ///< the previous camera, moved: likewise
+  std::optional<glm::mat4> mirrored; ///< by a plane of the world through its origin
+  std::optional<glm::mat4> identity; ///< a matrix that was never set
+};
+
+/// Those that a frame's cameras make, where the motion given is not the camera's; else and without cameras
+/// none. Turned and moved ones are there only where they make nearly all of the motion given.
+OtherCameras otherCameras(const DoctorFrame& frame);
+
+} // namespace taa::doctor

@@ -1,0 +1,81 @@
+// What depth and matrices say of motion, on hand-made distances and on painted frames.
+#include "core/doctor/motion/MotionWitness.h"
+
+#include "tests/support/doctor/PaintedFrames.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace taa::doctor {
+namespace {
+
+/// Of the ground of a painted shot, all of whose motion is multiplied.
+WitnessDecision groundTimes(const glm::vec2& factor) {
+  const test::PaintedShot shot;
+  const std::vector<MotionTrial> trials = motionTrials(test::kPaintedPx);
+  DoctorFrame now = test::paintedFrame(shot, 2), before = test::paintedFrame(shot, 1);
+  for (DoctorFrame* frame : {&now, &before})
+    test::changeMotion(*frame, test::kGroundId, [&](const glm::vec2& m) { return factor * m; });
+  const FrameNeighbors frames{now, before, nullptr};
+  WitnessEvidence evidence;
+  for (int y = 60; y < 80; ++y)
+    for (int x = 4; x < 60; ++x) addWitness(evidence, trials, frames, {x, y});
+  return decideWitness(evidence, trials);
+}
+
+std::vector<MotionTrial> explained(const WitnessDecision& decision) {
+  std::vector<MotionTrial> out;
+  for (const std::size_t trial : decision.explanations) out.push_back(motionTrials(test::kPaintedPx)[trial]);
+  return out;
+}
+
+} // namespace
+
+TEST(MotionWitness, CountsDistancesByHalvesOfAnOctave) {
+  DistanceCounts counts;
+  for (const float distance : {0.01f, 0.25f, 4.0f}) counts.add(distance);
+  EXPECT_EQ(counts.medianPx(), 0.25);
+  EXPECT_EQ(counts.upTo(0.25), 2u);
+  EXPECT_EQ(counts.upTo(4.0), 3u);
+}
+
+TEST(MotionWitness, FindsTheCamerasOwnMotion) {
+  EXPECT_EQ(groundTimes({1.0f, 1.0f}).verdict, WitnessVerdict::OfCamera);
+}
+
+TEST(MotionWitness, FindsWhatMakesTheCamerasMotionOfTheMotionGiven) {
+  const WitnessDecision negated = groundTimes({1.0f, -1.0f});
+  ASSERT_EQ(negated.verdict, WitnessVerdict::Explained);
+  ASSERT_EQ(explained(negated).size(), 1u);
+  EXPECT_EQ(explained(negated)[0].kind, MotionKind::MirroredY);
+  const WitnessDecision device = groundTimes({2.0f / 160.0f, -2.0f / 96.0f});
+  ASSERT_EQ(explained(device).size(), 1u);
+  EXPECT_TRUE(explained(device)[0].isDevice);
+}
+
+TEST(MotionWitness, SaysNothingOfWhatMovesByItself) {
+  EXPECT_EQ(groundTimes({1.37f, 0.61f}).verdict, WitnessVerdict::Apart);
+}
+
+TEST(MotionWitness, FindsTheOnlyFrameOfAMatrixThatWasNeverSet) {
+  std::vector<PairWitness> pairs(5, PairWitness{0, 1000, 10, 0});
+  for (int i = 0; i < 5; ++i) pairs[static_cast<std::size_t>(i)].frame = i + 1;
+  EXPECT_FALSE(identityFrame(pairs));
+  pairs[2] = {3, 1000, 990, 980};
+  EXPECT_EQ(identityFrame(pairs), 3);
+  pairs[2].ofIdentity = 100;
+  EXPECT_FALSE(identityFrame(pairs));
+}
+
+TEST(MotionWitness, IsLateWhereRimsHaveTheMotionOfAFrameAgo) {
+  WitnessEvidence rims;
+  rims.off = 100;
+  rims.offLate = 80;
+  EXPECT_TRUE(isLateAtRims(rims));
+  rims.offLate = 79;
+  EXPECT_FALSE(isLateAtRims(rims));
+}
+
+} // namespace taa::doctor

@@ -1,0 +1,90 @@
+// Previous cameras that are found from the motion that they make.
+#include "core/doctor/motion/OtherCameras.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <functional>
+#include <optional>
+
+namespace taa::doctor {
+namespace {
+
+using Previous = std::function<glm::dmat4(const glm::dmat4& clipFromView, const glm::dmat4& previousView)>;
+
+/// A slope from 2 to 8 m away that a camera passes, its motion made with another previous camera.
+DoctorFrame frameWith(const Previous& previousClipFromWorld) {
+  constexpr int kWide = 64, kHigh = 48;
+  constexpr double kNear = 0.1;
+  glm::dmat4 clipFromView(0.0); // reversed, its far plane at infinity
+  clipFromView[0][0] = 1.5;
+  clipFromView[1][1] = 2.0;
+  clipFromView[2][3] = -1.0;
+  clipFromView[3][2] = kNear;
+  const glm::dmat4 view = glm::translate(glm::dmat4(1.0), glm::dvec3(0.3, -1.0, 0.2));
+  const glm::dmat4 previousView = glm::translate(glm::dmat4(1.0), glm::dvec3(0.28, -1.0, 0.25));
+  DoctorFrame out;
+  out.luma = out.depth = Image(kWide, kHigh, 1);
+  out.motionPx = Image(kWide, kHigh, 2);
+  out.cameras = FrameCameras{clipFromView, view, previousView};
+  const glm::dmat4 worldFromClip = glm::inverse(clipFromView * view);
+  out.previousClipFromClip = glm::mat4(clipFromView * previousView * worldFromClip);
+  const glm::mat4 wrong(previousClipFromWorld(clipFromView, previousView) * worldFromClip);
+  for (int y = 0; y < kHigh; ++y)
+    for (int x = 0; x < kWide; ++x) {
+      *out.depth.at(x, y) = static_cast<float>(kNear / (2.0 + 6.0 * (x + 2.0 * y) / (kWide + 2.0 * kHigh)));
+      const auto motion = motionUnder(wrong, out, {x, y}, *out.depth.at(x, y));
+      out.motionPx.at(x, y)[0] = motion ? motion->x : kNoPreviousPosition;
+      out.motionPx.at(x, y)[1] = motion ? motion->y : kNoPreviousPosition;
+    }
+  return out;
+}
+
+/// How far the motion of a found camera is from that given, px, in the middle of the picture.
+float missOf(const DoctorFrame& frame, const std::optional<glm::mat4>& found) {
+  const auto motion = motionUnder(*found, frame, {32, 24}, *frame.depth.at(32, 24));
+  return glm::distance(*motion, frame.motionAt(32, 24));
+}
+
+} // namespace
+
+TEST(OtherCameras, AreNoneWhereMotionIsTheCameras) {
+  const OtherCameras others =
+      otherCameras(frameWith([](const glm::dmat4& clip, const glm::dmat4& view) { return clip * view; }));
+  EXPECT_FALSE(others.turned || others.beside || others.mirrored || others.identity);
+}
+
+TEST(OtherCameras, FindATurnedOne) {
+  const DoctorFrame frame = frameWith([](const glm::dmat4& clip, const glm::dmat4& view) {
+    return clip * glm::rotate(glm::dmat4(1.0), glm::radians(1.0), glm::dvec3(0.0, 1.0, 0.0)) * view;
+  });
+  const OtherCameras others = otherCameras(frame);
+  ASSERT_TRUE(others.turned);
+  EXPECT_FALSE(others.beside);
+  EXPECT_LT(missOf(frame, others.turned), 0.01f); // px: matrices are of single precision
+}
+
+TEST(OtherCameras, FindOneBeside) {
+  const DoctorFrame frame = frameWith([](const glm::dmat4& clip, const glm::dmat4& view) {
+    return clip * glm::translate(glm::dmat4(1.0), glm::dvec3(-0.5, 0.0, 0.0)) * view;
+  });
+  const OtherCameras others = otherCameras(frame);
+  ASSERT_TRUE(others.beside);
+  EXPECT_FALSE(others.turned);
+  EXPECT_LT(missOf(frame, others.beside), 0.01f);
+}
+
+TEST(OtherCameras, TryAMirroredOne) {
+  const DoctorFrame frame = frameWith([](const glm::dmat4& clip, const glm::dmat4& view) {
+    return clip * view * glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, -1.0, 1.0));
+  });
+  const OtherCameras others = otherCameras(frame);
+  ASSERT_TRUE(others.mirrored);
+  EXPECT_LT(missOf(frame, others.mirrored), 0.01f);
+}
+
+} // namespace taa::doctor
