@@ -138,6 +138,7 @@ const View& SceneRenderer::Impl::prepare(const FrameRequest& request, int number
   const bool isKnown = last && !last->isWarmUp && !warmUp && last->frame == number;
   if (isKnown && differsInJitterOnly(last->request, request)) {
     setJitter(last->view, *request.jitterPx);
+    gbuffer.setJitter(last->view.block.jitterPx);
     return last->view;
   }
   last.reset();

@@ -172,29 +172,40 @@ Bounds GBufferPass::boundsOf(const Scene& scene, const View& view, const Item& i
                         view.pose.time);
 }
 
-GBufferPass::IndexRange GBufferPass::indicesBeside(std::span<const HalfSpace> outside, const Item& item,
-                                                   const Primitive& primitive, const Wind& wind) {
+std::optional<std::uint32_t> GBufferPass::addToPart(const Scene& scene, const View& view, const Item& item,
+                                                    const Visible& visible, const PartSides& sides) {
+  const Primitive& primitive =
+      scene.meshes[static_cast<std::size_t>(item.mesh)].primitives[static_cast<std::size_t>(item.primitive)];
+  const Material& material = scene.materials[static_cast<std::size_t>(item.material)];
   const MeshVariant& variant = item.variant;
-  if (primitive.topology != Topology::Triangles || variant.influenceSets > 0 || variant.morphed ||
-      variant.cached || primitive.indices.size() <= 3 * TriangleGroups::kMaxTriangles)
-    return {};
-  const std::pair key(item.mesh, item.primitive);
-  auto groups = groups_.find(key);
-  if (groups == groups_.end()) groups = groups_.emplace(key, TriangleGroups(primitive, wind)).first;
-  const std::size_t first = partIndices_.size();
-  groups->second.append(primitive, outside, partIndices_);
-  const std::size_t count = partIndices_.size() - first;
-  if (count < primitive.indices.size())
-    return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), false};
-  partIndices_.resize(first);
-  return {};
+  const auto instance = static_cast<int>(visible.instance);
+  PlacedPrimitive placed{{item.mesh, item.primitive}, primitive, material.wind};
+  placed.clipFromVertex = view.block.clipFromWorld;
+  if (variant.influenceSets > 0 || variant.morphed || variant.cached)
+    placed.deformer.emplace(scene, NodeInstance(item.node, instance), primitive, view.pose, view.pose.time);
+  else
+    placed.clipFromVertex *= placeOf(scene, view, item, instance).worldFromModel;
+  placed.movesWithJitter = !variant.printedJitter && !variant.steady;
+  if (!material.doubleSided) placed.culledClockwise = !visible.mirrored;
+  return partTriangles_.add(placed, sides);
+}
+
+void GBufferPass::selectTriangles(const glm::vec2& jitterPx) {
+  partTriangles_.select(jitterPx);
+  counts_ = wholeCounts_;
+  for (const std::vector<Visible>* list : {&visible_, &blended_})
+    for (const Visible& visible : *list)
+      if (const std::size_t count = visible.part ? partTriangles_.range(*visible.part).count : 0; count > 0) {
+        ++counts_.drawn;
+        counts_.triangles += count / 3;
+      }
 }
 
 void GBufferPass::findVisible(const Scene& scene, const View& view, bool culls) {
   visible_.clear();
   blended_.clear();
-  partIndices_.clear();
-  counts_ = {};
+  partTriangles_.clear();
+  wholeCounts_ = {};
   for (std::uint32_t index = 0; index < items_.size(); ++index) findVisible(scene, view, culls, index);
   // Masked ones last, because they cannot hide what is behind them before they are shaded. The far end of a
   // thing decides, so that walls and grounds come after what stands before them.
@@ -207,7 +218,7 @@ void GBufferPass::findVisible(const Scene& scene, const View& view, bool culls, 
   const Primitive& primitive =
       scene.meshes[static_cast<std::size_t>(item.mesh)].primitives[static_cast<std::size_t>(item.primitive)];
   if (primitive.indices.empty() || !view.nodes[static_cast<std::size_t>(item.node)].isVisible) return;
-  counts_.objects += item.instances;
+  wholeCounts_.objects += item.instances;
   const ClipSides sides = clipSides(view);
   const Bounds bounds = boundsOf(scene, view, item);
   const glm::vec4 jitter = item.variant.printedJitter ? view.block.printedJitter : glm::vec4(0.0f);
@@ -216,16 +227,16 @@ void GBufferPass::findVisible(const Scene& scene, const View& view, bool culls, 
     const glm::mat4 clipFromModel = view.block.clipFromWorld * world;
     const auto distance = farthestPoint(bounds, clipFromModel, sides, jitter);
     if (culls && !distance) continue;
-    IndexRange indices;
-    if (culls && view.part)
-      indices = indicesBeside(beyondSides(clipFromModel, sides, jitter), item, primitive,
-                              scene.materials[static_cast<std::size_t>(item.material)].wind);
-    if (!indices.isWhole && indices.count == 0) continue;
-    ++counts_.drawn;
-    counts_.triangles += (indices.isWhole ? primitive.indices.size() : indices.count) / 3;
-    Visible visible{kBeyondAll, index, static_cast<std::uint32_t>(instance), indices};
+    Visible visible{kBeyondAll, index, static_cast<std::uint32_t>(instance), {}};
     visible.masked = item.variant.masked;
     visible.mirrored = sign < 0.0f;
+    if (culls && view.part)
+      visible.part = addToPart(scene, view, item, visible, {sides, jitter, *view.part, view.block.sizePx});
+    if (visible.part && partTriangles_.isEmpty(*visible.part)) continue;
+    if (!visible.part) {
+      ++wholeCounts_.drawn;
+      wholeCounts_.triangles += primitive.indices.size() / 3;
+    }
     if (item.variant.blended)
       visible.distance = middleDistance(primitive.bounds, clipFromModel);
     else if (!item.variant.deforms()) // what deforms comes last
@@ -272,14 +283,17 @@ void GBufferPass::prepare(const Scene& scene, const InputSettings& settings, con
   prepareDeformation(scene, view);
   findVisible(scene, view, culls_ && !warmUp);
   if (warmUp) keepOneOfEach();
-  uploadPrepared(view);
+  lightBlock_.update(0, &view.lights, sizeof(view.lights));
+  makeCalls(visible_, calls_);
+  makeCalls(blended_, blendedCalls_);
+  setJitter(view.block.jitterPx);
   part_ = view.part;
 }
 
 bool GBufferPass::drawAsOne(const Visible& first, const Visible& second) const {
   const Item &a = items_[first.item], &b = items_[second.item];
   return a.variant.instanced && a.variant == b.variant && a.mesh == b.mesh && a.primitive == b.primitive &&
-         first.mirrored == second.mirrored && first.indices.isWhole && second.indices.isWhole;
+         first.mirrored == second.mirrored && !first.part && !second.part;
 }
 
 void GBufferPass::makeCalls(const std::vector<Visible>& items, DrawCalls& calls) const {
@@ -287,17 +301,16 @@ void GBufferPass::makeCalls(const std::vector<Visible>& items, DrawCalls& calls)
   for (std::size_t i = 0; i < items.size(); ++i) calls.add(i > 0 && drawAsOne(items[i - 1], items[i]));
 }
 
-void GBufferPass::uploadPrepared(const View& view) {
-  lightBlock_.update(0, &view.lights, sizeof(view.lights));
-  makeCalls(visible_, calls_);
-  makeCalls(blended_, blendedCalls_);
-  if (partIndices_.empty()) return;
-  const std::size_t bytes = partIndices_.size() * sizeof(std::uint32_t);
+void GBufferPass::setJitter(const glm::vec2& jitterPx) {
+  selectTriangles(jitterPx);
+  const std::vector<std::uint32_t>& indices = partTriangles_.indices();
+  if (indices.empty()) return;
+  const std::size_t bytes = indices.size() * sizeof(std::uint32_t);
   if (partIndexBuffer_.bytes() < bytes) {
     partIndexBuffer_ = gl::Buffer();
     partIndexBuffer_ = gl::Buffer(std::bit_ceil(bytes), nullptr, "indices of a part");
   }
-  partIndexBuffer_.update(0, partIndices_.data(), bytes);
+  partIndexBuffer_.update(0, indices.data(), bytes);
 }
 
 void GBufferPass::draw(const Source& source, const gl::Framebuffer& target, const Progress& warmUp) {
@@ -327,6 +340,8 @@ void GBufferPass::drawItems(const Source& source, bool ofBlended, gl::RenderPass
   for (const DrawCalls::Call& call : calls.calls()) {
     const Visible& visible = items[call.first];
     const Item& item = items_[visible.item];
+    const auto range = visible.part ? partTriangles_.range(*visible.part) : PartTriangles::Range{};
+    if (visible.part && range.count == 0) continue;
     if (warmUp) reportWarmUp(warmUp, programs_.size() + drawn++);
     pass.program(programs_.at(item.variant));
     calls.bind(pass, call, item.variant.instanced, blockOf);
@@ -335,10 +350,10 @@ void GBufferPass::drawItems(const Source& source, bool ofBlended, gl::RenderPass
     pass.culling(!source.scene.materials[static_cast<std::size_t>(item.material)].doubleSided,
                  visible.mirrored);
     const gl::Mesh& mesh = source.resources.mesh(item.mesh, item.primitive);
-    if (visible.indices.isWhole)
-      pass.draw(mesh, static_cast<int>(call.count));
+    if (visible.part)
+      pass.draw(mesh, partIndexBuffer_, range.first, range.count);
     else
-      pass.draw(mesh, partIndexBuffer_, visible.indices.first, visible.indices.count);
+      pass.draw(mesh, static_cast<int>(call.count));
   }
 }
 

@@ -9,9 +9,9 @@
 #include "core/render/passes/DrawCalls.h"
 #include "core/render/passes/Lights.h"
 #include "core/render/passes/MeshVariant.h"
+#include "core/render/passes/PartTriangles.h"
 #include "core/scene/DeformBounds.h"
 #include "core/scene/ObjectClass.h"
-#include "core/scene/TriangleGroups.h"
 #include "core/settings/Settings.h"
 #include "shaders/shared/DrawBlock.h"
 
@@ -19,7 +19,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -38,6 +37,8 @@ class GBufferPass {
   /// each drawn.
   void prepare(const Scene& scene, const InputSettings& settings, const View& view,
                const Progress& warmUp = {});
+  /// Makes it what is drawn of the same view at this jitter.
+  void setJitter(const glm::vec2& jitterPx);
   /// What everything is drawn from.
   struct Source {
     const Scene& scene;
@@ -76,17 +77,12 @@ class GBufferPass {
   int addItems(const Scene& scene, int node, int firstObject, bool moves);
   /// Sets what the settings ask for in every item's variant and compiles what is new.
   void apply(const InputSettings& settings, const Scene& scene, const View& view, const Progress& warmUp);
-  /// Which indices of an item's mesh are drawn: all, or some that stand among partIndices_.
-  struct IndexRange {
-    std::uint32_t first = 0, count = 0;
-    bool isWhole = true;
-  };
   /// An item, at one of its places, that may be seen; drawn in their order, front to back, or back to front
   /// where it is blended. There may be a million of them.
   struct Visible {
     float distance = 0.0f; ///< of its far end; of its middle where it is blended
     std::uint32_t item = 0, instance = 0;
-    IndexRange indices;
+    std::optional<std::uint32_t> part; ///< number among partTriangles_; nothing: all of it is drawn
     bool masked = false;
     bool mirrored = false; ///< its transform turns sides
     bool operator<(const Visible& other) const {
@@ -106,10 +102,11 @@ class GBufferPass {
   void findVisible(const Scene& scene, const View& view, bool culls);
   /// Those of an item.
   void findVisible(const Scene& scene, const View& view, bool culls, std::uint32_t index);
-  /// Those of triangles that do not lie wholly in one of the half spaces, as far as that is found out.
-  IndexRange indicesBeside(std::span<const HalfSpace> outside, const Item& item, const Primitive& primitive,
-                           const Wind& wind);
-  void uploadPrepared(const View& view);
+  /// Of an item at a place those triangles that may be seen in the part; a number as Visible has it.
+  std::optional<std::uint32_t> addToPart(const Scene& scene, const View& view, const Item& item,
+                                         const Visible& visible, const PartSides& sides);
+  /// Takes of what is drawn in parts what may be seen at this jitter.
+  void selectTriangles(const glm::vec2& jitterPx);
   /// The calls that draw a list in its order.
   void makeCalls(const std::vector<Visible>& items, DrawCalls& calls) const;
   bool drawAsOne(const Visible& first, const Visible& second) const;
@@ -131,14 +128,13 @@ class GBufferPass {
   int jointCount_ = 0;                   ///< of all skins
   std::vector<glm::mat4> jointMatrices_; ///< of this frame, then of the previous one
   gl::Buffer joints_, morphWeights_;
-  std::map<std::pair<int, int>, DeformExtent> extents_;  ///< by mesh and primitive, of those that deform
-  std::map<std::pair<int, int>, TriangleGroups> groups_; ///< likewise; of what was drawn in parts
+  std::map<std::pair<int, int>, DeformExtent> extents_; ///< by mesh and primitive, of those that deform
   std::vector<Visible> visible_, blended_;
   DrawCalls calls_, blendedCalls_; ///< of them
-  std::vector<std::uint32_t> partIndices_;
-  gl::Buffer partIndexBuffer_; ///< starts with them
-  DrawCounts counts_;
-  std::optional<gl::Rect> part_; ///< of the last view
+  PartTriangles partTriangles_;
+  gl::Buffer partIndexBuffer_;      ///< starts with their indices
+  DrawCounts counts_, wholeCounts_; ///< the second without what is drawn in parts
+  std::optional<gl::Rect> part_;    ///< of the last view
   bool culls_ = true;
 };
 
