@@ -109,7 +109,8 @@ int goOn(double seconds, unsigned seed, const char* log) {
   for (; std::chrono::steady_clock::now() < end; watch.tick()) {
     ++steps;
     soak::RandomRequest next = soak::randomRequest(random);
-    out << steps << " " << next.text << std::endl; // flushed: the last line is what it was about
+    out << steps << " " << next.text << '\n';
+    out.flush(); // the last line is what it was about
     thread.post(std::move(next.request));
     if (random() % 4 == 0) thread.waitUntilIdle();
     if (steps % kStepsBetween != 0) continue;
@@ -130,5 +131,5 @@ int main(int count, char** words) {
     std::fprintf(stderr, "Usage: taa_soak_core SECONDS SEED LOG\n");
     return 2;
   }
-  return goOn(std::atof(words[1]), static_cast<unsigned>(std::atoll(words[2])), words[3]);
+  return goOn(std::stod(words[1]), static_cast<unsigned>(std::stoul(words[2])), words[3]);
 }

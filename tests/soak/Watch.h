@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <stop_token>
 #include <string>
 #include <thread>
 #include <utility>
@@ -16,12 +15,13 @@ class Watch {
  public:
   /// `step` says how to repeat it.
   explicit Watch(std::string step)
-      : step_(std::move(step)), thread_([this](const std::stop_token& stop) { run(stop); }) {}
+      : step_(std::move(step)), thread_([this](const auto& stop) { run(stop); }) {}
 
   void tick() { ++ticks_; }
 
  private:
-  void run(const std::stop_token& stop) {
+  template <typename Stop>
+  void run(const Stop& stop) {
     constexpr int kMaxSilence = 180; // s; sanitizers and a busy machine included
     long long seen = -1;
     for (int silent = 0; !stop.stop_requested(); std::this_thread::sleep_for(std::chrono::seconds(1))) {
