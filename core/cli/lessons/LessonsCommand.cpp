@@ -62,7 +62,8 @@ bool runLessons(const LessonsArguments& arguments, std::ostream& out, const Prog
   const std::vector<std::filesystem::path> files = lessonPageFiles(lessons, arguments.html);
   if (!arguments.force) refuseToReplace(files);
   Inspector inspector;
-  writeLessonPages(inspector, lessons, arguments.html, arguments.manual, progress);
+  const std::string& manualUrl = arguments.manual;
+  writeLessonPages(inspector, lessons, arguments.html, manualUrl, progress);
   for (const std::filesystem::path& file : files) out << file.string() << '\n';
   return true;
 }

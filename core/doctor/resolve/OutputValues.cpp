@@ -8,11 +8,11 @@ namespace taa::doctor {
 
 namespace {
 
-constexpr float kStep = 1.0f / 255.0f;
+constexpr float kByteStep = 1.0f / 255.0f;
 /// Of a step: halves near 1 are off by so much.
 constexpr float kStepTolerance = 0.08f;
 /// What a frame wants otherwise by so much is lost at an α of a tenth where it is rounded to steps.
-constexpr float kLeastOff = kStep, kMostOff = 3.0f * kStep;
+constexpr float kLeastOff = kByteStep, kMostOff = 3.0f * kByteStep;
 constexpr std::size_t kEnoughValues = 2000;
 constexpr double kNearlyAll = 0.999, kHardlyAny = 0.6;
 constexpr int kPersists = 2; ///< frames with what is no number
@@ -32,13 +32,13 @@ bool isSoundAround(const Image& color, int x, int y) {
 }
 
 bool isInSteps(float value) {
-  const float steps = value / kStep;
+  const float steps = value / kByteStep;
   return std::abs(steps - std::round(steps)) <= kStepTolerance;
 }
 
 /// Whether a value tells steps from none: 0 and what is beyond 1 may be of any precision.
 bool tellsSteps(float value) {
-  return value > 0.5f * kStep && value <= 1.0f;
+  return value > 0.5f * kByteStep && value <= 1.0f;
 }
 
 } // namespace

@@ -41,7 +41,7 @@ std::string measureText() {
 }
 
 /// Least errors of all kinds over a set, those of what is given first.
-std::vector<Residual> residualsOf(const ResolveEvidence& evidence, PixelSet set, ResolveKind told) {
+std::vector<Residual> resolveResiduals(const ResolveEvidence& evidence, PixelSet set, ResolveKind told) {
   std::vector<Residual> out;
   for (std::size_t k = 0; k < kResolveKinds; ++k) {
     const auto kind = static_cast<ResolveKind>(k);
@@ -76,7 +76,7 @@ struct ResolveWords {
   std::string id, name, symptom, change;
 };
 
-ResolveWords wordsOf(ResolveKind kind) {
+ResolveWords resolveWordsOf(ResolveKind kind) {
   switch (kind) {
   case ResolveKind::Sound:
     break;
@@ -155,7 +155,7 @@ std::optional<ResolveFit> mistakeOf(const ResolveEvidence& evidence, PixelSet se
 
 void tellMistake(const ResolveEvidence& evidence, const ResolveFit& fit, Diagnosis& out) {
   const ResolveKind kind = modelOf(fit).kind;
-  Finding finding = resolveFinding(wordsOf(kind));
+  Finding finding = resolveFinding(resolveWordsOf(kind));
   const auto sound = evidence.best(ResolveKind::Sound, setOf(kind));
   finding.reason =
       say<"The output differs by %1 thousandths from what frames and history make if %2, and by "
@@ -163,7 +163,7 @@ void tellMistake(const ResolveEvidence& evidence, const ResolveFit& fit, Diagnos
                        shortNumber(kPer1000 * sound->error), resolveKindText(ResolveKind::Sound)) +
       " " + nearestText(fit);
   finding.measure = measureText();
-  finding.residuals = residualsOf(evidence, setOf(kind), kind);
+  finding.residuals = resolveResiduals(evidence, setOf(kind), kind);
   finding.sureness = fit.error <= kAlike ? Sureness::Sure : Sureness::Likely;
   out.findings.push_back(std::move(finding));
 }

@@ -150,14 +150,14 @@ float colorDistance(const glm::vec3& a, const glm::vec3& b) {
 
 std::vector<glm::ivec2> resolvePixels(const ResolveFrames& frames, PixelSet set, std::size_t most) {
   // Roberts 2018: the additive sequence of the plastic number fills a square evenly.
-  constexpr double kStepX = 0.7548776662466927, kStepY = 0.5698402909980532;
+  constexpr double kPlaceStepX = 0.7548776662466927, kPlaceStepY = 0.5698402909980532;
   const glm::ivec2 size = frames.now.sizePx();
   std::vector<glm::ivec2> out;
   if (size.x < 3 || size.y < 3) return out;
   double x = 0.5, y = 0.5;
   for (std::size_t i = 0; i < kMostTries && out.size() < most; ++i) {
-    x += kStepX;
-    y += kStepY;
+    x += kPlaceStepX;
+    y += kPlaceStepY;
     x -= std::floor(x);
     y -= std::floor(y);
     const glm::ivec2 pixel(1 + static_cast<int>(x * (size.x - 2)), 1 + static_cast<int>(y * (size.y - 2)));

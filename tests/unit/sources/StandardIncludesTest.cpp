@@ -30,7 +30,8 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
      "max_element min min_element none_of nth_element reverse rotate sort stable_sort transform unique "
      "upper_bound ranges::adjacent_find ranges::all_of ranges::any_of ranges::binary_search ranges::copy "
      "ranges::copy_if ranges::count ranges::count_if ranges::equal ranges::fill ranges::find ranges::find_if "
-     "ranges::find_if_not ranges::for_each ranges::is_sorted ranges::lower_bound ranges::max "
+     "ranges::find_if_not ranges::for_each ranges::is_partitioned ranges::is_sorted ranges::lower_bound "
+     "ranges::max "
      "ranges::max_element ranges::min ranges::min_element ranges::none_of ranges::nth_element "
      "remove_if stable_partition ranges::remove_copy_if ranges::reverse ranges::sort "
      "ranges::stable_partition ranges::stable_sort "
@@ -39,7 +40,7 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
      "ranges::replace "
      "size_t ptrdiff_t initializer_list ranges::remove ranges::minmax_element minmax_element minmax "
      "swap_ranges ranges::includes ranges::set_intersection"},
-    {"array", "array get to_array size_t ptrdiff_t begin end size initializer_list"},
+    {"array", "array get to_array tuple_size_v size_t ptrdiff_t begin end size initializer_list"},
     {"atomic", "atomic"},
     {"bit", "bit_cast bit_ceil bit_width endian has_single_bit countr_zero popcount"},
     {"cctype", "isalnum isalpha isdigit isspace isupper isxdigit tolower toupper isprint iscntrl"},
@@ -103,7 +104,7 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
     {"string_view", "begin end ptrdiff_t size size_t string_view string_view_literals"},
     {"system_error", "errc error_code generic_category make_error_code system_category system_error"},
     {"thread", "jthread this_thread thread"},
-    {"tuple", "apply get tie tuple make_tuple ignore"},
+    {"tuple", "apply get tie tuple make_tuple ignore tuple_size_v"},
     {"type_traits",
      "conditional_t decay_t enable_if_t false_type invoke_result_t is_enum_v is_floating_point_v "
      "is_integral_v "

@@ -1,4 +1,4 @@
-#include "core/render/passes/PartTriangles.h"
+#include "core/render/passes/draws/PartTriangles.h"
 
 #include "core/scene/Scene.h"
 

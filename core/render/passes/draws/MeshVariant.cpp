@@ -1,4 +1,4 @@
-#include "core/render/passes/MeshVariant.h"
+#include "core/render/passes/draws/MeshVariant.h"
 
 #include "core/render/SceneResources.h"
 

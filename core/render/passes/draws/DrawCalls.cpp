@@ -1,4 +1,4 @@
-#include "core/render/passes/DrawCalls.h"
+#include "core/render/passes/draws/DrawCalls.h"
 
 #include <algorithm>
 #include <cassert>
