@@ -23,6 +23,7 @@ Strip::Strip(StripKind kind, QWidget* parent)
   label_->setWordWrap(true);
   label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   layout->addWidget(label_, 1);
+  action_->setAccessibleName(tr("What can be done about it"));
   action_->hide();
   layout->addWidget(action_, 0, Qt::AlignTop);
   connect(action_, &QPushButton::clicked, this, &Strip::acted);

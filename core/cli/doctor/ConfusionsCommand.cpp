@@ -36,7 +36,7 @@ std::vector<Fault> confusedFaults(const std::vector<std::string>& ids) {
 
 void requireScenes(const std::vector<std::string>& names) {
   for (const std::string& name : names)
-    if (!isBuiltinScene("builtin:" + name))
+    if (std::ranges::find(builtinScenes(), name, &BuiltinScene::id) == builtinScenes().end())
       throw UsageError("--scenes: there is no built-in scene \"" + name +
                        "\"; taa-batch list scenes says which there are");
 }
