@@ -6,6 +6,7 @@
 #include "app/widgets/IconButton.h"
 #include "app/widgets/Line.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -36,6 +37,7 @@ LearnPanel::LearnPanel(QWidget* parent) : QWidget(parent) {
 void LearnPanel::makeHead() {
   lessons_ = new QComboBox;
   lessons_->setAccessibleName(tr("Lesson"));
+  lessons_->view()->setAccessibleName(lessons_->accessibleName());
   lessons_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   close_ = new IconButton(QStringLiteral("close"), tr("Close the page Learn; Help, Learn opens it again"));
   title_ = new QLabel;
