@@ -73,6 +73,7 @@
 #include <QScreen>
 #include <QSettings>
 #include <QSplitter>
+#include <QStyle>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -437,7 +438,9 @@ void MainWindow::restore() {
   if (!closed)
     messages_->showHint(tr("Step back with the comma key.  Right-click a pixel to see every value at it.  "
                            "Press ? for all keys."));
-  resize(QSize(1600, 900).boundedTo(screen()->availableSize()));
+  // The frame around it is not known before it is shown: room for a title bar and its borders is left.
+  const int title = style()->pixelMetric(QStyle::PM_TitleBarHeight) + 4 * kUnit;
+  resize(QSize(1600, 900).boundedTo(screen()->availableSize() - QSize(4 * kUnit, title)));
   if (settings_) restoreGeometry(settings_->value(QStringLiteral("geometry")).toByteArray());
 }
 
