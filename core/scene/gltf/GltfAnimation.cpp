@@ -18,7 +18,7 @@ namespace taa {
 
 namespace {
 
-constexpr std::size_t kMaxKeys = 20'000'000; ///< of all animations together
+constexpr std::size_t kMaxKeys = 20'000'000; ///< of all animations together, for each channel that has them
 
 std::optional<AnimationPath> animatedPath(const std::string& name) {
   if (name == "translation") return AnimationPath::Translation;
@@ -104,10 +104,29 @@ std::optional<AnimationChannel> readChannel(GltfContext& context, const tinygltf
   return channel;
 }
 
+// Before any is read: channels may share an accessor, so that a small file asks for any number of them.
+void requireFewKeys(const tinygltf::Model& model) {
+  std::size_t keys = 0;
+  const auto countOf = [&](int accessor) {
+    const auto index = static_cast<std::size_t>(accessor);
+    return accessor >= 0 && index < model.accessors.size() ? model.accessors[index].count : 0;
+  };
+  for (std::size_t i = 0; i < model.animations.size(); ++i) {
+    const tinygltf::Animation& animation = model.animations[i];
+    for (const tinygltf::AnimationChannel& channel : animation.channels) {
+      const tinygltf::AnimationSampler& sampler =
+          animation.samplers.at(static_cast<std::size_t>(channel.sampler));
+      keys += std::max(countOf(sampler.input), countOf(sampler.output));
+      if (keys > kMaxKeys)
+        throw Error(gltfPlace("animations", i) + ": " + say<"there are more than %1 keys">(kMaxKeys));
+    }
+  }
+}
+
 } // namespace
 
 void addGltfAnimations(GltfContext& context) {
-  std::size_t keys = 0;
+  requireFewKeys(context.model);
   for (std::size_t i = 0; i < context.model.animations.size(); ++i) {
     const tinygltf::Animation& source = context.model.animations[i];
     Animation animation;
@@ -115,8 +134,6 @@ void addGltfAnimations(GltfContext& context) {
     for (std::size_t c = 0; c < source.channels.size(); ++c) try {
         std::optional<AnimationChannel> channel = readChannel(context, source, source.channels[c]);
         if (!channel) continue;
-        keys += channel->values.size() + channel->weights.size();
-        if (keys > kMaxKeys) throw Error(say<"there are more than %1 keys">(kMaxKeys));
         animation.duration = std::max(animation.duration, channel->times.back());
         animation.channels.push_back(std::move(*channel));
       } catch (const Error& error) {

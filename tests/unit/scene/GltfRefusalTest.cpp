@@ -55,6 +55,22 @@ TEST(GltfRefusal, RefusesMorphTargetsThatDoNotFit) {
             "animations[0].channels[1]: it has 3 values for 2 times");
 }
 
+// A file of some kB, which took 44 seconds to be read.
+TEST(GltfRefusal, CountsTheKeysOfChannelsThatShareAnAccessor) {
+  GltfSample sample;
+  json& accessors = sample.json["accessors"];
+  const auto zeros = [&](const char* type) { // no buffer view: all are 0
+    accessors.push_back({{"componentType", 5126}, {"count", 5'000'000}, {"type", type}});
+    return accessors.size() - 1;
+  };
+  const std::size_t times = zeros("SCALAR"), places = zeros("VEC3");
+  json& animation = sample.json["animations"][0];
+  animation["samplers"][0] = {{"input", times}, {"output", places}};
+  const json channel = animation["channels"][0];
+  for (int more = 0; more < 4; ++more) animation["channels"].push_back(channel);
+  EXPECT_EQ(refusal(sample.writeEmbedded("keys")), "animations[0]: there are more than 20000000 keys");
+}
+
 TEST(GltfRefusal, SaysWhereThereAreTooManyVertices) {
   GltfSample sample;
   json& accessors = sample.json["accessors"];
