@@ -6,6 +6,8 @@
 #include "app/widgets/Chooser.h"
 #include "app/widgets/IconButton.h"
 
+#include "core/base/Error.h"
+#include "core/base/Files.h"
 #include "core/report/TraceText.h"
 #include "core/taa/rows/ChannelNames.h"
 
@@ -17,7 +19,6 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QScrollArea>
 #include <QShowEvent>
 #include <QToolButton>
@@ -310,9 +311,12 @@ void PlotsPanel::saveCsv() {
 }
 
 QString PlotsPanel::saveCsvTo(const QString& path) const {
-  QSaveFile file(path); // nothing half-written
-  if (file.open(QIODevice::WriteOnly) && file.write(csv().toUtf8()) >= 0 && file.commit()) return {};
-  return tr("cannot write %1: %2").arg(path, file.errorString());
+  try {
+    writeFile(path.toStdString(), csv().toStdString()); // nothing half-written
+    return {};
+  } catch (const Error& error) {
+    return QString::fromUtf8(error.what());
+  }
 }
 
 QString PlotsPanel::summary() const {

@@ -11,9 +11,16 @@
 #include "app/views/ViewArea.h"
 #include "app/window/Dialogs.h"
 
+#include "core/base/Error.h"
+#include "core/base/Files.h"
+
+#include <QBuffer>
+#include <QByteArray>
 #include <QPixmap>
 
 #include <algorithm>
+#include <cstddef>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -138,10 +145,16 @@ bool Screenshot::isGivenUp() {
 void Screenshot::take() {
   QPixmap picture = of_.window.grab();
   paintDialogs(of_.window, picture);
-  if (picture.save(file_, "PNG"))
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  picture.save(&buffer, "PNG");
+  try {
+    writeFile(file_.toStdString(),
+              std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
     finish(0, {});
-  else
-    finish(1, tr("cannot write %1: check that its folder exists and can be written").arg(file_));
+  } catch (const Error& error) {
+    finish(1, QString::fromUtf8(error.what()));
+  }
 }
 
 void Screenshot::finish(int code, const QString& text) {
