@@ -5,6 +5,7 @@
 #include "core/settings/Faults.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -337,6 +338,7 @@ void tellResolve(const ResolveEvidence& evidence, bool areInputsRight, Diagnosis
   if (!evidence.hasOutput())
     return leaveUndecided(say<"there is no output of the engine">(),
                           say<"Capture what the engine's TAA makes of each frame, too.">(), out, false);
+  const std::size_t before = out.findings.size();
   tellValues(evidence.values(), out);
   if (evidence.isOtherSize())
     return leaveUndecided(say<"the output is larger than what is drawn">(),
@@ -350,13 +352,15 @@ void tellResolve(const ResolveEvidence& evidence, bool areInputsRight, Diagnosis
   if (!areInputsRight && least > kExact)
     return leaveUndecided(say<"the frames that it is made of are wrong">(), say<"Mend these first.">(), out);
   if (tellStuckAlpha(evidence, out)) return;
-  if (mistake && pairsWon(evidence, *mistake, *sound) >= kPairsWon) {
+  const bool isMistaken = mistake && pairsWon(evidence, *mistake, *sound) >= kPairsWon;
+  if (isMistaken)
     tellMistake(evidence, *mistake, out);
-  } else {
-    tellNearest(*sound, out);
-    if (sound->error <= kAlike) tellApart(evidence, out);
-  }
+  else if (sound->error <= kAlike)
+    tellApart(evidence, out);
   tellCuts(evidence, *sound, out);
+  // Nothing is as it should be beside a finding of the resolve.
+  const bool isFound = out.findings.size() > before;
+  if (!isMistaken && (sound->error > kAlike || !isFound)) tellNearest(*sound, out);
 }
 
 } // namespace taa::doctor

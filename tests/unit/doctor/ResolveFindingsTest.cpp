@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,12 @@ std::string namesOf(const Diagnosis& diagnosis) {
   std::string text;
   for (const Finding& finding : diagnosis.findings) text += (text.empty() ? "" : ", ") + finding.id;
   return text;
+}
+
+bool isCalledRight(const Diagnosis& diagnosis) {
+  return std::any_of(diagnosis.healthy.begin(), diagnosis.healthy.end(), [](const std::string& sentence) {
+    return sentence.find("as it should be") != std::string::npos;
+  });
 }
 
 PaintedResolve with(float alpha) {
@@ -92,8 +99,11 @@ TEST(ResolveFindings, NameAHistoryThatGoesOnThroughACut) {
   PaintedResolve resolve;
   resolve.cut = 5;
   EXPECT_EQ(namesOf(diagnosisOfResolve(resolve)), "");
+  EXPECT_TRUE(isCalledRight(diagnosisOfResolve(resolve)));
   resolve.resetsAtCuts = false;
-  EXPECT_EQ(namesOf(diagnosisOfResolve(resolve)), "noResetAtCut");
+  const Diagnosis diagnosis = diagnosisOfResolve(resolve);
+  EXPECT_EQ(namesOf(diagnosis), "noResetAtCut");
+  EXPECT_FALSE(isCalledRight(diagnosis)); // nothing is right beside a finding of it
 }
 
 TEST(ResolveFindings, NameWhatIsNoNumberAndStays) {
@@ -103,6 +113,7 @@ TEST(ResolveFindings, NameWhatIsNoNumberAndStays) {
   ASSERT_EQ(namesOf(diagnosis), "nanKept");
   EXPECT_NE(diagnosis.findings[0].reason.find("at (40, 40)"), std::string::npos)
       << diagnosis.findings[0].reason;
+  EXPECT_FALSE(isCalledRight(diagnosis));
   resolve.nanFrame = kResolvedFrames - 1; // once is no blob that stays
   EXPECT_EQ(namesOf(diagnosisOfResolve(resolve)), "");
 }
