@@ -75,8 +75,11 @@ SessionLane laneFromJson(const Json& preset, const Json& settings, const Json* p
   if (known != builtinPresets().end()) lane.presetSettings = known->settings;
   if (presetSettings)
     addNotes(notes, fromJson(*presetSettings, lane.presetSettings));
-  else if (known == builtinPresets().end())
+  else if (known == builtinPresets().end()) {
     lane.presetSettings = lane.settings;
+    addNotes(notes, {say<"there is no preset \"%1\"; the settings of the session are taken for it">(
+                        shownText(lane.preset))});
+  }
   return lane;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/scene/ObjectFilter.h"
 #include "core/scene/Scene.h"
 
@@ -30,7 +31,7 @@ MotionOverride parseMotionOverride(const std::string& text) {
   const std::string_view id = equals == std::string::npos ? "" : std::string_view(text).substr(equals + 1);
   const auto mode = std::ranges::find(kMotionModes, id, &MotionModeInfo::id);
   if (equals == 0 || mode == kMotionModes.end())
-    throw Error(say<"\"%1\" is not NODE=MODE; modes are perObject, cameraOnly and none">(text));
+    throw Error(say<"\"%1\" is not NODE=MODE; modes are perObject, cameraOnly and none">(shownText(text)));
   return {text.substr(0, equals), static_cast<MotionMode>(mode - kMotionModes.begin())};
 }
 
@@ -47,14 +48,14 @@ void checkMotionOverrides(const Scene& scene, const std::vector<MotionOverride>&
   const std::vector<std::string> names = objectNames(scene);
   for (const MotionOverride& replaced : overrides) {
     if (std::ranges::find(names, replaced.node) != names.end()) continue;
+    const std::string asked = shownText(replaced.node);
     std::string known;
     for (std::size_t i = 0; i < std::min(names.size(), kMaxNamesInMessage); ++i)
-      known += (i == 0 ? "" : ", ") + names[i];
+      known += (i == 0 ? "" : ", ") + shownText(names[i]);
     if (names.size() > kMaxNamesInMessage)
-      throw Error(say<"no object is called \"%1\"; there are %2 and more">(replaced.node, known));
-    if (known.empty())
-      throw Error(say<"no object is called \"%1\"; there are none with a name">(replaced.node));
-    throw Error(say<"no object is called \"%1\"; there are %2">(replaced.node, known));
+      throw Error(say<"no object is called \"%1\"; there are %2 and more">(asked, known));
+    if (known.empty()) throw Error(say<"no object is called \"%1\"; there are none with a name">(asked));
+    throw Error(say<"no object is called \"%1\"; there are %2">(asked, known));
   }
 }
 

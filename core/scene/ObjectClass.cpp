@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/scene/ObjectFilter.h"
 #include "core/scene/SceneOutline.h"
 
@@ -38,7 +39,8 @@ ClassOverride parseClassOverride(const std::string& text) {
   const std::string_view id = equals == std::string::npos ? "" : std::string_view(text).substr(equals + 1);
   const auto found = std::ranges::find(kObjectClasses, id, &ObjectClassInfo::id);
   if (equals == 0 || found == kObjectClasses.end() || found == kObjectClasses.begin())
-    throw Error(say<"\"%1\" is not OBJECT=CLASS; classes are still, moving, deforming and character">(text));
+    throw Error(say<"\"%1\" is not OBJECT=CLASS; classes are still, moving, deforming and character">(
+        shownText(text)));
   return {text.substr(0, equals), static_cast<ObjectClass>(found - kObjectClasses.begin())};
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/scene/Scene.h"
 #include "core/scene/SceneOutline.h"
 
@@ -19,17 +20,18 @@ Names asSet(const std::vector<std::string>& names) {
 }
 
 std::string unknownObject(const std::string& name, const Scene& scene) {
+  const std::string asked = shownText(name);
   std::string known;
   Names told;
   for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
     const std::string key = nodeKey(scene, node);
     if (!told.insert(key).second) continue;
     if (told.size() > kMaxNamesInMessage)
-      return say<"no object is called \"%1\"; there are %2 and more">(name, known);
-    known += (known.empty() ? "" : ", ") + key;
+      return say<"no object is called \"%1\"; there are %2 and more">(asked, known);
+    known += (known.empty() ? "" : ", ") + shownText(key);
   }
-  if (known.empty()) return say<"no object is called \"%1\"; there are none">(name);
-  return say<"no object is called \"%1\"; there are %2">(name, known);
+  if (known.empty()) return say<"no object is called \"%1\"; there are none">(asked);
+  return say<"no object is called \"%1\"; there are %2">(asked, known);
 }
 
 /// Of a tree that is given by its keys and parents, parents first.

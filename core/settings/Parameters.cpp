@@ -4,6 +4,7 @@
 #include "core/base/NearestNames.h"
 #include "core/base/OldNames.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 
 #include <nlohmann/json.hpp>
 
@@ -40,7 +41,8 @@ std::string idsOf(const Parameter& row) {
   return ids;
 }
 
-[[noreturn]] void refuseValue(const Parameter& row, std::string_view text) {
+[[noreturn]] void refuseValue(const Parameter& row, std::string_view given) {
+  const std::string text = shownText(given);
   if (row.kind == ParameterKind::Choice)
     throw Error(say<"cannot set %1 to \"%2\": give one of %3">(row.path, text, idsOf(row)));
   if (row.kind == ParameterKind::Toggle)
@@ -149,7 +151,7 @@ double valueFromJson(const Parameter& row, const nlohmann::json& json) {
   if (row.kind == ParameterKind::Choice && json.is_string()) return parseValue(row, json.get<std::string>());
   const bool wantsNumber = row.kind == ParameterKind::Integer || row.kind == ParameterKind::Number;
   if (wantsNumber && json.is_number()) return parseNumber(row, json.dump());
-  refuseValue(row, json.dump());
+  refuseValue(row, json.is_string() ? json.get<std::string>() : json.dump());
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // Camera paths of any scene: still, pan, orbit and dolly fitted to its bounds, and the cameras it brings.
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/scene/Pose.h"
 #include "core/scene/camera/CameraTrack.h"
 
@@ -198,10 +199,11 @@ CameraState cameraAt(const Scene& scene, const std::string& name, double time, f
   for (std::size_t i = 0; i < scene.cameras.size(); ++i)
     if (scenePathName(scene, i) == name) return sceneCameraAt(scene, scene.cameras[i], time, usedAspect);
   std::string known;
-  for (const std::string& other : cameraNames(scene)) known += (known.empty() ? "" : ", ") + other;
+  for (const std::string& other : cameraNames(scene)) known += (known.empty() ? "" : ", ") + shownText(other);
   if (scene.name.empty())
-    throw Error(say<"there is no camera \"%1\" in this scene; choose one of: %2">(name, known));
-  throw Error(say<"there is no camera \"%1\" in %2; choose one of: %3">(name, scene.name, known));
+    throw Error(say<"there is no camera \"%1\" in this scene; choose one of: %2">(shownText(name), known));
+  throw Error(say<"there is no camera \"%1\" in %2; choose one of: %3">(shownText(name),
+                                                                        shownText(scene.name), known));
 }
 
 glm::mat4 perspectiveReversed(float fovY, float aspect, float nearPlane) {

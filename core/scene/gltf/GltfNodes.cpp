@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -46,23 +47,55 @@ void readTransform(const tinygltf::Node& source, Node& node) {
                      toFloat(q.z / length)};
 }
 
+/// The nearest of a range; `isOther` becomes true where that is another value than the file's.
+float nearestIn(double value, float least, float most, bool& isOther) {
+  const float given = toFloat(value), nearest = std::clamp(given, least, most);
+  isOther = isOther || nearest != given;
+  return nearest;
+}
+
+constexpr float kLargest = std::numeric_limits<float>::max();
+
 void addCamera(GltfContext& context, const tinygltf::Camera& source, int nodeIndex) {
+  bool isOther = false;
   SceneCamera camera;
   camera.name = plainText(source.name);
   camera.node = nodeIndex;
   camera.orthographic = source.type == "orthographic";
-  const float nearPlane = toFloat(camera.orthographic ? source.orthographic.znear : source.perspective.znear);
   if (camera.orthographic) {
-    camera.height = 2.0f * std::max(std::abs(toFloat(source.orthographic.ymag)), 1e-6f);
-    camera.nearPlane = std::max(nearPlane, 0.0f);
-    camera.farPlane = std::max(toFloat(source.orthographic.zfar), camera.nearPlane + 1e-3f);
+    const tinygltf::OrthographicCamera& given = source.orthographic;
+    camera.height = 2.0f * nearestIn(std::abs(given.ymag), 1e-6f, kLargest, isOther); // either sign is seen
+    camera.nearPlane = nearestIn(given.znear, 0.0f, kLargest, isOther);
+    camera.farPlane = nearestIn(given.zfar, camera.nearPlane + 1e-3f, kLargest, isOther);
   } else {
-    camera.fovY = std::clamp(toFloat(source.perspective.yfov), 0.01f, 3.0f);
+    camera.fovY = nearestIn(source.perspective.yfov, 0.01f, 3.0f, isOther);
+    const float nearPlane = toFloat(source.perspective.znear);
+    isOther = isOther || !(nearPlane > 0.0f);
     camera.nearPlane = nearPlane > 0.0f ? nearPlane : camera.nearPlane;
   }
+  if (isOther)
+    context.warn(say<"The camera \"%1\" has a size or a plane that none can have; the nearest is taken.">(
+        shownText(source.name)));
   context.scene.nodes[static_cast<std::size_t>(nodeIndex)].camera =
       static_cast<int>(context.scene.cameras.size());
   context.scene.cameras.push_back(std::move(camera));
+}
+
+/// What a light cannot be, such as darker than black, is taken for the nearest.
+void keepInRange(GltfContext& context, const tinygltf::Light& source, Light& light) {
+  constexpr float kHalfPi = 0.5f * std::numbers::pi_v<float>;
+  bool isOther = false;
+  const glm::vec3 color = vectorOr(source.color, glm::vec3(1.0f));
+  light.color = glm::max(color, glm::vec3(0.0f));
+  isOther = light.color != color;
+  light.intensity = nearestIn(source.intensity, 0.0f, kLargest, isOther);
+  light.range = nearestIn(source.range, 0.0f, kLargest, isOther);
+  light.outerConeAngle = nearestIn(source.spot.outerConeAngle, 1e-3f, kHalfPi, isOther);
+  const float inner = nearestIn(source.spot.innerConeAngle, 0.0f, light.outerConeAngle, isOther);
+  light.innerConeAngle = std::min(inner, 0.999f * light.outerConeAngle); // never a quotient by 0
+  if (isOther)
+    context.warn(say<"The light \"%1\" has values that none can have; the nearest are taken.">(
+        shownText(source.name)));
 }
 
 void addLight(GltfContext& context, const tinygltf::Light& source, int nodeIndex) {
@@ -74,12 +107,7 @@ void addLight(GltfContext& context, const tinygltf::Light& source, int nodeIndex
     light.kind = LightKind::Spot;
   else if (source.type != "directional")
     return context.warn(say<"A light of the unknown type \"%1\" is left out.">(shownText(source.type)));
-  light.color = glm::max(vectorOr(source.color, glm::vec3(1.0f)), glm::vec3(0.0f));
-  light.intensity = std::max(toFloat(source.intensity), 0.0f);
-  light.range = std::max(toFloat(source.range), 0.0f);
-  constexpr float kHalfPi = 0.5f * std::numbers::pi_v<float>;
-  light.outerConeAngle = std::clamp(toFloat(source.spot.outerConeAngle), 1e-3f, kHalfPi);
-  light.innerConeAngle = std::clamp(toFloat(source.spot.innerConeAngle), 0.0f, 0.999f * light.outerConeAngle);
+  keepInRange(context, source, light);
   context.scene.nodes[static_cast<std::size_t>(nodeIndex)].light =
       static_cast<int>(context.scene.lights.size());
   context.scene.lights.push_back(light);

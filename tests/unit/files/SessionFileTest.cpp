@@ -196,6 +196,16 @@ TEST(SessionFile, RefusesByName) {
   }
 }
 
+TEST(SessionFile, SaysThatAPresetIsNotThere) {
+  nlohmann::json json = nlohmann::json::parse(sessionToText(sample()));
+  json["preset"] = "nope";
+  json.erase("presetSettings");
+  const SessionFile session = sessionFromText(json.dump(), "a.taa.json");
+  EXPECT_EQ(session.settings.presetSettings, session.settings.settings);
+  EXPECT_EQ(session.notes, std::vector<std::string>{
+                               "there is no preset \"nope\"; the settings of the session are taken for it"});
+}
+
 TEST(SessionFile, AMissingParameterHasItsDefault) {
   const SessionFile session = sessionFromText(changed("settings", nlohmann::json::object()), "it");
   EXPECT_EQ(session.settings.settings, Settings{});

@@ -378,6 +378,34 @@ TEST(GltfLoader, OpensFilesBesideItWhateverTheyAreCalled) {
   }
 }
 
+TEST(GltfLoader, SaysWhatNoCameraAndNoLightCanBe) {
+  GltfSample sample;
+  sample.json["nodes"][0]["camera"] = 0;
+  sample.json["cameras"] = {
+      {{"name", "slit"}, {"type", "perspective"}, {"perspective", {{"yfov", 0.0}, {"znear", 0.1}}}}};
+  const Scene slit = openScene(sample.writeEmbedded("slit").string());
+  EXPECT_EQ(slit.warnings,
+            std::vector<std::string>{
+                "The camera \"slit\" has a size or a plane that none can have; the nearest is taken."});
+  EXPECT_FLOAT_EQ(slit.cameras.at(0).fovY, 0.01f);
+  sample.json["cameras"][0]["perspective"] = {{"yfov", 0.8}, {"znear", 0.1}};
+  EXPECT_TRUE(openScene(sample.writeEmbedded("slit").string()).warnings.empty());
+  for (const nlohmann::json& change :
+       {nlohmann::json{{"intensity", -1.0}}, nlohmann::json{{"color", {1.0, -0.5, 1.0}}},
+        nlohmann::json{{"range", -3.0}},
+        nlohmann::json{{"spot", {{"innerConeAngle", 0.9}, {"outerConeAngle", 0.5}}}},
+        nlohmann::json{{"spot", {{"outerConeAngle", 2.0}}}}}) {
+    GltfSample dark;
+    nlohmann::json& light = dark.json["extensions"]["KHR_lights_punctual"]["lights"][0];
+    light.update(change);
+    light["name"] = "lamp";
+    EXPECT_EQ(
+        openScene(dark.writeEmbedded("dark").string()).warnings,
+        std::vector<std::string>{"The light \"lamp\" has values that none can have; the nearest are taken."})
+        << change;
+  }
+}
+
 TEST(GltfLoader, TakesBackslashesForSlashesAndSaysSo) {
   GltfSample sample;
   test::writeTemporary("back/sub/slash.bin", sample.buffer);

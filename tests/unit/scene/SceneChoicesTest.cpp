@@ -15,6 +15,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace taa {
@@ -86,6 +87,22 @@ TEST(ObjectFilter, NamesTheObjectsThereAre) {
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "no object is called \"gate\"; there are house, door, #2, knob, tree");
   }
+}
+
+TEST(ObjectFilter, ShowsTheBeginningOfALongNameAndWhatThereIs) {
+  const std::string name(2000, 'x'), shown = name.substr(0, 100) + "…";
+  EXPECT_EQ(test::errorOf([&] {
+              checkObjectFilter(treeScene(), {{name}, {}});
+            }),
+            "no object is called \"" + shown + "\"; there are house, door, #2, knob, tree");
+  const std::vector<MotionOverride> overrides{{name, MotionMode::None}};
+  EXPECT_EQ(test::errorOf([&] {
+              checkMotionOverrides(treeScene(), overrides);
+            }).find("no object is called \"" + shown + "\"; there are"),
+            0u);
+  EXPECT_EQ(test::errorOf([&] { cameraAt(openScene("builtin:fan"), name, 0.0, 1.0f); }),
+            "there is no camera \"" + shown +
+                "\" in builtin:fan; choose one of: still, pan, orbit, dolly, gltf:front");
 }
 
 TEST(SceneOutline, FindsTheNodeOfEachObject) {
