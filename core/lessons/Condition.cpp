@@ -80,6 +80,28 @@ void readShare(Quantity& quantity, WordReader& words) {
   quantity.number = numberFrom(words.take(say<"a number">()));
 }
 
+constexpr std::array<std::pair<std::string_view, LineageFigure>, 5> kFigures{
+    {{"samples", LineageFigure::Samples},
+     {"frames", LineageFigure::Frames},
+     {"radius", LineageFigure::Radius},
+     {"spread", LineageFigure::Spread},
+     {"older", LineageFigure::Older}}};
+
+void readLineage(Quantity& quantity, WordReader& words) {
+  readPixel(quantity, words.take(say<"a pixel">()));
+  const std::string_view word = words.take(say<"samples, frames, radius, spread or older">());
+  const auto named = std::ranges::find(kFigures, word, &std::pair<std::string_view, LineageFigure>::first);
+  if (named == kFigures.end())
+    throw Error(say<"\"%1\" is none of samples, frames, radius, spread and older">(shownText(word)));
+  quantity.figure = named->second;
+}
+
+void readPushed(Quantity& quantity, WordReader& words) {
+  quantity.isSeveral = words.takes("several");
+  if (!quantity.isSeveral && !words.takes("none"))
+    throw Error(say<"what is pushed is: pushed none, or pushed several">());
+}
+
 /// What follows the word that says what it is.
 void readKind(Quantity& quantity, WordReader& words) {
   switch (quantity.kind) {
@@ -98,6 +120,15 @@ void readKind(Quantity& quantity, WordReader& words) {
   case QuantityKind::Doctor:
     quantity.fault = faultInfo(words.take(say<"a fault">())).fault;
     break;
+  case QuantityKind::Lineage:
+    readLineage(quantity, words);
+    break;
+  case QuantityKind::Volume:
+    readPixel(quantity, words.take(say<"a pixel">()));
+    break;
+  case QuantityKind::Pushed:
+    readPushed(quantity, words);
+    break;
   case QuantityKind::Value:
   case QuantityKind::Difference:
     readPixel(quantity, words.take(say<"a pixel">()));
@@ -106,13 +137,16 @@ void readKind(Quantity& quantity, WordReader& words) {
   }
 }
 
-constexpr std::array<std::pair<std::string_view, QuantityKind>, 6> kQuantities{
+constexpr std::array<std::pair<std::string_view, QuantityKind>, 9> kQuantities{
     {{"metric", QuantityKind::Metric},
      {"probe", QuantityKind::Value},
      {"difference", QuantityKind::Difference},
      {"share", QuantityKind::Share},
      {"verdict", QuantityKind::Verdict},
-     {"doctor", QuantityKind::Doctor}}};
+     {"doctor", QuantityKind::Doctor},
+     {"lineage", QuantityKind::Lineage},
+     {"volume", QuantityKind::Volume},
+     {"pushed", QuantityKind::Pushed}}};
 
 /// "+ 2", "* 0.5": at most one of each.
 void readArithmetic(Quantity& quantity, WordReader& words) {
@@ -129,7 +163,8 @@ Quantity readQuantity(WordReader& words) {
     const bool isName = !first.empty() && first.front() >= 'a' && first.front() <= 'z';
     if (isName)
       throw Error(
-          say<"\"%1\" is none of metric, probe, difference, share, verdict and doctor">(shownText(first)));
+          say<"\"%1\" is none of metric, probe, difference, share, verdict, doctor, lineage, volume and "
+              "pushed">(shownText(first)));
     quantity.number = numberFrom(first);
     return quantity;
   }

@@ -26,11 +26,25 @@ enum class QuantityKind : std::uint8_t {
   Share,      ///< "share rejectReason above 0": of the picture's pixels, %
   Verdict,    ///< "verdict 120,60 ghost": 1 where that is wrong with the pixel, else 0
   Doctor,     ///< "doctor motionNegatedY": 1 where the doctor finds that fault, else 0
+  Lineage,    ///< "lineage 120,60 radius": of the samples that a pixel is made of
+  Volume,     ///< "volume 120,60": of the pixel's box, in RGB of the box's tone curve
+  Pushed,     ///< "pushed none", "pushed several": % of pixels that get so many when this frame's are pushed
+              ///< back along their motion instead of gathered
+};
+
+/// What is asked of a lineage.
+enum class LineageFigure : std::uint8_t {
+  Samples, ///< single samples of equal weight that average noise as much
+  Frames,  ///< the same of frames
+  Radius,  ///< root of the mean square of the samples' offsets, px
+  Spread,  ///< how far resampling blurs the oldest frame that is followed, px
+  Older    ///< weight of what is older than the frames that are followed
 };
 
 /// Whether it is of one pixel.
 constexpr bool isOfPixel(QuantityKind kind) {
-  return kind == QuantityKind::Value || kind == QuantityKind::Difference || kind == QuantityKind::Verdict;
+  return kind == QuantityKind::Value || kind == QuantityKind::Difference || kind == QuantityKind::Verdict ||
+         kind == QuantityKind::Lineage || kind == QuantityKind::Volume;
 }
 
 /// One number, of the state's own settings and frame unless it says otherwise.
@@ -44,6 +58,8 @@ struct Quantity {
   bool isBelow = false;              ///< Share
   VerdictKind verdict{};
   Fault fault{};
+  LineageFigure figure{};
+  bool isSeveral = false;     ///< Pushed
   std::string lane{};         ///< its name; empty: the state's own settings
   std::optional<int> frame{}; ///< nothing: the state's own
   double factor = 1.0, offset = 0.0;

@@ -28,7 +28,7 @@ constexpr std::string_view kLessonFolder = "resources/lessons/", kLessonEnding =
 constexpr std::string_view kHeaderBegin = "```state", kFence = "```";
 constexpr std::array<std::string_view, 5> kTeachingKeys{"claim", "task", "hint", "solution", "techniques"};
 /// The first line of these in a step takes the place of what the step before said.
-constexpr std::array<std::string_view, 4> kListKeys{"view", "probe", "plots", "hide"};
+constexpr std::array<std::string_view, 5> kListKeys{"view", "probe", "plots", "hide", "pose"};
 
 /// "03-the-box.md" is "the-box": the number is its place in the course.
 std::string idOf(const std::string& place) {
@@ -55,6 +55,7 @@ class StateWriter {
     if (key == "probe") state_.probes.clear();
     if (key == "plots") state_.plots.clear();
     if (key == "hide") state_.shot.filter.hidden.clear();
+    if (key == "pose") state_.shot.track.reset();
   }
 
   LessonState& state_;

@@ -3,174 +3,18 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
-#include "core/doctor/Doctor.h"
-#include "core/doctor/frames/DoctorSource.h"
 #include "core/inspect/Inspector.h"
+#include "core/lessons/RecordedFrames.h"
+#include "core/lessons/StateMeasurer.h"
 #include "core/scene/SceneSource.h"
-#include "core/sweep/MetricsOfFrames.h"
-
-#include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <cstdio>
-#include <limits>
-#include <map>
-#include <optional>
-#include <set>
 #include <utility>
 
 namespace taa {
 
 namespace {
-
-constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
-constexpr int kDoctorLessonFrames = 16;
-
-/// A row's value in a pixel as one number: its channel, luma (Rec. 709) of three, length of two.
-double rowNumber(const Quantity& quantity, const glm::vec4& value) {
-  const int channels = intermediate(quantity.row).channels;
-  if (quantity.channel >= 0) return static_cast<double>(value[quantity.channel]);
-  if (channels == 3) return glm::dot(glm::dvec3(value), glm::dvec3(0.2126, 0.7152, 0.0722));
-  if (channels == 2) return glm::length(glm::dvec2(value));
-  return static_cast<double>(value.x);
-}
-
-/// Measures quantities of one state.
-class StateMeasurer {
- public:
-  StateMeasurer(Inspector& inspector, const LessonState& state, const Progress& progress)
-      : inspector_(inspector), state_(state), progress_(progress) {}
-
-  /// Metrics are measured together: `all` are asked for later.
-  void plan(const std::vector<const Quantity*>& all) {
-    for (const Quantity* quantity : all)
-      if (quantity->kind == QuantityKind::Metric) metrics_[frameOf(*quantity)].insert(quantity->metric);
-  }
-
-  double measure(const Quantity& quantity) {
-    const double value = quantity.kind == QuantityKind::Number ? quantity.number : valueOf(quantity);
-    return value * quantity.factor + quantity.offset;
-  }
-
- private:
-  int frameOf(const Quantity& quantity) const { return quantity.frame.value_or(state_.shot.frame); }
-
-  int laneOf(const Quantity& quantity) const {
-    if (quantity.lane.empty()) return 0;
-    const auto lane = std::ranges::find(state_.lanes, quantity.lane, &LessonLane::name);
-    if (lane == state_.lanes.end()) throw Error(say<"the step has no lane \"%1\"">(quantity.lane));
-    return static_cast<int>(lane - state_.lanes.begin()) + 1;
-  }
-
-  double valueOf(const Quantity& quantity) {
-    switch (quantity.kind) {
-    case QuantityKind::Metric:
-      return metricOfLane(quantity);
-    case QuantityKind::Doctor:
-      return doctorFinds(quantity.fault) ? 1.0 : 0.0;
-    default:
-      break;
-    }
-    inspector_.shot().seek(frameOf(quantity), progress_);
-    switch (quantity.kind) {
-    case QuantityKind::Value:
-      return rowNumber(quantity, at(quantity, laneOf(quantity)));
-    case QuantityKind::Difference:
-      return difference(quantity);
-    case QuantityKind::Share:
-      return share(quantity);
-    case QuantityKind::Verdict:
-      return verdict(quantity);
-    default:
-      return kNotMeasured;
-    }
-  }
-
-  double metricOfLane(const Quantity& quantity) {
-    const int frame = frameOf(quantity);
-    auto found = measured_.find(frame);
-    if (found == measured_.end()) {
-      const std::set<Metric>& wanted = metrics_[frame];
-      found =
-          measured_
-              .emplace(frame, measureFrames(inspector_,
-                                            {frame, frame, {wanted.begin(), wanted.end()}, state_.samples},
-                                            progress_))
-              .first;
-    }
-    const LaneMetrics& lane = found->second.at(static_cast<std::size_t>(laneOf(quantity)));
-    return lane.front().at(quantity.metric).value_or(kNotMeasured);
-  }
-
-  glm::ivec2 pixelOf(const Quantity& quantity) const {
-    if (quantity.pixel) return *quantity.pixel;
-    if (state_.probes.empty()) throw Error(say<"no pixel is probed: right-click one">());
-    return state_.probes.front();
-  }
-
-  glm::vec4 at(const Quantity& quantity, int lane) {
-    const glm::ivec2 pixel = pixelOf(quantity);
-    if (isOfReference(quantity.row))
-      inspector_.reference().makeRows({quantity.row}, state_.samples, progress_, lane);
-    return twin::at(inspector_.probes().probe(pixel.x, pixel.y, lane), quantity.row);
-  }
-
-  /// Of the channel that differs most.
-  double difference(const Quantity& quantity) {
-    const glm::vec4 one = at(quantity, 0), other = at(quantity, laneOf(quantity));
-    double most = 0.0;
-    for (int channel = 0; channel < intermediate(quantity.row).channels; ++channel)
-      if (quantity.channel < 0 || quantity.channel == channel)
-        most =
-            std::max(most, std::abs(static_cast<double>(one[channel]) - static_cast<double>(other[channel])));
-    return most;
-  }
-
-  double share(const Quantity& quantity) {
-    const int lane = laneOf(quantity);
-    if (isOfReference(quantity.row))
-      inspector_.reference().makeRows({quantity.row}, state_.samples, progress_, lane);
-    const Image image = inspector_.views().image(quantity.row, lane);
-    std::int64_t count = 0;
-    for (int y = 0; y < image.height; ++y)
-      for (int x = 0; x < image.width; ++x) {
-        const double value = rowNumber(quantity, image.texel(x, y));
-        if (quantity.isBelow ? value < quantity.number : value > quantity.number) ++count;
-      }
-    return 100.0 * static_cast<double>(count) / (static_cast<double>(image.width) * image.height);
-  }
-
-  double verdict(const Quantity& quantity) {
-    const VerdictQuestion question{.frame = frameOf(quantity),
-                                   .pixel = pixelOf(quantity),
-                                   .lane = laneOf(quantity),
-                                   .samples = state_.samples};
-    return inspector_.verdicts().of(question, progress_).verdict.kind == quantity.verdict ? 1.0 : 0.0;
-  }
-
-  /// All of its findings are made once.
-  bool doctorFinds(Fault fault) {
-    if (!diagnosis_) {
-      const doctor::DoctorSource source =
-          doctor::openForDoctor({state_.shot.source, state_.shot.camera, state_.shot.size,
-                                 state_.shot.settings.settings, state_.shot.choice},
-                                progress_);
-      diagnosis_ = doctor::examine(doctor::examinationOf(source, kDoctorLessonFrames), progress_);
-    }
-    return std::ranges::any_of(diagnosis_->findings, [&](const doctor::Finding& finding) {
-      return finding.id == faultInfo(fault).id;
-    });
-  }
-
-  Inspector& inspector_;
-  const LessonState& state_;
-  const Progress& progress_;
-  std::map<int, std::set<Metric>> metrics_; // by frame
-  std::map<int, std::vector<LaneMetrics>> measured_;
-  std::optional<doctor::Diagnosis> diagnosis_;
-};
 
 /// Source, size and camera; what is open already stays.
 void openLessonShot(InspectedShot& shot, const LessonState& state, const Progress& progress) {
@@ -180,6 +24,7 @@ void openLessonShot(InspectedShot& shot, const LessonState& state, const Progres
   if (shot.capture()) return;
   if (glm::ivec2(shot.width(), shot.height()) != state.shot.size)
     shot.setSize(state.shot.size.x, state.shot.size.y);
+  if (state.shot.track) return shot.setCameraTrack(*state.shot.track);
   const std::string& own = shot.scene().shot.camera;
   const std::string& camera = state.shot.camera.empty() ? own : state.shot.camera;
   if (shot.camera() != camera) shot.setCamera(camera);
@@ -246,7 +91,8 @@ std::string measuredText(double value) {
 
 } // namespace
 
-void openState(Inspector& inspector, const LessonState& state, const Progress& progress) {
+LessonState openState(Inspector& inspector, const LessonState& asked, const Progress& progress) {
+  const LessonState state = onItsFrames(inspector, asked, progress);
   InspectedShot& shot = inspector.shot();
   std::vector<Settings> settings{state.shot.settings.settings};
   for (const LessonLane& lane : state.lanes) settings.push_back(lane.settings);
@@ -260,6 +106,7 @@ void openState(Inspector& inspector, const LessonState& state, const Progress& p
     throw Error(say<"there is no frame %1: %2 has frames 0 to %3">(state.shot.frame, state.shot.source,
                                                                    shot.frameCount() - 1));
   shot.seek(state.shot.frame, progress);
+  return state;
 }
 
 std::string checkedText(const CheckedCondition& checked) {
@@ -272,8 +119,8 @@ std::vector<CheckedCondition> checkConditions(Inspector& inspector, const Lesson
                                               const Progress& progress) {
   std::vector<CheckedCondition> checked;
   if (conditions.empty()) return checked;
-  openState(inspector, state, progress);
-  StateMeasurer measurer(inspector, state, progress);
+  const LessonState opened = openState(inspector, state, progress);
+  StateMeasurer measurer(inspector, opened, progress);
   measurer.plan(quantitiesOf(conditions));
   for (const Condition& condition : conditions) {
     CheckedCondition one{condition, measurer.measure(condition.left), measurer.measure(condition.right)};

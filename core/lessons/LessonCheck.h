@@ -13,8 +13,9 @@ namespace taa {
 
 class Inspector;
 
-/// Opens the state and goes to its frame. Throws Error, Cancelled.
-void openState(Inspector& inspector, const LessonState& state, const Progress& progress = {});
+/// Opens the state and goes to its frame. Gives the state on the frames that are open now, which are others
+/// where it records some. Throws Error, Cancelled.
+LessonState openState(Inspector& inspector, const LessonState& state, const Progress& progress = {});
 
 /// A condition with what was measured of it.
 struct CheckedCondition {

@@ -48,7 +48,7 @@ ordered_json viewJson(const LessonView& view, const LessonState& state) {
                       {"grid", true}}}};
   if (state.look)
     json["camera"] = cameraJson(state.look->zoom, glm::dvec2(state.look->pixel) + 0.5);
-  else if (state.views.size() == 1 && state.shot.size == kLessonSizePx)
+  else if (state.views.size() == 1 && state.shot.size.x <= kLessonSizePx.x)
     json["camera"] = cameraJson(kAloneZoom, 0.5 * glm::dvec2(state.shot.size));
   return json;
 }

@@ -4,6 +4,8 @@
 #include "core/base/Files.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
+#include "core/capture/format/Conventions.h"
+#include "core/io/CameraTrackJson.h"
 #include "core/lessons/LessonText.h"
 #include "core/measure/Metrics.h"
 #include "core/picture/StyleText.h"
@@ -13,6 +15,8 @@
 #include "core/settings/Lanes.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
+
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -25,7 +29,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kMaxLessonFrame = 100'000, kMaxLessonSide = 1920, kMinLessonSide = 16;
+constexpr int kMaxLessonFrame = 100'000, kMaxLessonSide = 1920, kMinLessonSide = 16, kMaxPoseFrame = 1000;
 constexpr std::size_t kMaxLessonViews = 4, kMaxLessonProbes = 4, kMaxLessonRows = 8;
 constexpr double kMaxLessonZoom = 256.0;
 
@@ -69,6 +73,7 @@ void setScene(const KeyLine& line) {
   shot.size = state.shot.size;
   shot.settings = state.shot.settings;
   state.shot = shot;
+  state.recording.reset();
   state.probes.clear();
   state.look.reset();
 }
@@ -87,6 +92,52 @@ void setPreset(const KeyLine& line) {
 
 void assignWords(Settings& settings, std::string_view words) {
   for (const std::string_view assignment : wordsOf(words)) applyAssignment(settings, assignment);
+}
+
+/// "16 like=unreal preset=balanced fault=motionNegated reference=16": in this order, all but the frames may
+/// be left out. The state's own settings are those that resolve them.
+void setRecording(const KeyLine& line) {
+  const std::vector<std::string_view> words = wordsOf(line.value);
+  LessonRecording recording{.frames = wholeNumberFrom(words.front(), 1, kMaxRecordedFrames)};
+  recording.settings = builtinPresets().front().settings;
+  for (const std::string_view word : std::span(words).subspan(1)) {
+    const std::string_view value = word.substr(std::min(word.find('=') + 1, word.size()));
+    if (word.starts_with("like="))
+      recording.like = capture::startingPoint(std::string(value)).id;
+    else if (word.starts_with("preset="))
+      recording.settings = lessonPreset(value).settings;
+    else if (word.starts_with("fault="))
+      inject(faultInfo(value).fault, recording.settings);
+    else if (word.starts_with("reference="))
+      recording.referenceSamples = wholeNumberFrom(value, kMinReferenceSamples, kMaxReferenceSamples);
+    else
+      throw Error(say<"expected FRAMES like=ENGINE preset=PRESET fault=FAULT reference=SAMPLES">());
+  }
+  line.state.recording = recording;
+}
+
+/// "20 0.5,1.4,4 -3,0": frame, position, yaw and pitch. Poses between two that are said lie evenly between
+/// them; before the first and after the last the camera rests.
+void addPose(const KeyLine& line) {
+  const std::vector<std::string_view> words = wordsOf(line.value);
+  if (words.size() != 3) throw Error(say<"expected FRAME X,Y,Z YAW,PITCH">());
+  const int frame = wholeNumberFrom(words[0], 0, kMaxPoseFrame);
+  const CameraPose pose = parseCameraPose(std::string(words[1]) + "," + std::string(words[2]));
+  std::optional<CameraTrack>& track = line.state.shot.track;
+  if (!track) {
+    track = CameraTrack{"lesson", frame, {pose}};
+    line.state.shot.camera = track->name;
+    return;
+  }
+  const int last = track->firstFrame + static_cast<int>(track->poses.size()) - 1;
+  if (frame <= last) throw Error(say<"frame %1 comes after frame %2">(frame, last));
+  const CameraPose before = track->poses.back();
+  for (int between = last + 1; between <= frame; ++between) {
+    const float part = static_cast<float>(between - last) / static_cast<float>(frame - last);
+    track->poses.push_back({glm::mix(before.position, pose.position, part),
+                            glm::mix(before.yaw, pose.yaw, part), glm::mix(before.pitch, pose.pitch, part),
+                            glm::mix(before.fovY, pose.fovY, part)});
+  }
 }
 
 /// "clip = this rectify.method=clip": a preset, or "this" for the state's own settings, and what differs.
@@ -177,7 +228,13 @@ struct LessonKey {
 
 constexpr LessonKey kLessonKeys[] = {
     {"scene", setScene},
-    {"camera", [](const KeyLine& line) { line.state.shot.camera = std::string(line.value); }},
+    {"camera",
+     [](const KeyLine& line) {
+       line.state.shot.camera = std::string(line.value);
+       line.state.shot.track.reset();
+     }},
+    {"pose", addPose},
+    {"record", setRecording},
     {"length",
      [](const KeyLine& line) {
        line.state.shot.choice.frames = wholeNumberFrom(line.value, 1, kMaxShotFrames);

@@ -23,6 +23,15 @@ struct LessonLane {
   Settings settings;
 };
 
+/// Frames of the state's scene, written as an engine would hand them out, and opened in its place: how the
+/// reader meets somebody else's.
+struct LessonRecording {
+  int frames = 0;
+  std::string like = "taa-inspector"; ///< id of a capture::StartingPoint
+  Settings settings{};                ///< that they are drawn with; what is wrong with them is in them
+  int referenceSamples = 0;           ///< of a reference for each; 0: none
+};
+
 /// What one view shows.
 struct LessonView {
   IntermediateId id = IntermediateId::resolved;
@@ -44,9 +53,11 @@ inline constexpr std::array<std::string_view, 7> kLessonParts{"views",    "probe
 /// Pictures of lessons are small, so that pixels are seen and whatever is asked for comes at once.
 inline constexpr glm::ivec2 kLessonSizePx{320, 180};
 inline constexpr int kLessonSamples = 16; ///< of references
+inline constexpr int kMaxRecordedFrames = 32;
 
 struct LessonState {
   SessionFile shot{}; ///< without what the window adds to it
+  std::optional<LessonRecording> recording{};
   std::vector<LessonLane> lanes{};
   std::vector<LessonView> views{{}};
   std::vector<glm::ivec2> probes{}; ///< px; the first one is active

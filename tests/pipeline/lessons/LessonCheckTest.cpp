@@ -69,3 +69,43 @@ TEST_F(LessonCheck, SaysOfAFrameThatIsNotThere) {
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NE(found.front().find("there is no frame 90000"), std::string::npos) << found.front();
 }
+
+TEST_F(LessonCheck, FollowsTheSamplesOfAPixelAtRest) {
+  // The mean of n + 1 frames read in place is worth as many samples, and none of it is blurred.
+  EXPECT_EQ(
+      mistakes("preset: reference\ncamera: still\nframe: 7\n"
+               "claim: lineage 32,18 frames = 8 within 1e-3\n"
+               "claim: lineage 32,18 samples = 8 within 1e-3\n"
+               "claim: lineage 32,18 spread = 0 within 1e-6\nclaim: lineage 32,18 older = 0 within 1e-6\n"),
+      std::vector<std::string>{});
+}
+
+TEST_F(LessonCheck, MeasuresABoxInRgbWhateverItsAxes) {
+  // YCoCg and its lifting differ in the lengths of their axes alone: the same box.
+  EXPECT_EQ(mistakes("preset: minimal\nset: space.color=yCoCg\nframe: 1\n"
+                     "lane: lifting = this space.color=yCoCgLifting\n"
+                     "claim: volume 32,18 = volume 32,18 of lifting within 1e-9\nclaim: volume 32,18 > 0\n"),
+            std::vector<std::string>{});
+}
+
+TEST_F(LessonCheck, PushingLeavesHolesWhereTheCameraComesNearer) {
+  EXPECT_EQ(mistakes("camera: still\nframe: 2\nclaim: pushed none = 0\nclaim: pushed several = 0\n"),
+            std::vector<std::string>{});
+  // What turns by more than a pixel a frame uncovers a column at the border.
+  EXPECT_EQ(mistakes("camera: orbit\nframe: 2\nclaim: pushed none > 1\nclaim: pushed several > 1\n"),
+            std::vector<std::string>{});
+}
+
+TEST_F(LessonCheck, ACameraThatIsPosedStopsWhereItIsSaid) {
+  EXPECT_EQ(mistakes("pose: 0 0,1.5,6 0,0\npose: 4 0.5,1.5,6 0,0\nframe: 6\n"
+                     "claim: probe 32,18 motion at 3 > 0.01\nclaim: probe 32,18 motion = 0 within 1e-4\n"),
+            std::vector<std::string>{});
+}
+
+TEST_F(LessonCheck, OpensFramesThatItRecordsAndTheDoctorFindsWhatIsWrongInThem) {
+  EXPECT_EQ(mistakes("camera: pan\nrecord: 6 like=unreal fault=motionNegated reference=4\n"
+                     "preset: unrectified\nframe: 5\n"
+                     "lane: healed = this fault.motionX=-1 fault.motionY=-1\n"
+                     "claim: metric rmse of healed < metric rmse\n"),
+            std::vector<std::string>{});
+}

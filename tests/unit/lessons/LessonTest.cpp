@@ -83,14 +83,53 @@ TEST(Lesson, ReadsClaimsTasksHintsAndSolutions) {
   EXPECT_TRUE(only.state.probes.empty());
 }
 
+TEST(Lesson, PosesLieEvenlyBetweenThoseThatAreSaidAndRestBeyond) {
+  const taa::Lesson lesson = taa::lessonFromText(
+      step("scene: builtin:fan\npose: 2 0,1,4 10,0\npose: 6 2,1,4 -10,4\n") +
+          "## Two\n```state\ncamera: still\n```\n## Three\n```state\npose: 0 1,1,1 0,0\n```\n",
+      "some.md");
+  const taa::CameraTrack& track = lesson.steps[0].state.shot.track.value();
+  EXPECT_EQ(track.at(0).position, glm::vec3(0, 1, 4));
+  EXPECT_EQ(track.at(3).position, glm::vec3(0.5f, 1, 4));
+  EXPECT_EQ(track.at(4).yaw, 0.0f);
+  EXPECT_EQ(track.at(5).pitch, 3.0f);
+  EXPECT_EQ(track.at(40).position, glm::vec3(2, 1, 4));
+  EXPECT_FALSE(lesson.steps[1].state.shot.track);
+  EXPECT_EQ(lesson.steps[2].state.shot.track.value().poses.size(), 1u);
+}
+
+TEST(Lesson, RecordsFramesWithTheirFaultsAndResolvesThemWithout) {
+  const taa::Lesson lesson = taa::lessonFromText(
+      step("scene: builtin:fan\nrecord: 6 like=unreal preset=minimal fault=motionNegated reference=8\n"
+           "preset: sharp\n") +
+          "## Two\n```state\nscene: builtin:fence\n```\n",
+      "some.md");
+  const taa::LessonState& state = lesson.steps[0].state;
+  ASSERT_TRUE(state.recording);
+  EXPECT_EQ(state.recording->frames, 6);
+  EXPECT_EQ(state.recording->like, "unreal");
+  EXPECT_EQ(state.recording->referenceSamples, 8);
+  EXPECT_EQ(state.recording->settings.fault.motionX, -1.0f);
+  EXPECT_EQ(state.shot.settings.settings.fault.motionX, 1.0f);
+  EXPECT_FALSE(lesson.steps[1].state.recording);
+}
+
 TEST(Lesson, RefusesWhatItDoesNotKnowWithTheLine) {
   const std::pair<std::string, std::string> wrong[] = {
       {"scene: builtin:fam\n", "some.md:8: there is no scene \"builtin:fam\"; near it is \"builtin:fan\""},
       {"sceen: builtin:fan\n", "some.md:8: there is no key \"sceen\"; near it is \"scene\""},
       {"preset: minimum\n", "some.md:8: there is no preset \"minimum\"; near it is \"minimal\""},
-      {"claim: metric psnr > lots\n",
-       "some.md:8: \"lots\" is none of metric, probe, difference, share, verdict "
-       "and doctor"},
+      {"claim: metric psnr > lots\n", "some.md:8: \"lots\" is none of metric, probe, difference, share, "
+                                      "verdict, doctor, lineage, volume and "
+                                      "pushed"},
+      {"claim: lineage 3,4 blur > 1\n",
+       "some.md:8: \"blur\" is none of samples, frames, radius, spread and older"},
+      {"claim: pushed two > 1\n", "some.md:8: what is pushed is: pushed none, or pushed several"},
+      {"pose: 3 0,1,2\n", "some.md:8: expected FRAME X,Y,Z YAW,PITCH"},
+      {"pose: 3 0,1,2 0,0\npose: 3 0,1,2 0,0\n", "some.md:9: frame 3 comes after frame 3"},
+      {"record: 99\n", "some.md:8: \"99\" is not a whole number from 1 to 32"},
+      {"record: 4 like=unreal twice\n",
+       "some.md:8: expected FRAMES like=ENGINE preset=PRESET fault=FAULT reference=SAMPLES"},
       {"claim: metric psnr of off > 1\n", "some.md:8: the step has no lane \"off\""},
       {"claim: metric psnr > 1 2\n", "some.md:8: \"2\" is more than the condition needs"},
       {"probe: 3\n", "some.md:8: \"3\" is no pixel: expected X,Y"},

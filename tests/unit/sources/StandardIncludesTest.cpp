@@ -88,8 +88,8 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
     {"numeric", "accumulate gcd iota lcm lerp midpoint reduce inner_product partial_sum"},
     {"optional", "make_optional nullopt nullopt_t optional ptrdiff_t size_t"},
     {"ostream", "endl fixed flush ios ostream streamsize"},
-    {"random",
-     "minstd_rand mt19937 normal_distribution uniform_int_distribution uniform_real_distribution mt19937_64"},
+    {"random", "random_device minstd_rand mt19937 normal_distribution uniform_int_distribution "
+               "uniform_real_distribution mt19937_64"},
     {"ranges", "ranges::subrange views ranges::iota_view"},
     {"ratio", "milli"},
     {"regex", "regex regex_match regex_replace regex_search smatch sregex_iterator sregex_token_iterator "
