@@ -273,6 +273,7 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
   }
   if (!fit.isContradicted()) {
     tellNoFit(missPx, out);
+    tellShort(evidence.stated, out);
     return {{}, missPx > kMissingPx, true};
   }
   out.findings.push_back(otherJitter(fit, trials, evidence, patient.isCameraKnown, patient.patient));

@@ -85,14 +85,21 @@ void tellRange(const SequenceFacts& facts, Diagnosis& out) {
                             "meant.">(shortNumber(facts.longestPx)));
 }
 
+bool isTooShort(const SequenceFacts& facts) {
+  return facts.period && *facts.period > 1 && *facts.period <= kTooShort;
+}
+
+Finding shortSequence(const SequenceFacts& facts) {
+  return sequenceFinding(
+      Fault::JitterShort, say<"The jitter repeats after %1 frames.">(*facts.period),
+      say<"Take a longer sequence: 8 places or more, times the share of pixels that is drawn; Halton's of "
+          "the bases 2 and 3 is one.">());
+}
+
 void tellPeriod(const SequenceFacts& facts, Diagnosis& out) {
-  if (!facts.period || *facts.period > kShort) return;
-  if (*facts.period <= kTooShort)
-    out.findings.push_back(sequenceFinding(
-        Fault::JitterShort, say<"The jitter repeats after %1 frames.">(*facts.period),
-        say<"Take a longer sequence: 8 places or more, times the share of pixels that is drawn; Halton's of "
-            "the bases 2 and 3 is one.">()));
-  else
+  if (isTooShort(facts))
+    out.findings.push_back(shortSequence(facts));
+  else if (facts.period && *facts.period <= kShort)
     out.notes.push_back(
         say<"The jitter repeats after %1 frames: edges have no more steps than that.">(*facts.period));
 }
@@ -121,6 +128,11 @@ SequenceFacts sequenceFacts(const std::map<int, glm::vec2>& jitterPx) {
   out.middlePx = 0.5 * (least + most);
   if (!jitters.empty()) out.beyondShare = static_cast<double>(beyond) / static_cast<double>(jitters.size());
   return out;
+}
+
+void tellShort(const std::map<int, glm::vec2>& jitterPx, Diagnosis& out) {
+  const SequenceFacts facts = sequenceFacts(jitterPx);
+  if (isTooShort(facts)) out.findings.push_back(shortSequence(facts));
 }
 
 void tellSequence(const std::map<int, glm::vec2>& jitterPx, Diagnosis& out) {

@@ -23,6 +23,9 @@ struct SequenceFacts {
 /// Of frames that follow each other; px, displacement of content.
 SequenceFacts sequenceFacts(const std::map<int, glm::vec2>& jitterPx);
 
+/// Adds a finding for a sequence of two places, whatever pictures hold of it.
+void tellShort(const std::map<int, glm::vec2>& jitterPx, Diagnosis& out);
+
 /// Adds what is wrong with a sequence that pictures hold, and what is worth knowing of it. It says nothing of
 /// one that is always the same.
 void tellSequence(const std::map<int, glm::vec2>& jitterPx, Diagnosis& out);

@@ -103,6 +103,19 @@ TEST(JitterSequence, OfTwoPlacesIsTooShortAndNothingElse) {
             "jitterShort, jitterMean");
 }
 
+TEST(JitterSequence, OfTwoPlacesIsShortWhateverPicturesHold) {
+  const auto toldShort = [](const std::map<int, glm::vec2>& jitters) {
+    Diagnosis out;
+    tellShort(jitters, out);
+    return out.findings.empty() ? std::string() : out.findings[0].id;
+  };
+  EXPECT_EQ(toldShort(jittersOf(8, [](int f) { return glm::vec2(f % 2 == 0 ? 0.25f : -0.25f, 0.0f); })),
+            "jitterShort");
+  EXPECT_EQ(toldShort(jittersOf(8, [](int f) { return glm::vec2(0.1f * static_cast<float>(f % 4), 0.0f); })),
+            "");
+  EXPECT_EQ(toldShort(jittersOf(8, [](int) { return glm::vec2(0.25f, 0.0f); })), "");
+}
+
 TEST(JitterSequence, IsNoneWhereItIsAlwaysTheSame) {
   EXPECT_EQ(sequenceTold(jittersOf(16, [](int) { return glm::vec2(0.4f, 0.0f); })), "");
 }
