@@ -9,6 +9,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -40,7 +41,9 @@ struct DoctorFrame {
   Image depthView;          ///< m, 0: sky
   Image previousDepthView;  ///< m, of the same surface a frame ago; 0: sky or none
   Image mask;               ///< two channels: reactive, responsive; 0 to 1
-  std::vector<std::uint32_t> objectId;           ///< 0: nothing
+  std::vector<std::uint32_t> objectId; ///< 0: nothing
+  std::vector<std::uint8_t>
+      covered; ///< 1: an interface lies there, no witness of what is behind; empty: none does
   std::optional<glm::mat4> previousClipFromClip; ///< both without jitter; none: cameras are not known
   std::optional<FrameCameras> cameras;           ///< none: they are not known
   glm::vec2 depthJitterPx{0.0f};                 ///< displacement of what depth shows
@@ -52,6 +55,9 @@ struct DoctorFrame {
 
   glm::ivec2 sizePx() const { return {luma.width, luma.height}; }
   glm::vec2 motionAt(int x, int y) const { return {motionPx.at(x, y)[0], motionPx.at(x, y)[1]}; }
+  bool isCovered(const glm::ivec2& pixel) const {
+    return !covered.empty() && covered[static_cast<std::size_t>(pixel.y) * luma.width + pixel.x] != 0;
+  }
 };
 
 /// Frame n; a function of n alone. Throws Error.

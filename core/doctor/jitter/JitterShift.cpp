@@ -114,9 +114,10 @@ ShiftSamples shiftSamples(const FrameNeighbors& frames) {
       const bool isSky = !now.depth.empty() && *now.depth.at(x, y) == 0.0f;
       if (isSky) out.skyShare += static_cast<double>(step) * step / pixels;
       const auto motionPx = restingMotion(now, {x, y});
-      if (!motionPx || !hasDetail(now.luma, x, y)) continue;
+      if (!motionPx || now.isCovered({x, y}) || !hasDetail(now.luma, x, y)) continue;
       const glm::vec2 place = glm::vec2(x, y) + 0.5f - *motionPx;
       if (place.x < margin.x || place.y < margin.y || place.x > last.x || place.y > last.y) continue;
+      if (frames.before.isCovered(glm::ivec2(place))) continue;
       (isSky ? out.sky : out.world).push_back({place, *now.luma.at(x, y)});
     }
   return out;

@@ -59,6 +59,7 @@ bool wasHidden(const FrameNeighbors& frames, const glm::ivec2& pixel, const glm:
 }
 
 bool isMasked(const DoctorFrame& frame, const glm::ivec2& pixel) {
+  if (frame.isCovered(pixel)) return true;
   if (frame.mask.empty()) return false;
   const float* mask = frame.mask.at(pixel.x, pixel.y);
   return mask[0] > 0.0f || mask[1] > 0.0f;
@@ -143,6 +144,7 @@ class PairEvidence {
       ++regions_[static_cast<std::size_t>(region)].outside;
     const glm::vec2 place = placeOf(pixel, given);
     if (!isInPicture(place, frames_.now.sizePx()) || wasHidden(frames_, pixel, place)) return;
+    if (frames_.before.isCovered(glm::ivec2(place))) return;
     RegionEvidence& out = regions_[static_cast<std::size_t>(region)];
     CellPixel seen{pixel, *frames_.now.luma.at(pixel.x, pixel.y), given, 0.0f};
     seen.error = std::abs(seen.luma - capture::betweenPixels(frames_.before.luma, place));
