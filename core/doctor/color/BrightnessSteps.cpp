@@ -1,0 +1,167 @@
+#include "core/doctor/color/BrightnessSteps.h"
+
+#include "core/base/Median.h"
+#include "core/base/Say.h"
+#include "core/capture/import/FrameSamples.h"
+#include "core/doctor/NumberText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace taa::doctor {
+
+namespace {
+
+constexpr double kBrightnessSamples = 8000.0;
+constexpr int kColumns = 8, kRows = 6; ///< of squares
+constexpr std::size_t kEnoughInSquare = 12, kEnoughSquares = 12;
+// Of luma: darker light is noise, brighter one is near the most that there is.
+constexpr float kLeastLuma = 0.01f, kMostLuma = 0.97f;
+constexpr double kStepStops = 0.1; ///< one sees it
+/// Medians of squares are the same where they differ by less: stops, and of the step.
+constexpr double kEvenStops = 0.05, kEvenShare = 0.25;
+constexpr double kEvenSquares = 0.85;
+constexpr int kMostNamed = 4; ///< frames in a sentence
+
+/// The light of a place in both frames, as luma.
+struct PlaceLight {
+  int square = 0;
+  double now = 0.0, before = 0.0;
+
+  double stops() const { return std::log2(lightOf(now) / lightOf(before)); }
+  static double lightOf(double luma) { return luma / (1.0 - luma); }
+};
+
+std::optional<glm::vec2> followedMotion(const DoctorFrame& frame, const glm::ivec2& pixel) {
+  if (const auto camera = cameraMotionPx(frame, pixel)) return camera;
+  if (frame.motionPx.empty()) return {};
+  const glm::vec2 given = frame.motionAt(pixel.x, pixel.y);
+  if (!isMotion(given)) return {};
+  return given;
+}
+
+bool tellsBrightness(float luma) {
+  return luma >= kLeastLuma && luma <= kMostLuma; // NaN is not
+}
+
+std::vector<PlaceLight> placesOf(const FrameNeighbors& frames) {
+  const glm::ivec2 size = frames.now.sizePx();
+  const glm::vec2 last = glm::vec2(size) - 1.0f;
+  const double pixels = static_cast<double>(size.x) * size.y;
+  const int step = std::max(1, static_cast<int>(std::sqrt(pixels / kBrightnessSamples)));
+  std::vector<PlaceLight> out;
+  for (int y = step / 2; y < size.y; y += step)
+    for (int x = step / 2; x < size.x; x += step) {
+      if (frames.now.isCovered({x, y})) continue;
+      const auto motionPx = followedMotion(frames.now, {x, y});
+      if (!motionPx) continue;
+      const glm::vec2 place = glm::vec2(x, y) + 0.5f - *motionPx + frames.jitterStep();
+      if (!(place.x >= 1.0f && place.y >= 1.0f && place.x <= last.x && place.y <= last.y)) continue;
+      if (frames.before.isCovered(glm::ivec2(place))) continue;
+      const float now = *frames.now.luma.at(x, y), before = capture::betweenPixels(frames.before.luma, place);
+      if (tellsBrightness(now) && tellsBrightness(before))
+        out.push_back({y * kRows / size.y * kColumns + x * kColumns / size.x, static_cast<double>(now),
+                       static_cast<double>(before)});
+    }
+  return out;
+}
+
+double medianStops(const std::vector<PlaceLight>& places) {
+  std::vector<double> stops;
+  for (const PlaceLight& place : places) stops.push_back(place.stops());
+  return median(std::move(stops));
+}
+
+/// What is left of luma where the light of the frame before is so many stops brighter.
+double medianLeft(const std::vector<PlaceLight>& places, double stops) {
+  std::vector<double> left;
+  for (const PlaceLight& place : places) {
+    const double light = PlaceLight::lightOf(place.before) * std::exp2(stops);
+    left.push_back(std::abs(place.now - light / (1.0 + light)));
+  }
+  return median(std::move(left));
+}
+
+std::string stepTexts(const std::vector<const BrightnessPair*>& steps) {
+  std::string text;
+  for (std::size_t i = 0; i < steps.size() && i < static_cast<std::size_t>(kMostNamed); ++i) {
+    const std::string stops = (steps[i]->stops > 0.0 ? "+" : "") + shortNumber(steps[i]->stops);
+    text += (i == 0 ? "" : "; ") + say<"%1 stops at frame %2">(stops, steps[i]->frame);
+  }
+  return text;
+}
+
+Finding stepFinding(const std::vector<const BrightnessPair*>& steps) {
+  const BrightnessPair& largest =
+      **std::ranges::max_element(steps, {}, [](const BrightnessPair* pair) { return std::abs(pair->stops); });
+  Finding out = faultFinding(Fault::ExposureStep);
+  out.isWholePicture = true;
+  out.reason =
+      say<"The brightness of the whole picture steps in %1 of the frames, most at frame %2: in %3 of %4 "
+          "squares alike. %5.">(steps.size(), largest.frame, largest.even, largest.squares, stepTexts(steps));
+  out.measure = say<"median difference of luma, × 1000">();
+  out.residuals = {{"stepped", say<"the frame before times %1">(shortNumber(std::exp2(largest.stops))),
+                    1000.0 * largest.stepped, false, true},
+                   {"asGiven", say<"as given">(), 1000.0 * largest.given, true, false}};
+  out.change =
+      say<"Apply exposure after TAA; or pass the resolve the exposure of each frame, and multiply what is "
+          "read of history by the new one over the old one. Write pre-exposure into the capture where "
+          "colors are multiplied with it.">();
+  return out;
+}
+
+} // namespace
+
+bool BrightnessPair::isStep() const {
+  return std::abs(stops) >= kStepStops && squares >= kEnoughSquares &&
+         static_cast<double>(even) >= kEvenSquares * static_cast<double>(squares);
+}
+
+void BrightnessEvidence::add(const FrameNeighbors& frames) {
+  const std::vector<PlaceLight> places = placesOf(frames);
+  std::map<int, std::vector<double>> squares;
+  for (const PlaceLight& place : places) squares[place.square].push_back(place.stops());
+  BrightnessPair pair;
+  pair.frame = frames.now.frame;
+  pair.stops = medianStops(places);
+  const double near = std::max(kEvenStops, kEvenShare * std::abs(pair.stops));
+  for (auto& [square, stops] : squares) {
+    if (stops.size() < kEnoughInSquare) continue;
+    ++pair.squares;
+    if (std::abs(median(std::move(stops)) - pair.stops) <= near) ++pair.even;
+  }
+  if (pair.squares < kEnoughSquares) return;
+  pair.given = medianLeft(places, 0.0);
+  pair.stepped = medianLeft(places, pair.stops);
+  pairs.push_back(pair);
+}
+
+void tellBrightness(const BrightnessEvidence& evidence, Diagnosis& out) {
+  if (evidence.pairs.empty()) {
+    out.undecided.push_back(
+        {say<"Exposure">(),
+         say<"too little of the picture can be followed from one frame to the next">(),
+         say<"Capture a picture that is neither black nor white, from a camera that moves "
+             "little.">(),
+         {Fault::ExposureStep}});
+    return;
+  }
+  std::vector<const BrightnessPair*> steps;
+  double most = 0.0;
+  for (const BrightnessPair& pair : evidence.pairs) {
+    if (pair.isStep()) steps.push_back(&pair);
+    most = std::max(most, std::abs(pair.stops));
+  }
+  if (!steps.empty())
+    out.findings.push_back(stepFinding(steps));
+  else if (most < kStepStops)
+    out.healthy.push_back(
+        say<"Brightness does not step: in the middle of the picture's places light changes by %1 "
+            "stops from frame to frame at most.">(shortNumber(most)));
+}
+
+} // namespace taa::doctor

@@ -1,0 +1,37 @@
+// Whether the brightness of the whole picture steps from one frame to the next, which history does not
+// follow.
+#pragma once
+
+#include "core/doctor/Diagnosis.h"
+#include "core/doctor/motion/MotionTrials.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace taa::doctor {
+
+/// A pair of frames: what has become of the light of the same places.
+struct BrightnessPair {
+  int frame = 0;           ///< the later one
+  double stops = 0.0;      ///< log2 of the light over that of the frame before, the median of all places
+  std::size_t squares = 0; ///< of the picture, with places enough …
+  std::size_t even = 0;    ///< … and those whose own median is the same
+  /// Medians of |luma − luma of the frame before|: as it is, and with the frame before brighter by `stops`.
+  double given = 0.0, stepped = 0.0;
+
+  /// All of the picture has become brighter or darker by one factor: a light that changes leaves what it does
+  /// not shine on.
+  bool isStep() const;
+};
+
+/// Over all pairs of frames; those in which too few places can be followed are not among them.
+struct BrightnessEvidence {
+  std::vector<BrightnessPair> pairs;
+
+  void add(const FrameNeighbors& frames);
+};
+
+/// Adds what is wrong, right or not decided about brightness.
+void tellBrightness(const BrightnessEvidence& evidence, Diagnosis& out);
+
+} // namespace taa::doctor

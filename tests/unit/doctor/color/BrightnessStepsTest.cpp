@@ -1,0 +1,104 @@
+// Steps of brightness are measured exactly where all light changes by one factor, and told of no light that
+// shines on a part.
+#include "core/doctor/color/BrightnessSteps.h"
+
+#include "core/doctor/Doctor.h"
+#include "tests/support/doctor/PaintedFrames.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace taa::doctor {
+namespace {
+
+constexpr int kFrames = 8, kStep = 5;
+
+/// Luma of so many times the light.
+float brighter(float luma, float factor) {
+  const float light = factor * luma / (1.0f - luma);
+  return light / (1.0f + light);
+}
+
+void brighten(DoctorFrame& frame, float factor, int fromColumn = 0) {
+  for (int y = 0; y < frame.luma.height; ++y)
+    for (int x = fromColumn; x < frame.luma.width; ++x)
+      *frame.luma.at(x, y) = brighter(*frame.luma.at(x, y), factor);
+}
+
+test::PaintedShot restingShot() {
+  test::PaintedShot out;
+  out.cameraPx = out.boardPx = {0.0, 0.0};
+  out.isJittered = false;
+  return out;
+}
+
+BrightnessEvidence evidenceOf(const test::PaintedShot& shot, float factor, int fromColumn = 0) {
+  BrightnessEvidence out;
+  for (int frame = 1; frame < kFrames; ++frame) {
+    DoctorFrame now = test::paintedFrame(shot, frame), before = test::paintedFrame(shot, frame - 1);
+    if (frame >= kStep) brighten(now, factor, fromColumn);
+    if (frame > kStep) brighten(before, factor, fromColumn);
+    out.add({now, before});
+  }
+  return out;
+}
+
+std::string toldOf(const test::PaintedShot& shot, float factor, int fromColumn = 0) {
+  Diagnosis out;
+  tellBrightness(evidenceOf(shot, factor, fromColumn), out);
+  std::string text;
+  for (const Finding& finding : out.findings)
+    text += finding.id + (finding.isWholePicture ? " everywhere" : "");
+  return text;
+}
+
+} // namespace
+
+TEST(BrightnessSteps, AreMeasuredInStops) {
+  const BrightnessEvidence evidence = evidenceOf(restingShot(), 2.0f);
+  ASSERT_EQ(evidence.pairs.size(), static_cast<std::size_t>(kFrames - 1));
+  for (const BrightnessPair& pair : evidence.pairs) {
+    EXPECT_NEAR(pair.stops, pair.frame == kStep ? 1.0 : 0.0, 1e-5) << pair.frame;
+    EXPECT_EQ(pair.isStep(), pair.frame == kStep);
+    EXPECT_NEAR(pair.stepped, 0.0, 1e-6);
+  }
+}
+
+TEST(BrightnessSteps, AreToldOfTheWholePictureWhileItMoves) {
+  EXPECT_EQ(toldOf({}, 2.0f), "exposureStep everywhere");
+  EXPECT_EQ(toldOf({}, 0.8f), "exposureStep everywhere");
+  EXPECT_EQ(toldOf({}, 1.0f), "");
+}
+
+TEST(BrightnessSteps, AreNotToldOfALightOnAPart) {
+  EXPECT_EQ(toldOf({}, 2.0f, test::kPaintedPx.x / 3), "");
+}
+
+TEST(BrightnessSteps, SayAtWhichFrame) {
+  Diagnosis out;
+  tellBrightness(evidenceOf(restingShot(), 0.5f), out);
+  ASSERT_EQ(out.findings.size(), 1u);
+  EXPECT_NE(out.findings[0].reason.find("-1 stops at frame 5"), std::string::npos) << out.findings[0].reason;
+  ASSERT_EQ(out.findings[0].residuals.size(), 2u);
+  EXPECT_LT(out.findings[0].residuals[0].value, out.findings[0].residuals[1].value);
+}
+
+TEST(BrightnessSteps, OfABlackPictureAreNotDecided) {
+  Diagnosis out;
+  tellBrightness(evidenceOf(restingShot(), 0.0f), out); // black from the step on
+  EXPECT_TRUE(out.findings.empty());
+  BrightnessEvidence black;
+  DoctorFrame now = test::paintedFrame({}, 1), before = test::paintedFrame({}, 0);
+  brighten(now, 0.0f);
+  brighten(before, 0.0f);
+  black.add({now, before});
+  Diagnosis open;
+  tellBrightness(black, open);
+  ASSERT_EQ(open.undecided.size(), 1u);
+  EXPECT_EQ(open.undecided[0].faults, std::vector<Fault>{Fault::ExposureStep});
+}
+
+} // namespace taa::doctor
