@@ -3,6 +3,7 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/doctor/DepthCheck.h"
+#include "core/doctor/color/ColorCheck.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/jitter/JitterCheck.h"
 #include "core/doctor/motion/MotionEvidence.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -43,6 +45,7 @@ class Examiner {
     report(progress_, say<"Examining frames">(), count, count);
   }
 
+  const ColorEvidence& color() const { return color_; }
   const JitterEvidence& jitter() const { return jitter_; }
   const DepthEvidence& depth() const { return depth_; }
   const RimEvidence& rims() const { return rims_; }
@@ -72,6 +75,7 @@ class Examiner {
     if (!before || now.startsHistory) return;
     ++out.pairs;
     const FrameNeighbors frames{now, *before, after};
+    color_.add(frames, labels);
     jitter_.add(frames);
     depth_.add(now);
     if (examination_.known.motion) motion_.add(frames, labels, labelsBefore);
@@ -82,6 +86,7 @@ class Examiner {
   const Progress& progress_;
   RegionTracker tracker_;
   std::vector<RegionIndex> labels_; ///< of the frame that was added last
+  ColorEvidence color_;
   MotionEvidence motion_{patient_.sizePx};
   JitterEvidence jitter_;
   DepthEvidence depth_;
@@ -92,9 +97,10 @@ class Examiner {
 
 /// Frames with the jitter that their pictures hold. A frame whose own jitter, or that of the one before, is
 /// not known is compared with nothing.
-FrameReader mendedReader(const Examination& examination, const JitterMender& mender) {
-  return [&examination, mender](int frame) {
-    DoctorFrame out = examination.read(frame);
+FrameReader mendedReader(const FrameReader& read, const Examination& examination,
+                         const JitterMender& mender) {
+  return [&read, &examination, mender](int frame) {
+    DoctorFrame out = read(frame);
     const auto jitter = mender(frame);
     if (!jitter || (frame > examination.first && !mender(frame - 1))) out.startsHistory = true;
     if (!jitter) return out;
@@ -197,14 +203,27 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
   first.look(examination.read, out, [&] {
     if (!told) return;
     Diagnosis early = out;
-    tellSeen(first, examination, patient, early);
+    if (tellInterface(first.color(), early).empty()) tellSeen(first, examination, patient, early);
     told(early);
   });
-  if (const JitterMender mender = tellSeen(first, examination, patient, out)) {
+  FrameReader read = examination.read;
+  Examiner bare(examination, patient, progress, false);
+  const std::vector<std::uint8_t> covered = tellInterface(first.color(), out);
+  const bool isCovered = !covered.empty();
+  if (isCovered) {
+    // An interface makes jitter and motion look wrong: all else is looked at again beside it.
+    read = coveredReader(examination.read, covered);
+    bare.look(read, out);
+  }
+  const Examiner& seen = isCovered ? bare : first;
+  if (const JitterMender mender = tellSeen(seen, examination, patient, out)) {
     // Wrong jitter makes motion look wrong: it is looked at again with the jitter that pictures hold.
     Examiner second(examination, patient, progress, false);
-    second.look(mendedReader(examination, mender), out);
+    second.look(mendedReader(read, examination, mender), out);
     tellPlanes(second, examination, out);
+    tellColor(second.color(), patient, out);
+  } else {
+    tellColor(seen.color(), patient, out);
   }
   if (examination.known.output) tellResolve(first.resolve(), out.findings.empty(), out);
   return out;

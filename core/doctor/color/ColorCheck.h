@@ -1,0 +1,38 @@
+// What is wrong with the pictures themselves: an interface in them, steps of brightness, surfaces that fight,
+// textures too sharp or too soft.
+#pragma once
+
+#include "core/doctor/Diagnosis.h"
+#include "core/doctor/Patient.h"
+#include "core/doctor/color/BrightnessSteps.h"
+#include "core/doctor/color/CoplanarFlips.h"
+#include "core/doctor/color/ScreenTiles.h"
+#include "core/doctor/frames/DoctorFrame.h"
+#include "core/doctor/frames/Regions.h"
+#include "core/doctor/motion/MotionTrials.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace taa::doctor {
+
+/// Over all pairs of frames.
+struct ColorEvidence {
+  ScreenTiles tiles;
+  BrightnessEvidence brightness;
+  CoplanarEvidence coplanar;
+
+  /// `labels`: of `frames.now`.
+  void add(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels);
+};
+
+/// Adds what is wrong, right or not decided about an interface in the pictures. Returns the pixels that it
+/// covers, see DoctorFrame::covered.
+std::vector<std::uint8_t> tellInterface(const ColorEvidence& evidence, Diagnosis& out);
+/// The same frames, in which covered pixels are no witness.
+FrameReader coveredReader(const FrameReader& read, std::vector<std::uint8_t> covered);
+
+/// Adds all else about color. Expects evidence of frames in which interfaces are covered.
+void tellColor(const ColorEvidence& evidence, const Patient& patient, Diagnosis& out);
+
+} // namespace taa::doctor
