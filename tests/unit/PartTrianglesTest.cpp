@@ -86,6 +86,34 @@ TEST(PartTriangles, AreThoseThatHoldACenterAtTheJitter) {
   EXPECT_EQ(drawnOf(placed, {1.0f, 0.0f}), (Columns{15, 16, 17, 18, 19, 20, 21, 22}));
 }
 
+// The box around the triangle holds the center of its pixel, the triangle does not.
+TEST(PartTriangles, ThatLieBesideCentersAreLeftOut) {
+  Primitive row = rowOfSmall(true);
+  for (std::size_t vertex = 0; vertex < row.vertices.size(); vertex += 3) {
+    const float left = row.vertices[vertex].position.x - 0.3f; // of the center by 0.4
+    row.vertices[vertex].position = {left, 20.1f, 0.0f};
+    row.vertices[vertex + 1].position = {left + 0.8f, 20.1f, 0.0f};
+    row.vertices[vertex + 2].position = {left, 20.9f, 0.0f};
+  }
+  const PlacedPrimitive placed = placedAs(row, kStill);
+  EXPECT_EQ(drawnOf(placed, {0.0f, 0.0f}), kAll) << "the long side runs through the center";
+  EXPECT_EQ(drawnOf(placed, {0.2f, 0.2f}), kAll) << "it lies behind that";
+  EXPECT_EQ(drawnOf(placed, {-0.02f, -0.02f}), kAll) << "GL may round it back";
+  EXPECT_EQ(drawnOf(placed, {-0.2f, -0.2f}), Columns{});
+  EXPECT_EQ(drawnOf(placed, {0.3f, -0.3f}), kAll) << "the long side moved along itself";
+}
+
+// Each holds more centers than are looked at one by one.
+TEST(PartTriangles, ThatAreLargeAreDrawn) {
+  Primitive row = rowOfSmall(true);
+  for (std::size_t vertex = 0; vertex < row.vertices.size(); vertex += 3) {
+    row.vertices[vertex].position = {8.0f, 16.0f, 0.0f};
+    row.vertices[vertex + 1].position = {40.0f, 16.0f, 0.0f};
+    row.vertices[vertex + 2].position = {8.0f, 48.0f, 0.0f};
+  }
+  EXPECT_EQ(drawnOf(placedAs(row, kStill), {}).size(), row.vertices.size() / 3);
+}
+
 // Of one selection nothing is left in the next.
 TEST(PartTriangles, AreSelectedAnewForEachJitter) {
   const Primitive row = rowOfSmall(true);

@@ -34,13 +34,46 @@ float alongAxes(const glm::vec2& edge) {
   return std::abs(edge.x) + std::abs(edge.y);
 }
 
-/// Whether the center of one of `count` pixels from `first` on lies between them.
-bool holdsCenter(float low, float high, int first, int count) {
-  const int last = std::min(static_cast<int>(high - 0.5f), first + count - 1);
-  return static_cast<float>(last) >= std::max(low - 0.5f, static_cast<float>(first));
+/// Those of `count` pixels from `first` on whose centers lie between them.
+struct Centers {
+  int first = 0, last = -1;
+  int count() const { return last - first + 1; }
+};
+
+Centers centersBetween(float low, float high, int first, int count) {
+  const float left = std::max(low - 0.5f, static_cast<float>(first));
+  const float right = std::min(high - 0.5f, static_cast<float>(first + count - 1));
+  if (!(right >= left)) return {};
+  return {static_cast<int>(std::ceil(left)), static_cast<int>(right)};
 }
 
 } // namespace
+
+// None of the lines along its sides parts the point from all of it.
+bool PartTriangles::Triangle::mayHold(const glm::vec2& pointPx) const {
+  for (std::size_t side = 0; side < corners.size(); ++side) {
+    const glm::vec2 &from = corners[side], along = corners[(side + 1) % 3] - from;
+    const glm::vec2 across(-along.y, along.x);
+    const float width = glm::dot(across, corners[(side + 2) % 3] - from);
+    const float point = glm::dot(across, pointPx - from), off = offPx * alongAxes(across);
+    if (point < std::min(0.0f, width) - off || point > std::max(0.0f, width) + off) return false;
+  }
+  return true;
+}
+
+// Most are so small that one center lies in the box around them, or none.
+bool PartTriangles::Triangle::mayShow(const gl::Rect& part, const glm::vec2& jitterPx) const {
+  constexpr int kFewCenters = 4;
+  const glm::vec2 low = glm::min(corners[0], glm::min(corners[1], corners[2])) - offPx + jitterPx;
+  const glm::vec2 high = glm::max(corners[0], glm::max(corners[1], corners[2])) + offPx + jitterPx;
+  const Centers columns = centersBetween(low.x, high.x, part.x, part.width);
+  const Centers rows = centersBetween(low.y, high.y, part.y, part.height);
+  if (columns.count() * rows.count() > kFewCenters) return true;
+  for (int y = rows.first; y <= rows.last; ++y)
+    for (int x = columns.first; x <= columns.last; ++x)
+      if (mayHold(glm::vec2(x, y) + 0.5f - jitterPx)) return true;
+  return false;
+}
 
 void PartTriangles::clear() {
   triangles_.clear();
@@ -119,8 +152,7 @@ void PartTriangles::addSeen(const PlacedPrimitive& placed, const PartSides& part
     deformed_.push_back(placed.deformer->position(vertex));
   const Tests tests = testsOf(placed, part, beyond);
   for (std::size_t at = 0; at + 2 < candidates_.size(); at += 3) {
-    Triangle triangle{
-        {candidates_[at], candidates_[at + 1], candidates_[at + 2]}, -kFarPx, -kFarPx, kFarPx, kFarPx};
+    Triangle triangle{{candidates_[at], candidates_[at + 1], candidates_[at + 2]}, {}, kFarPx};
     if (!isKnown) {
       triangles_.push_back(triangle);
       continue;
@@ -138,9 +170,8 @@ void PartTriangles::addSeen(const PlacedPrimitive& placed, const PartSides& part
         const float culled = *placed.culledClockwise ? clockwise : -clockwise;
         if (culled > 2.0f * off * (alongAxes(ab) + alongAxes(ac) + 4.0f * off)) continue;
       }
-      const glm::vec2 low = glm::min(a.px, glm::min(b.px, c.px)) - off;
-      const glm::vec2 high = glm::max(a.px, glm::max(b.px, c.px)) + off;
-      triangle.left = low.x, triangle.top = low.y, triangle.right = high.x, triangle.bottom = high.y;
+      triangle.corners = {a.px, b.px, c.px};
+      triangle.offPx = off;
     }
     triangles_.push_back(triangle);
   }
@@ -172,8 +203,7 @@ void PartTriangles::select(const glm::vec2& jitterPx) {
     const std::size_t first = indices_.size();
     for (; at < end; ++at) {
       const Triangle& triangle = triangles_[at];
-      if (holdsCenter(triangle.left + jitterPx.x, triangle.right + jitterPx.x, part_.x, part_.width) &&
-          holdsCenter(triangle.top + jitterPx.y, triangle.bottom + jitterPx.y, part_.y, part_.height))
+      if (triangle.mayShow(part_, jitterPx))
         indices_.insert(indices_.end(), triangle.vertices.begin(), triangle.vertices.end());
     }
     ranges_.push_back({first, indices_.size() - first});

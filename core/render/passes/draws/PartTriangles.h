@@ -76,7 +76,10 @@ class PartTriangles {
   };
   struct Triangle {
     std::array<std::uint32_t, 3> vertices;
-    float left, top, right, bottom; ///< px, without jitter; it reaches no farther
+    std::array<glm::vec2, 3> corners{}; ///< px, without jitter
+    float offPx;                        ///< how far from there they may be drawn, along x and y
+    bool mayShow(const gl::Rect& part, const glm::vec2& jitterPx) const;
+    bool mayHold(const glm::vec2& pointPx) const; ///< without jitter
   };
   /// What is the same for all vertices of a primitive.
   struct Tests {
