@@ -1,6 +1,7 @@
 #include "core/measure/DrawnSurfaces.h"
 
 #include "core/measure/References.h"
+#include "core/probe/NearParts.h"
 #include "core/render/FrameInputs.h"
 #include "core/taa/twin/stages/SampleStages.h"
 
@@ -100,14 +101,23 @@ SurfaceParts::SurfaceParts(FrameSource& frames, const FrameRequest& ofLane)
     : frames_(frames), request_(centersOf(ofLane)) {}
 
 const SeenSurfaces& SurfaceParts::seen(int frame, const gl::Rect& part, FrameInputs& drawn) {
-  constexpr int kAround = 12; // px: what is looked at next is near
-  const auto known = seen_.find(frame);
-  if (known != seen_.end() && gl::contains(heldPlace(known->second), part)) return known->second;
-  const gl::Rect wanted = known == seen_.end() ? part : gl::rectAround(heldPlace(known->second), part);
+  constexpr int kAround = 4; // px: what is looked at next is near
+  const auto [first, end] = seen_.equal_range(frame);
+  const auto known =
+      std::find_if(first, end, [&](const auto& seen) { return gl::contains(heldPlace(seen.second), part); });
+  if (known != end) return known->second;
+  gl::Rect wanted = part;
+  for (const gl::Rect& expected : expected_[frame])
+    if (areNear(wanted, expected)) wanted = gl::rectAround(wanted, expected);
   const gl::Rect place = gl::grown(wanted, kAround, {request_.width, request_.height});
   request_.part = place;
   frames_.draw(request_, frame, drawn);
-  return seen_[frame] = seenIn(drawn, place);
+  return seen_.emplace(frame, seenIn(drawn, place))->second;
+}
+
+int SurfaceParts::object(int frame, const glm::ivec2& pixel, FrameInputs& drawn) {
+  const SeenSurfaces& now = seen(frame, {pixel.x, pixel.y, 1, 1}, drawn);
+  return static_cast<int>(*now.objectId.at(pixel.x - now.corner.x, pixel.y - now.corner.y));
 }
 
 Image SurfaceParts::steps(int frame, const gl::Rect& part, bool isStart, FrameInputs& drawn) {

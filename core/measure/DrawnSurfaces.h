@@ -7,9 +7,12 @@
 #include "core/render/FrameRequest.h"
 #include "core/render/FrameSource.h"
 
+#include <glm/vec2.hpp>
+
 #include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace taa {
 
@@ -30,16 +33,21 @@ class SurfaceParts {
  public:
   SurfaceParts(FrameSource& frames, const FrameRequest& ofLane);
 
+  /// Says which parts of a frame will be looked at: what is looked at of one is drawn with all of it.
+  void expect(int frame, std::vector<gl::Rect> parts) { expected_[frame] = std::move(parts); }
   /// surfaceSteps() of a part of a frame that does not start history, or does: then nothing was seen before.
   /// `drawn`: what it may draw into. Throws Error.
   Image steps(int frame, const gl::Rect& part, bool isStart, FrameInputs& drawn);
+  /// The object that a pixel shows. Likewise.
+  int object(int frame, const glm::ivec2& pixel, FrameInputs& drawn);
 
  private:
   const SeenSurfaces& seen(int frame, const gl::Rect& part, FrameInputs& drawn);
 
   FrameSource& frames_;
   FrameRequest request_;
-  std::map<int, SeenSurfaces> seen_; // by frame; all that was looked at, and around it
+  std::multimap<int, SeenSurfaces> seen_;         // by frame; what was looked at, and around it
+  std::map<int, std::vector<gl::Rect>> expected_; // likewise
 };
 
 /// The steps of a part of a frame that starts history: none of what is seen was seen before.

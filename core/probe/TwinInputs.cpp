@@ -6,16 +6,18 @@ namespace taa {
 
 namespace {
 
-using Require = std::function<void(const gl::Rect&)>;
+using ReadDrawn = std::function<Image(const gl::Texture&, const gl::Rect&)>;
 
-twin::Texels texelsInParts(const gl::Texture& texture, const Require& require) {
+/// Small, because what is read is drawn.
+constexpr int kDrawnTile = 2;
+
+twin::Texels texelsInParts(const gl::Texture& texture, const ReadDrawn& read, int tile) {
   if (!texture) return {};
   return {texture.width(), texture.height(), gl::channels(texture.format()),
-          [&texture, require](int x, int y, int width, int height) {
-            const gl::Rect part{x, y, width, height};
-            if (require) require(part);
-            return texture.download(part);
-          }};
+          [&texture, read](int x, int y, int width, int height) {
+            return read(texture, {x, y, width, height});
+          },
+          tile};
 }
 
 void readHistory(const History& previous, TwinReading reading, twin::Inputs& twin) {
@@ -56,7 +58,8 @@ twin::Inputs drawnInputs(const FrameInputs& inputs, const Read& read) {
 twin::Texels twinTexels(const gl::Texture& texture, TwinReading reading) {
   if (!texture) return {};
   if (reading == TwinReading::Whole) return texture.download();
-  return texelsInParts(texture, {});
+  const auto read = [](const gl::Texture& from, const gl::Rect& part) { return from.download(part); };
+  return texelsInParts(texture, read, twin::Texels::kTile);
 }
 
 twin::Inputs twinInputs(const FrameInputs& inputs, const History* previous, TwinReading reading) {
@@ -66,10 +69,10 @@ twin::Inputs twinInputs(const FrameInputs& inputs, const History* previous, Twin
   return twin;
 }
 
-twin::Inputs twinInputs(const FrameInputs& inputs, const History* previous,
-                        std::function<void(const gl::Rect& part)> require) {
-  twin::Inputs twin =
-      drawnInputs(inputs, [&require](const gl::Texture& texture) { return texelsInParts(texture, require); });
+twin::Inputs twinInputs(const FrameInputs& inputs, const History* previous, const ReadDrawn& readDrawn) {
+  twin::Inputs twin = drawnInputs(inputs, [&readDrawn](const gl::Texture& texture) {
+    return texelsInParts(texture, readDrawn, kDrawnTile);
+  });
   if (previous) readHistory(*previous, TwinReading::Parts, twin);
   return twin;
 }

@@ -20,8 +20,9 @@ enum class TwinReading : std::uint8_t {
 twin::Texels twinTexels(const gl::Texture& texture, TwinReading reading);
 /// All but what it resolved to. `previous`: the history it was resolved on, or nothing.
 twin::Inputs twinInputs(const FrameInputs& inputs, const History* previous, TwinReading reading);
-/// In parts, of inputs that are drawn where they are read: `require` draws a part before it is.
-twin::Inputs twinInputs(const FrameInputs& inputs, const History* previous,
-                        std::function<void(const gl::Rect& part)> require);
+/// In parts, of inputs that are drawn where they are read: `readDrawn` reads a part of one of their textures.
+twin::Inputs
+twinInputs(const FrameInputs& inputs, const History* previous,
+           const std::function<Image(const gl::Texture& texture, const gl::Rect& part)>& readDrawn);
 
 } // namespace taa

@@ -4,12 +4,16 @@
 #include "core/gl/PassTimer.h"
 #include "core/measure/Profiler.h"
 #include "core/measure/References.h"
+#include "core/probe/NearParts.h"
 #include "core/probe/SurfaceSteps.h"
 #include "core/render/CaptureFacts.h"
 #include "core/verdict/lineage/TwinStep.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace taa {
@@ -18,7 +22,7 @@ namespace {
 
 /// Side of the tiles of references and steps: small, because each sample of a reference is drawn as far as
 /// they reach, and where surfaces are dense that costs most of a verdict.
-constexpr int kEvidenceTile = 4;
+constexpr int kEvidenceTile = 2;
 
 /// The tiles that a part lies in, as far as the picture goes.
 gl::Rect tilesOf(const gl::Rect& part, const glm::ivec2& sizePx) {
@@ -37,9 +41,16 @@ EvidenceFrames::EvidenceFrames(ShotPlayer& player, References& references, int l
       progress_(progress), isWhole_(state().frames->capture() != nullptr),
       surfaces_(*state().frames, state().request(0)) {}
 
+std::vector<gl::Rect> EvidenceFrames::partsRead(int frame, const glm::ivec2& pixel) const {
+  const gl::Rect alone{pixel.x, pixel.y, 1, 1};
+  const auto holds = [&](const gl::Rect& part) { return gl::contains(part, alone); };
+  if (expected_.first == frame && std::ranges::any_of(expected_.second, holds)) return expected_.second;
+  return {alone};
+}
+
 // The twin reads a frame once: what is awaited of it is made at the same time.
 const twin::Inputs& EvidenceFrames::inputs(int frame, const glm::ivec2& pixel) {
-  const twin::Inputs& inputs = frames_.at(frame, pixel);
+  const twin::Inputs& inputs = frames_.at(frame, partsRead(frame, pixel));
   const auto awaited = awaited_.find(frame);
   if (awaited != awaited_.end() && !awaited->second.record) {
     const glm::ivec2& at = awaited->second.pixel;
@@ -107,20 +118,25 @@ const twin::Texels& EvidenceFrames::steps(int frame) {
   return steps_[frame] = twin::Texels(state().width, state().height, kStepChannels, fetch, kEvidenceTile);
 }
 
-// Where a moment lies near what is expected, it is drawn together with that.
-void EvidenceFrames::expect(int frame, const gl::Rect& part) {
+int EvidenceFrames::object(int frame, const glm::ivec2& pixel) {
+  if (isWhole_) return EvidenceSource::object(frame, pixel);
+  const gl::PassGroup group(pass_group::kReference);
+  const glm::ivec2 last(state().width - 1, state().height - 1);
+  return surfaces_.object(frame, glm::clamp(pixel, glm::ivec2(0), last), drawn_);
+}
+
+// The moment is read as well.
+void EvidenceFrames::expect(int frame, const std::vector<gl::Rect>& parts) {
   if (isWhole_) return;
-  constexpr int kNearPx = 64;
-  gl::Rect wanted = part;
-  if (const auto awaited = awaited_.find(frame); awaited != awaited_.end()) {
-    const glm::ivec2& at = awaited->second.pixel;
-    const gl::Rect both = gl::rectAround(part, {at.x, at.y, 1, 1});
-    if (std::max(both.width, both.height) <= kNearPx) wanted = both;
-  }
-  wanted = tilesOf(wanted, {state().width, state().height});
-  if (wanted.width <= 0 || wanted.height <= 0) return;
-  referencePart(frame, wanted);
-  stepsPart(frame, wanted);
+  std::vector<gl::Rect> wanted = parts;
+  if (const auto awaited = awaited_.find(frame); awaited != awaited_.end())
+    wanted.push_back({awaited->second.pixel.x, awaited->second.pixel.y, 1, 1});
+  for (gl::Rect& part : wanted) part = tilesOf(part, {state().width, state().height});
+  std::erase_if(wanted, [](const gl::Rect& part) { return part.width <= 0 || part.height <= 0; });
+  wanted = nearParts(wanted);
+  for (const gl::Rect& part : wanted) referencePart(frame, part);
+  surfaces_.expect(frame, wanted);
+  expected_ = {frame, std::move(wanted)};
 }
 
 std::vector<SurfaceMoment> EvidenceFrames::moments(int frame, const glm::ivec2& pixel, int frames) {

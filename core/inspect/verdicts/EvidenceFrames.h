@@ -13,6 +13,7 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace taa {
@@ -32,7 +33,8 @@ class EvidenceFrames : public EvidenceSource {
   twin::PixelRecord record(int frame, const glm::ivec2& pixel) override;
   const twin::Texels& reference(int frame) override;
   const twin::Texels& steps(int frame) override;
-  void expect(int frame, const gl::Rect& part) override;
+  int object(int frame, const glm::ivec2& pixel) override;
+  void expect(int frame, const std::vector<gl::Rect>& parts) override;
   /// All of a reference.
   Image wholeReference(int frame);
 
@@ -53,6 +55,8 @@ class EvidenceFrames : public EvidenceSource {
   };
 
   const twin::Inputs& inputs(int frame, const glm::ivec2& pixel);
+  /// What of a frame is read, where that is known, or the pixel.
+  std::vector<gl::Rect> partsRead(int frame, const glm::ivec2& pixel) const;
   ReferenceKey keyOf(int frame) const;
   Image referencePart(int frame, const gl::Rect& part);
   Image stepsPart(int frame, const gl::Rect& part);
@@ -63,8 +67,9 @@ class EvidenceFrames : public EvidenceSource {
   const Progress& progress_;
   bool isWhole_; // of each frame all or nothing
   std::map<int, twin::Texels> means_, steps_;
-  std::map<int, Awaited> awaited_; // by frame
-  DrawnSurfaces seen_;             // of captures
+  std::map<int, Awaited> awaited_;                 // by frame
+  std::pair<int, std::vector<gl::Rect>> expected_; // of a frame, the latest
+  DrawnSurfaces seen_;                             // of captures
   SurfaceParts surfaces_;
   FrameInputs drawn_; // the latest of references and surfaces
 };

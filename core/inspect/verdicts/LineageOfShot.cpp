@@ -16,7 +16,10 @@ class LineageFrames : public LineageSource {
  public:
   LineageFrames(ShotPlayer& player, int lane, const Progress& progress) : frames_(player, lane, progress) {}
   PixelStep step(int frame, const glm::ivec2& pixel) override {
-    return pixelStep(frames_.at(frame, pixel), frames_.settings(), pixel);
+    constexpr int kNearPx = 16; // what is followed besides lies that near, as a rule
+    const ShotState& state = frames_.state();
+    const gl::Rect near = gl::grown({pixel.x, pixel.y, 1, 1}, kNearPx, {state.width, state.height});
+    return pixelStep(frames_.at(frame, {near}), frames_.settings(), pixel);
   }
 
  private:

@@ -7,12 +7,12 @@ namespace taa {
 TwinFrames::TwinFrames(ShotPlayer& player, int lane, const Progress& progress)
     : player_(player), state_(player.onlyLane(lane)), lane_(lane), progress_(progress) {}
 
-const twin::Inputs& TwinFrames::at(int frame, const glm::ivec2& pixel) {
+const twin::Inputs& TwinFrames::at(int frame, const std::vector<gl::Rect>& parts) {
   if (frame_ == frame) return inputs_;
   frame_.reset();
   inputs_ = {};
   previous_ = startsHistory(state_, frame) ? nullptr : leftBy(frame - 1);
-  inputs_ = drawn_.open(*state_.frames, state_.request(0), frame, previous_.get(), pixel);
+  inputs_ = drawn_.open(*state_.frames, state_.request(0), frame, previous_.get(), parts);
   frame_ = frame;
   return inputs_;
 }

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "core/base/Progress.h"
+#include "core/gl/Rect.h"
 #include "core/probe/PartlyDrawn.h"
 #include "core/replay/ShotPlayer.h"
 #include "core/taa/twin/Twin.h"
 
-#include <glm/vec2.hpp>
-
 #include <optional>
+#include <vector>
 
 namespace taa {
 
@@ -18,9 +18,9 @@ class TwinFrames {
  public:
   TwinFrames(ShotPlayer& player, int lane, const Progress& progress);
 
-  /// Frame `frame`, which is read around `pixel` first; good until another is asked for. Cheapest in falling
-  /// order. Throws Error, Cancelled.
-  const twin::Inputs& at(int frame, const glm::ivec2& pixel);
+  /// Frame `frame`, of which `parts` of the picture are looked at first; good until another is asked for.
+  /// Cheapest in falling order. Throws Error, Cancelled.
+  const twin::Inputs& at(int frame, const std::vector<gl::Rect>& parts);
   /// Of the lane alone.
   const ShotState& state() const { return state_; }
   const Settings& settings() const { return state_.lanes[0]; }

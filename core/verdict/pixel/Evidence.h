@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <vector>
 
 namespace taa {
 
@@ -32,9 +33,15 @@ class EvidenceSource : public LineageSource {
   /// What surfaces really did, and the objects that pixels show: surfaceSteps(); NaN motion everywhere in a
   /// frame that starts history. Valid as long as the source.
   virtual const twin::Texels& steps(int frame) = 0;
-  /// Says what of both will be read of a frame, so that it can be drawn together. Not all of it need lie in
-  /// the picture.
-  virtual void expect(int /*frame*/, const gl::Rect& /*part*/) {}
+  /// The object that the pixel shows, or the nearest to it in the picture: of steps(), for less.
+  virtual int object(int frame, const glm::ivec2& pixel) {
+    const twin::Texels& seen = steps(frame);
+    return static_cast<int>(
+        seen.texel(std::clamp(pixel.x, 0, seen.width - 1), std::clamp(pixel.y, 0, seen.height - 1)).z);
+  }
+  /// Says what of all that will be read of a frame, so that it can be drawn together. Not all of it need lie
+  /// in the picture.
+  virtual void expect(int /*frame*/, const std::vector<gl::Rect>& /*parts*/) {}
 };
 
 /// A value of a three-channel picture; pixels beyond the border are those at it.

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -63,7 +64,7 @@ class ErrorWalk {
 
   void begin() {
     nodes_[found_.pixel] = {glm::dvec3(1.0), glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(0.0)};
-    source_.expect(found_.frame, {found_.pixel.x, found_.pixel.y, 1, 1});
+    source_.expect(found_.frame, {{found_.pixel.x, found_.pixel.y, 1, 1}});
   }
   bool isDone() const { return nodes_.empty(); }
   void visit(int frame);
@@ -131,16 +132,18 @@ bool ErrorWalk::isFollowed(const ErrorNode& node) const {
 std::vector<PixelStep> ErrorWalk::takeSteps(int frame) {
   constexpr int kAround = 2; // px: formerColor() reads beside what was
   std::vector<PixelStep> steps;
-  glm::ivec2 low(std::numeric_limits<int>::max()), high(std::numeric_limits<int>::min());
+  std::vector<gl::Rect> read;
   for (const auto& [pixel, node] : nodes_) {
     if (!isFollowed(node)) continue;
     steps.push_back(source_.step(frame, pixel));
-    for (const HistoryRead& tap : steps.back().history) {
-      low = glm::min(low, tap.texel - kAround);
-      high = glm::max(high, tap.texel + kAround);
+    std::optional<gl::Rect> taps;
+    for (const auto& [texel, weight, color] : steps.back().history) {
+      const gl::Rect around{texel.x - kAround, texel.y - kAround, 2 * kAround + 1, 2 * kAround + 1};
+      taps = taps ? gl::rectAround(*taps, around) : around;
     }
+    if (taps) read.push_back(*taps);
   }
-  if (low.x <= high.x) source_.expect(frame - 1, {low.x, low.y, high.x - low.x + 1, high.y - low.y + 1});
+  if (!read.empty()) source_.expect(frame - 1, read);
   return steps;
 }
 
@@ -217,7 +220,7 @@ TrueChange ErrorWalk::trueChange(int frame, const glm::ivec2& pixel, const Pixel
     change.isGhost = true;
     change.isOfMotion =
         wasSeen && 2.0 * glm::length(pixelColorAt(earlier, pixelAt(place)) - truth) < glm::length(all);
-    change.object = static_cast<int>(pixelColorAt(source_.steps(frame - 1), pixelAt(step.historyPosition)).z);
+    change.object = source_.object(frame - 1, pixelAt(step.historyPosition));
     return change;
   }
   const glm::dvec3 former(formerColor(earlier, place, glm::vec3(truth)));
@@ -232,8 +235,7 @@ void ErrorWalk::end(int frame) {
   double most = -1.0;
   for (const auto& [pixel, node] : nodes_) {
     leave(frame, pixel, node, last);
-    const int shown = static_cast<int>(source_.steps(frame).texel(pixel.x, pixel.y).z);
-    addStray(shown, node.strayed, node.color);
+    addStray(source_.object(frame, pixel), node.strayed, node.color);
     sampled_ += meanOf(node.carried);
     const double error = largest(node.weight * (node.color - pixelColorAt(source_.reference(frame), pixel)));
     if (error <= most) continue;

@@ -30,10 +30,10 @@ class WholeEvidence : public EvidenceSource {
  public:
   explicit WholeEvidence(ShotPlayer& player) : player_(player), frames_(player, 0, progress_) {}
   PixelStep step(int frame, const glm::ivec2& pixel) override {
-    return pixelStep(frames_.at(frame, pixel), frames_.settings(), pixel);
+    return pixelStep(framesAt(frame), frames_.settings(), pixel);
   }
   twin::PixelRecord record(int frame, const glm::ivec2& pixel) override {
-    return twin::resolvePixel(frames_.at(frame, pixel), frames_.settings(), pixel.x, pixel.y);
+    return twin::resolvePixel(framesAt(frame), frames_.settings(), pixel.x, pixel.y);
   }
   const twin::Texels& reference(int frame) override {
     if (!means_.contains(frame)) {
@@ -54,6 +54,7 @@ class WholeEvidence : public EvidenceSource {
   }
 
  private:
+  const twin::Inputs& framesAt(int frame) { return frames_.at(frame, {{0, 0, kSizePx.x, kSizePx.y}}); }
   FrameSource& source() const { return *player_.state().frames; }
   FrameRequest request() const { return player_.state().request(0); }
 
