@@ -1,4 +1,4 @@
-// Lessons as static pages: what somebody without the program reads.
+// Lessons and the manual as static pages: what somebody without the program reads.
 #pragma once
 
 #include "core/lessons/Lesson.h"
@@ -10,20 +10,41 @@
 
 namespace taa {
 
-/// Markdown as lessons have it: paragraphs, lists, code, emphasis and links to the web. All else is shown as
-/// it is written, so that a text of anybody's is nothing but text.
-std::string htmlOfMarkdown(std::string_view markdown);
+struct ManualPage;
+
+/// What a link's address becomes; empty: it is no link, and shown as it is written.
+using LinkPlace = std::function<std::string(std::string_view address)>;
+/// Addresses of the web alone.
+std::string webPlace(std::string_view address);
+
+/// Markdown as lessons and manual have it: headings, paragraphs, lists, tables, code, emphasis and links. All
+/// else is shown as it is written, so that a text of anybody's is nothing but text. A row of a table that
+/// begins with a number of the manual, "11.1", is found by it.
+std::string htmlOfMarkdown(std::string_view markdown, const LinkPlace& place = webPlace);
 
 /// A picture of a step, beside the page.
 struct LessonFigure {
   std::string file, caption;
+  int widthPx = 640; ///< on the page; 0: as the file has it
 };
 
-/// `figures` of each step. Links to the manual lead to `manual`, a folder or an address; empty: none.
-std::string lessonHtml(const Lesson& lesson, const std::vector<std::vector<LessonFigure>>& figures,
-                       const std::string& manual);
+/// Where a page leads.
+struct LessonLinks {
+  std::string manual{};           ///< folder or address with "/" at its end; empty: none
+  std::string manualEnding{"md"}; ///< of its pages
+  const Lesson* before = nullptr; ///< in the course; null: none
+  const Lesson* after = nullptr;
+};
 
-/// The table of contents, with a link to each lesson's "ID.html".
-std::string contentsHtml(const std::vector<Lesson>& lessons);
+/// `figures` of each step.
+std::string lessonHtml(const Lesson& lesson, const std::vector<std::vector<LessonFigure>>& figures,
+                       const LessonLinks& links);
+
+/// The table of contents, with a link to each lesson's "ID.html", and its picture where there is one.
+std::string contentsHtml(const std::vector<Lesson>& lessons, const std::vector<std::string>& pictures,
+                         const LessonLinks& links);
+
+/// A page of the manual; its links to others lead to "NAME.html" beside it.
+std::string manualHtml(const ManualPage& page);
 
 } // namespace taa

@@ -5,15 +5,21 @@
 #include "core/base/Say.h"
 #include "core/inspect/Inspector.h"
 #include "core/inspect/ShownPicture.h"
+#include "core/io/GifFile.h"
 #include "core/io/PictureFile.h"
 #include "core/lessons/LessonCheck.h"
 #include "core/lessons/LessonHtml.h"
 #include "core/picture/StyleText.h"
+#include "core/report/ManualPages.h"
 #include "core/settings/Presets.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace taa {
@@ -22,74 +28,211 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr float kPageZoom = 2.0f; ///< pixels of a page for one of a picture that is not looked into
+constexpr int kClipFrames = 24;
+constexpr double kClipRate = 12.5; ///< frames a second: slow enough to see each
+
+/// Pictures of somebody's own lesson may be large: a page shows them as they are.
+float zoomOf(const LessonState& state) {
+  return state.shot.size.x <= kLessonSizePx.x ? kPageZoom : 1.0f;
+}
+
 std::string figureName(const Lesson& lesson, std::size_t step, std::size_t view) {
-  return lesson.id + "-" + std::to_string(step + 1) + static_cast<char>('a' + view) + ".png";
+  const LessonState& state = lesson.steps[step].state;
+  return lesson.id + "-" + std::to_string(step + 1) + static_cast<char>('a' + view) +
+         (state.plays ? ".gif" : ".png");
 }
 
-/// "Resolved, frame 40, compared with preset:off"
+/// "Resolved, builtin:fan, frame 40; compared with preset:off"
 std::string captionOf(const LessonView& view, const LessonState& state) {
-  const std::string what =
+  std::string caption =
       say<"%1, %2, frame %3">(sayLabel(intermediate(view.id).label), state.shot.source, state.shot.frame);
-  return view.comparison ? say<"%1; compared with %2">(what, comparisonText(view.comparison)) : what;
+  if (state.plays)
+    caption = say<"%1, %2, %3 frames from frame %4 on">(sayLabel(intermediate(view.id).label),
+                                                        state.shot.source, kClipFrames, state.shot.frame);
+  if (view.comparison) caption = say<"%1; compared with %2">(caption, comparisonText(view.comparison));
+  if (state.look)
+    caption = say<"%1; %2 times as large, around pixel (%3, %4)">(
+        caption, static_cast<int>(std::lround(state.look->zoom)), state.look->pixel.x, state.look->pixel.y);
+  else if (!state.probes.empty())
+    caption = say<"%1; framed: pixel (%2, %3)">(caption, state.probes.front().x, state.probes.front().y);
+  return caption;
 }
 
-Picture pictureOf(Inspector& inspector, const LessonView& view, const LessonState& step,
-                  const Progress& progress) {
-  LessonState state = step;
-  state.lanes.clear();
-  if (view.comparison.kind == OtherKind::Preset)
-    state.lanes.push_back({"other", preset(view.comparison.preset).settings});
-  openState(inspector, state, progress);
+/// Where the page looks, as the window would.
+ViewTransform transformOf(const LessonState& state, int width, int height) {
+  ViewTransform transform;
+  transform.zoom = zoomOf(state);
+  if (!state.look) return transform;
+  transform.zoom = static_cast<float>(state.look->zoom);
+  transform.origin = glm::vec2(state.look->pixel) + 0.5f - 0.5f * glm::vec2(width, height) / transform.zoom;
+  return transform;
+}
+
+PictureRequest requestOf(const LessonView& view, const LessonState& state) {
   ViewStyle style = defaultStyle(intermediate(view.id));
   for (const std::string& assignment : view.style) applyStyle(style, assignment);
+  const float zoom = zoomOf(state);
+  const int width = static_cast<int>(zoom * static_cast<float>(state.shot.size.x));
+  const int height = static_cast<int>(zoom * static_cast<float>(state.shot.size.y));
   PictureRequest request{.id = view.id,
                          .style = style,
-                         .transform = {},
-                         .width = inspector.shot().width(),
-                         .height = inspector.shot().height(),
+                         .transform = transformOf(state, width, height),
+                         .width = width,
+                         .height = height,
                          .showing = view.comparison ? view.showing : Showing::First,
-                         .divider = inspector.shot().width() / 2,
+                         .divider = width / 2,
                          .referenceSamples = state.samples};
   if (view.comparison) {
     OtherSide& other = request.other.emplace(otherSideOf(view.comparison, view.id, 1));
     other.style = other.id == view.id ? style : defaultStyle(intermediate(other.id));
     if (view.showing == Showing::Difference) request.style = differenceStyle(intermediate(view.id));
   }
-  return shownPicture(inspector, request, progress);
+  return request;
+}
+
+/// A frame around the pixel, black and white, so that it is seen on any color.
+void markPixel(Picture& picture, const ViewTransform& transform, glm::ivec2 pixel) {
+  const glm::vec2 low = (glm::vec2(pixel) - transform.origin) * transform.zoom;
+  for (const auto& [grow, level] : {std::pair(2, std::uint8_t{0}), {1, std::uint8_t{255}}}) {
+    const glm::ivec2 first = glm::ivec2(low) - grow - 1, last = glm::ivec2(low + transform.zoom) + grow;
+    for (int y = first.y; y <= last.y; ++y)
+      for (int x = first.x; x <= last.x; ++x) {
+        const bool isRim = x == first.x || x == last.x || y == first.y || y == last.y;
+        if (!isRim || x < 0 || y < 0 || x >= picture.width || y >= picture.height) continue;
+        std::uint8_t* at = picture.rgba.data() + 4 * (static_cast<std::size_t>(y) * picture.width + x);
+        std::fill_n(at, 3, level);
+        at[3] = 255;
+      }
+  }
+}
+
+void openView(Inspector& inspector, const LessonView& view, const LessonState& step,
+              const Progress& progress) {
+  LessonState state = step;
+  state.lanes.clear();
+  if (view.comparison.kind == OtherKind::Preset)
+    state.lanes.push_back({"other", preset(view.comparison.preset).settings});
+  openState(inspector, state, progress);
+}
+
+void writeFigure(Inspector& inspector, const LessonView& view, const LessonState& state, const fs::path& file,
+                 const Progress& progress) {
+  openView(inspector, view, state, progress);
+  const PictureRequest request = requestOf(view, state);
+  const auto draw = [&] {
+    Picture picture = shownPicture(inspector, request, progress);
+    if (!state.probes.empty()) markPixel(picture, request.transform, state.probes.front());
+    return picture;
+  };
+  if (!state.plays) {
+    const Picture picture = draw();
+    return writePng(file, picture.width, picture.height, picture.rgba);
+  }
+  GifWriter clip(file, file, request.width, request.height, kClipRate);
+  const int last = std::min(state.shot.frame + kClipFrames, inspector.shot().frameCount());
+  for (int frame = state.shot.frame; frame < last; ++frame) {
+    inspector.shot().seek(frame, progress);
+    clip.add(draw().rgba);
+  }
+  clip.finish();
+}
+
+/// What the window drew of a step; empty: nothing.
+fs::path windowFigureFile(const Lesson& lesson, std::size_t step, const LessonPages& pages) {
+  const std::string figure = windowFigure(lesson.steps[step]);
+  if (pages.figures.empty() || figure.empty()) return {};
+  const std::string stem = lesson.id + "-" + std::to_string(step + 1) + "-" + figure;
+  for (const char* ending : {".svg", ".png"}) {
+    std::error_code ignored;
+    if (fs::exists(pages.figures / (stem + ending), ignored)) return pages.figures / (stem + ending);
+  }
+  return {};
+}
+
+std::vector<LessonFigure> writeFigures(Inspector& inspector, const Lesson& lesson, std::size_t step,
+                                       const LessonPages& pages, const Progress& progress) {
+  const LessonState& state = lesson.steps[step].state;
+  const int width = static_cast<int>(zoomOf(state) * static_cast<float>(state.shot.size.x));
+  std::vector<LessonFigure> figures;
+  for (std::size_t view = 0; view < state.views.size(); ++view) {
+    const std::string name = figureName(lesson, step, view);
+    writeFigure(inspector, state.views[view], state, pages.folder / name, progress);
+    figures.push_back({name, captionOf(state.views[view], state), width});
+  }
+  if (const fs::path file = windowFigureFile(lesson, step, pages); !file.empty()) {
+    writeFile(pages.folder / file.filename(), readFile(file));
+    figures.push_back({file.filename().string(), say<"What the window shows of it">(), 0});
+  }
+  return figures;
+}
+
+std::vector<fs::path> manualFiles(const LessonPages& pages) {
+  std::vector<fs::path> files;
+  if (pages.manual.empty())
+    for (const ManualPage& page : manualPages())
+      files.push_back(pages.folder / "manual" / fs::path(page.file).replace_extension(".html"));
+  return files;
+}
+
+void makeFolder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw Error(say<"cannot make the folder %1: %2">(folder.string(), error.message()));
+}
+
+void writeManual(const LessonPages& pages) {
+  const std::vector<fs::path> files = manualFiles(pages);
+  if (files.empty()) return;
+  makeFolder(pages.folder / "manual");
+  const std::vector<ManualPage> manual = manualPages();
+  for (std::size_t page = 0; page < files.size(); ++page) writeFile(files[page], manualHtml(manual[page]));
 }
 
 } // namespace
 
-std::vector<fs::path> lessonPageFiles(const std::vector<Lesson>& lessons, const fs::path& folder) {
-  std::vector<fs::path> files{folder / "index.html"};
+std::string windowFigure(const LessonStep& step) {
+  if (step.state.tab == "colorSpace") return "color-space";
+  for (const char* page : {"plots", "jitter", "weights", "lineage"})
+    if (step.state.page == page) return page;
+  return {};
+}
+
+std::vector<fs::path> lessonPageFiles(const std::vector<Lesson>& lessons, const LessonPages& pages) {
+  std::vector<fs::path> files{pages.folder / "index.html"};
   for (const Lesson& lesson : lessons) {
-    files.push_back(folder / (lesson.id + ".html"));
-    for (std::size_t step = 0; step < lesson.steps.size(); ++step)
+    files.push_back(pages.folder / (lesson.id + ".html"));
+    for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
       for (std::size_t view = 0; view < lesson.steps[step].state.views.size(); ++view)
-        files.push_back(folder / figureName(lesson, step, view));
+        files.push_back(pages.folder / figureName(lesson, step, view));
+      if (const fs::path file = windowFigureFile(lesson, step, pages); !file.empty())
+        files.push_back(pages.folder / file.filename());
+    }
   }
+  for (const fs::path& file : manualFiles(pages)) files.push_back(file);
   return files;
 }
 
-void writeLessonPages(Inspector& inspector, const std::vector<Lesson>& lessons, const fs::path& folder,
-                      const std::string& manual, const Progress& progress) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw Error(say<"cannot make the folder %1: %2">(folder.string(), error.message()));
-  for (const Lesson& lesson : lessons) {
-    std::vector<std::vector<LessonFigure>> figures(lesson.steps.size());
-    for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
-      const LessonState& state = lesson.steps[step].state;
-      for (std::size_t view = 0; view < state.views.size(); ++view) {
-        const std::string file = figureName(lesson, step, view);
-        const Picture picture = pictureOf(inspector, state.views[view], state, progress);
-        writePng(folder / file, picture.width, picture.height, picture.rgba);
-        figures[step].push_back({file, captionOf(state.views[view], state)});
-      }
-    }
-    writeFile(folder / (lesson.id + ".html"), lessonHtml(lesson, figures, manual));
+void writeLessonPages(Inspector& inspector, const std::vector<Lesson>& lessons, const LessonPages& pages,
+                      const Progress& progress) {
+  makeFolder(pages.folder);
+  LessonLinks links;
+  links.manual = pages.manual.empty() ? "manual/" : pages.manual;
+  links.manualEnding = pages.manual.empty() ? "html" : "md";
+  std::vector<std::string> pictures;
+  for (std::size_t index = 0; index < lessons.size(); ++index) {
+    const Lesson& lesson = lessons[index];
+    std::vector<std::vector<LessonFigure>> figures;
+    for (std::size_t step = 0; step < lesson.steps.size(); ++step)
+      figures.push_back(writeFigures(inspector, lesson, step, pages, progress));
+    links.before = index > 0 ? &lessons[index - 1] : nullptr;
+    links.after = index + 1 < lessons.size() ? &lessons[index + 1] : nullptr;
+    writeFile(pages.folder / (lesson.id + ".html"), lessonHtml(lesson, figures, links));
+    pictures.push_back(figures.empty() || figures.front().empty() ? std::string()
+                                                                  : figures.front().front().file);
   }
-  writeFile(folder / "index.html", contentsHtml(lessons));
+  writeFile(pages.folder / "index.html", contentsHtml(lessons, pictures, links));
+  writeManual(pages);
 }
 
 } // namespace taa

@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstddef>
 #include <filesystem>
 #include <iostream>
 #include <ostream>
@@ -30,6 +31,18 @@ void listLessons(const std::vector<Lesson>& lessons, std::ostream& out) {
   std::vector<std::vector<std::string>> table{{"ID", "STEPS", "TITLE"}};
   for (const Lesson& lesson : lessons)
     table.push_back({lesson.id, std::to_string(lesson.steps.size()), lesson.title});
+  printTable(out, table);
+}
+
+/// What the window draws of a step stands between, "-" where that is nothing.
+void listSteps(const std::vector<Lesson>& lessons, std::ostream& out) {
+  std::vector<std::vector<std::string>> table{{"ID:STEP", "FIGURE", "TITLE"}};
+  for (const Lesson& lesson : lessons)
+    for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
+      const std::string figure = windowFigure(lesson.steps[step]);
+      table.push_back({lesson.id + ":" + std::to_string(step + 1), figure.empty() ? "-" : figure,
+                       lesson.steps[step].title});
+    }
   printTable(out, table);
 }
 
@@ -56,14 +69,15 @@ bool runLessons(const LessonsArguments& arguments, std::ostream& out, const Prog
   const std::vector<Lesson> lessons = lessonsOf(arguments);
   if (arguments.check) return checkLessons(lessons, arguments.verbose, out, progress);
   if (arguments.html.empty()) {
-    listLessons(lessons, out);
+    arguments.steps ? listSteps(lessons, out) : listLessons(lessons, out);
     return true;
   }
-  const std::vector<std::filesystem::path> files = lessonPageFiles(lessons, arguments.html);
+  const std::string& manualUrl = arguments.manual;
+  const LessonPages pages{arguments.html, manualUrl, arguments.figures};
+  const std::vector<std::filesystem::path> files = lessonPageFiles(lessons, pages);
   if (!arguments.force) refuseToReplace(files);
   Inspector inspector;
-  const std::string& manualUrl = arguments.manual;
-  writeLessonPages(inspector, lessons, arguments.html, manualUrl, progress);
+  writeLessonPages(inspector, lessons, pages, progress);
   for (const std::filesystem::path& file : files) out << file.string() << '\n';
   return true;
 }
@@ -82,10 +96,19 @@ void addLessons(CLI::App& app, LessonsArguments& lessons, const Progress& progre
   command
       ->add_option(
           "--html", lessons.html,
-          "Write them into this folder as pages with the pictures of their views, which need no program")
+          "Write them into this folder as pages with pictures, clips and the manual, which need no program")
       ->type_name("FOLDER");
-  command->add_option("--manual", lessons.manual,
-                      "With --html: folder or address of the manual that pages link to, with / at its end");
+  command->add_option(
+      "--manual", lessons.manual,
+      "With --html: folder or address of the manual that pages link to, with / at its end; without it "
+      "the manual becomes pages, too");
+  command
+      ->add_option("--figures", lessons.figures,
+                   "With --html: folder of figures that the window drew, LESSON-STEP-FIGURE.svg or .png; "
+                   "app/lesson-pages makes them")
+      ->type_name("FOLDER");
+  command->add_flag("--steps", lessons.steps,
+                    "List steps in place of lessons, with what the window draws of each");
   addForce(*command, lessons.force);
   command->callback(
       [&lessons, &progress, &isMistaken] { isMistaken = !runLessons(lessons, std::cout, progress); });

@@ -1,9 +1,14 @@
 // Lessons as pages: what Markdown becomes, and that a text of anybody's stays text.
 #include "core/lessons/LessonHtml.h"
+#include "core/lessons/LessonPages.h"
+#include "core/report/ManualPages.h"
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <regex>
 #include <string>
+#include <vector>
 
 using taa::htmlOfMarkdown;
 
@@ -26,12 +31,67 @@ TEST(LessonHtml, ShowsTagsAndLoneMarksAsTheyAreWritten) {
   EXPECT_EQ(htmlOfMarkdown("<script>2 * 3 ** 4 ` 5"), "<p>&lt;script&gt;2 * 3 ** 4 ` 5</p>\n");
 }
 
-TEST(LessonHtml, APageHasItsStepsFiguresAndRowsOfTheManual) {
+TEST(LessonHtml, HasHeadingsNumberedListsAndTablesWhoseRowsAreFoundByNumber) {
+  EXPECT_EQ(htmlOfMarkdown("## Two words\ntext\n"), "<h2 id=\"two-words\">Two words</h2>\n<p>text</p>\n");
+  EXPECT_EQ(htmlOfMarkdown("1. a\n2. b\n"), "<ol>\n<li>a</li>\n<li>b</li>\n</ol>\n");
+  EXPECT_EQ(htmlOfMarkdown("| row | b |\n|---|---|\n| 11.1 | x \\| *y* |\n| no | |\n\nz\n"),
+            "<div class=\"table\"><table>\n<tr><th>row</th><th>b</th></tr>\n"
+            "<tr id=\"11.1\"><td>11.1</td><td>x | <em>y</em></td></tr>\n<tr><td>no</td><td></td></tr>\n"
+            "</table></div>\n<p>z</p>\n");
+}
+
+TEST(LessonHtml, APageHasItsStepsFiguresNeighborsAndRowsOfTheManual) {
   const taa::Lesson lesson = taa::lessonFromText(
       "# T\n\nS.\n\n## One\n\n```state\nscene: builtin:fan\ntechniques: 11.1\n```\n\nText.\n", "01-t.md");
-  const std::string page = taa::lessonHtml(lesson, {{{"t-1a.png", "Resolved"}}}, "../manual/");
-  EXPECT_NE(page.find("<h2>One</h2>"), std::string::npos) << page;
-  EXPECT_NE(page.find("<img src=\"t-1a.png\" alt=\"Resolved\">"), std::string::npos) << page;
-  EXPECT_NE(page.find("<a href=\"../manual/techniques.md\">11.1</a>"), std::string::npos) << page;
-  EXPECT_NE(taa::contentsHtml({lesson}).find("<a href=\"t.html\">T</a>"), std::string::npos);
+  taa::LessonLinks links{"../manual/", "html"};
+  links.before = &lesson;
+  const std::string page = taa::lessonHtml(lesson, {{{"t-1a.png", "Resolved", 640}}}, links);
+  EXPECT_NE(page.find("<h2><span class=\"number\">1</span>One</h2>"), std::string::npos) << page;
+  EXPECT_NE(page.find("<img src=\"t-1a.png\" alt=\"Resolved\" width=\"640\">"), std::string::npos) << page;
+  EXPECT_NE(page.find("<a href=\"../manual/techniques.html#11.1\">11.1</a>"), std::string::npos) << page;
+  EXPECT_NE(page.find("<a href=\"t.html\">\u2190 T</a>"), std::string::npos) << page;
+  EXPECT_NE(page.find("taa-inspector --lesson t:1"), std::string::npos) << page;
+  const std::string contents = taa::contentsHtml({lesson}, {"t-1a.png"}, links);
+  EXPECT_NE(contents.find("<a class=\"title\" href=\"t.html\">T</a>"), std::string::npos) << contents;
+  EXPECT_NE(contents.find("<img src=\"t-1a.png\" alt=\"\">"), std::string::npos) << contents;
+}
+
+TEST(LessonHtml, PagesOfTheManualLeadToEachOther) {
+  const std::string page =
+      taa::manualHtml({"a.md", "A", "# A\n\n[b](b.md#c), [d](#d), [e](https://e.org)\n"});
+  EXPECT_NE(page.find("<a href=\"b.html#c\">b</a>"), std::string::npos) << page;
+  EXPECT_NE(page.find("<a href=\"#d\">d</a>"), std::string::npos) << page;
+  EXPECT_NE(page.find("<a href=\"https://e.org\">e</a>"), std::string::npos) << page;
+}
+
+TEST(LessonHtml, AllLinksOfTheManualsPagesLeadSomewhere) {
+  const std::vector<taa::ManualPage> pages = taa::manualPages();
+  std::map<std::string, std::string> html;
+  for (const taa::ManualPage& page : pages)
+    html[page.file.substr(0, page.file.find('.')) + ".html"] = taa::manualHtml(page);
+  static const std::regex kHref("href=\"([^\"#:]*)(#[^\"]*)?\"");
+  for (const auto& [file, text] : html) {
+    EXPECT_EQ(text.find("]("), std::string::npos) << file << ": a link is shown as it is written";
+    for (std::sregex_iterator link(text.begin(), text.end(), kHref), end; link != end; ++link) {
+      const std::string to = (*link)[1].str(), anchor = (*link)[2].str();
+      if (to == "../index.html") continue;
+      const auto found = html.find(to.empty() ? file : to);
+      ASSERT_NE(found, html.end()) << file << " leads to " << to;
+      if (anchor.empty()) continue;
+      EXPECT_NE(found->second.find("id=\"" + anchor.substr(1) + "\""), std::string::npos)
+          << file << " leads to " << to << anchor;
+    }
+  }
+}
+
+TEST(LessonPages, AStepNamesWhatOnlyTheWindowDraws) {
+  const auto figureOf = [](const std::string& line) {
+    return taa::windowFigure(taa::lessonFromText("# T\n\nS.\n\n## One\n\n```state\nscene: builtin:fan\n" +
+                                                     line + "\n```\n\nText.\n",
+                                                 "01-t.md")
+                                 .steps.front());
+  };
+  EXPECT_EQ(figureOf("page: jitter"), "jitter");
+  EXPECT_EQ(figureOf("tab: colorSpace"), "color-space");
+  EXPECT_EQ(figureOf("frame: 3"), "");
 }
