@@ -1,12 +1,15 @@
 #include "app/Arguments.h"
 
 #include "app/panels/LowerArea.h"
+#include "app/style/TextSize.h"
 #include "app/views/ViewportMath.h"
 #include "app/window/Dialogs.h"
 
 #include "core/base/Error.h"
 #include "core/base/ShownText.h"
 #include "core/io/CameraTrackJson.h"
+#include "core/lessons/Lesson.h"
+#include "core/lessons/LessonText.h"
 #include "core/replay/Checkpoints.h"
 #include "core/scene/cost/SceneCost.h"
 
@@ -14,9 +17,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace taa::app {
 
@@ -47,7 +52,8 @@ const std::vector<std::string>& overlayNames() {
 struct Texts {
   std::string windowSize, size, pixel, theme, cameraPose, cameraPath;
   std::vector<std::string> views, comparisons, overlays;
-  std::string showing;
+  std::string showing, lesson;
+  int textPercent = 0;
   int frame = -1, checkpoints = -1;
   int sceneMillions = kDefaultSceneMillions, sceneMiB = kDefaultSceneMiB;
   double zoom = 0.0;
@@ -59,7 +65,7 @@ bool leavesOpenWhatToShow(const CLI::App& app) {
   return std::ranges::all_of(app.get_options(), [](const CLI::Option* option) {
     const std::string name = option->get_name();
     return option->count() == 0 || name == "--theme" || name == "--shaders" || name == "--timing" ||
-           name.starts_with("--scene-");
+           name == "--text-size" || name.starts_with("--scene-");
   });
 }
 
@@ -134,6 +140,18 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
   app.add_option("--dialog", arguments.dialog, "Open this in the picture of --screenshot, too")
       ->type_name("NAME")
       ->check(CLI::IsMember(dialogNames()));
+  app.add_option(
+         "--figure", arguments.figure,
+         "Write this figure of the window with its caption instead of the window, as PNG or, where the file "
+         "of "
+         "--screenshot ends so, SVG: view-a, color-space, verdict, plots, jitter, weights, lineage, profiler")
+      ->type_name("NAME");
+  app.add_option("--lesson", texts.lesson, "Open this step of a lesson, the first without a number")
+      ->type_name("ID[:STEP]");
+  app.add_option("--text-size", texts.textPercent,
+                 "Size of the window's text, percent; as it was left without it")
+      ->type_name("PERCENT")
+      ->check(CLI::Range(kMinTextPercent, kMaxTextPercent));
   app.add_option("--shaders", arguments.shaders,
                  "Read the shaders from this folder, a copy of shaders/, and again when one is saved")
       ->type_name("FOLDER")
@@ -169,6 +187,21 @@ void addSceneOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
       ->allow_extra_args(false);
 }
 
+/// "first-ghost:2". Throws Error where there is no such lesson or step.
+void readLesson(const std::string& text, Arguments& arguments) {
+  const std::size_t colon = text.find(':');
+  arguments.lesson = text.substr(0, colon);
+  const std::vector<Lesson>& lessons = builtinLessons();
+  const auto lesson = std::ranges::find(lessons, arguments.lesson, &Lesson::id);
+  if (lesson == lessons.end())
+    throw Error("--lesson: there is no lesson \"" + shownText(arguments.lesson) +
+                "\"; taa-batch lessons lists them");
+  const int steps = static_cast<int>(lesson->steps.size());
+  if (colon != text.npos) arguments.lessonStep = wholeNumberFrom(text.substr(colon + 1), 1, steps);
+  if (!arguments.frame && !arguments.screenshot.empty())
+    arguments.frame = lesson->steps[static_cast<std::size_t>(arguments.lessonStep) - 1].state.shot.frame;
+}
+
 void readTexts(const Texts& texts, Arguments& arguments) {
   if (!texts.windowSize.empty())
     arguments.windowSize = parseNumbers("--window-size", texts.windowSize, 'x', 100);
@@ -176,6 +209,8 @@ void readTexts(const Texts& texts, Arguments& arguments) {
   if (!texts.pixel.empty()) arguments.pixel = parseNumbers("--pixel", texts.pixel, ',', 0);
   if (texts.frame >= 0) arguments.frame = texts.frame;
   if (texts.checkpoints >= 0) arguments.checkpoints = texts.checkpoints;
+  if (!texts.lesson.empty()) readLesson(texts.lesson, arguments);
+  if (texts.textPercent > 0) arguments.textPercent = texts.textPercent;
   arguments.sceneBudget = sceneBudget(texts.sceneMillions, texts.sceneMiB);
   if (!texts.cameraPath.empty())
     arguments.track = readCameraTrack(texts.cameraPath);

@@ -39,6 +39,10 @@ struct Arguments {
   std::vector<Overlay> overlays;       ///< over all views
   std::string panel;                   ///< page of the lower area to show, or "scene"; empty: none
   std::string dialog;                  ///< of dialogNames(), in a picture of the window; empty: none
+  std::string figure;                  ///< of the window's, in a picture of it alone; empty: the whole window
+  std::string lesson;                  ///< id of the lesson to open; empty: none
+  int lessonStep = 1;                  ///< counted from 1
+  std::optional<int> textPercent;      ///< size of the window's text
   std::optional<CameraTrack> track;    ///< looked through
   ShotChoice choice;                   ///< of a scene's animations and length
   ObjectFilter filter;

@@ -120,11 +120,17 @@ void openScene(Session& session, const Arguments& arguments) {
 /// it draws, and is refused in the window when there is none of this name; a session brings settings of its
 /// own.
 bool opensBeforeWindow(const Arguments& arguments) {
-  return arguments.preset.empty() && !taa::isSessionName(arguments.source) && !arguments.reopens;
+  return arguments.preset.empty() && arguments.lesson.empty() && !taa::isSessionName(arguments.source) &&
+         !arguments.reopens;
 }
 
 void begin(MainWindow& window, Session& session, const Arguments& arguments) {
   if (!arguments.preset.empty()) session.presets().setPreset(QString::fromStdString(arguments.preset));
+  if (!arguments.lesson.empty()) {
+    window.openLesson(arguments.lesson, arguments.lessonStep);
+    if (!arguments.screenshot.empty()) session.setPlaying(false);
+    return;
+  }
   showViews(window.views(), arguments);
   if (arguments.pixel) session.probes().setPixel(*arguments.pixel);
   if (arguments.reopens)
@@ -178,13 +184,14 @@ int run(QApplication& application, Arguments arguments) {
   MainWindow window(session, isScreenshot ? nullptr : &settings);
   closeOnSignals(endSignals, window);
   window.setTheme(arguments.theme.value_or(theme));
+  if (arguments.textPercent) window.setTextPercent(*arguments.textPercent);
   if (isScreenshot) window.resize(arguments.windowSize.x, arguments.windowSize.y);
   window.show();
   begin(window, session, arguments);
   session.undoStack().clear(); // what was asked for at the start is where it begins
   if (isScreenshot) {
     window.takeScreenshot(QString::fromStdString(arguments.screenshot), screenshotFrame(arguments),
-                          arguments.dialog, endScreenshot);
+                          arguments.dialog, arguments.figure, endScreenshot);
   } else {
     if (arguments.frame) session.seek(*arguments.frame);
     window.keeper().offerOrphan();

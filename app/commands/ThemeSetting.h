@@ -1,4 +1,4 @@
-// Whether the window is dark or light, and where that is remembered.
+// Whether the window is dark or light and how large its text is, and where that is remembered.
 #pragma once
 
 #include "app/style/Theme.h"
@@ -18,6 +18,12 @@ class ThemeSetting : public QObject {
   ThemeChoice choice() const { return choice_; }
   /// Draws the whole program so.
   void choose(ThemeChoice choice);
+  /// Of the size by design; kept within what resizeText() takes, and remembered.
+  void setTextPercent(int percent);
+  /// As it was remembered.
+  void restoreTextSize();
+  /// For a while: it is not remembered.
+  void showTextPercent(int percent);
 
  Q_SIGNALS:
   void changed();

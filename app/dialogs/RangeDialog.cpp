@@ -51,7 +51,7 @@ RangeDialog::RangeDialog(const Session& session, const ViewArea& views, QWidget*
   layout->addWidget(buttons);
   note_->setWordWrap(true);
   note_->setFont(secondaryFont());
-  note_->setMinimumHeight(2 * kRowHeight);
+  note_->setMinimumHeight(2 * rowHeight());
   resize(120 * kUnit, sizeHint().height());
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
@@ -118,7 +118,7 @@ void RangeDialog::makeFields() {
 // The rows that are in the views are chosen.
 void RangeDialog::addRows() {
   rows_->setAccessibleName(tr("Intermediates"));
-  rows_->setMaximumHeight(8 * kRowHeight);
+  rows_->setMaximumHeight(8 * rowHeight());
   const std::vector<IntermediateId> shown = views_.shown();
   for (const IntermediateId id : allRows()) {
     const Intermediate& row = intermediate(id);

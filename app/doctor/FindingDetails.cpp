@@ -39,7 +39,7 @@ QScrollArea* scrollingArea(QWidget* content, const QString& name) {
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area->setFocusPolicy(Qt::TabFocus); // arrow keys scroll it
   area->setAccessibleName(name);
-  area->setMinimumHeight(2 * kRowHeight);
+  area->setMinimumHeight(2 * rowHeight());
   area->setWidget(content);
   area->viewport()->setAutoFillBackground(false);
   content->setAutoFillBackground(false);

@@ -28,7 +28,7 @@ FindingList::FindingList(QWidget* parent) : QTreeWidget(parent) {
   setAccessibleName(tr("What the doctor says"));
   setHeaderLabels({tr("Finding"), tr("Where"), tr("How sure")});
   setUniformRowHeights(true);
-  setMinimumHeight(3 * kRowHeight);
+  setMinimumHeight(3 * app::rowHeight());
   setIndentation(4 * kUnit);
   setAllColumnsShowFocus(true);
   header()->setStretchLastSection(false);

@@ -53,7 +53,7 @@ void ResidualBars::setResiduals(const std::vector<doctor::Residual>& residuals) 
 }
 
 QSize ResidualBars::sizeHint() const {
-  return {320, kResidualRow * static_cast<int>(bars_.size())};
+  return {320, scaled(kResidualRow) * static_cast<int>(bars_.size())};
 }
 
 QSize ResidualBars::minimumSizeHint() const {
@@ -73,9 +73,10 @@ ResidualBars::Columns ResidualBars::columns() const {
 QRectF ResidualBars::barRect(int line) const {
   const Columns at = columns();
   const double longest = std::max(0, width() - at.bar - kUnit);
-  return {static_cast<double>(at.bar), line * kResidualRow + (kResidualRow - kResidualBar) / 2.0,
+  return {static_cast<double>(at.bar),
+          line * scaled(kResidualRow) + (scaled(kResidualRow) - scaled(kResidualBar)) / 2.0,
           std::max(1.0, bars_[static_cast<std::size_t>(line)].share * longest),
-          static_cast<double>(kResidualBar)};
+          static_cast<double>(scaled(kResidualBar))};
 }
 
 void ResidualBars::paintEvent(QPaintEvent*) {
@@ -88,7 +89,7 @@ void ResidualBars::paintLine(QPainter& painter, int line) const {
   const Bar& bar = bars_[static_cast<std::size_t>(line)];
   const Columns at = columns();
   const auto cell = [line](int from, int to) {
-    return QRect(from, line * kResidualRow, std::max(0, to - from - 2 * kUnit), kResidualRow);
+    return QRect(from, line * scaled(kResidualRow), std::max(0, to - from - 2 * kUnit), scaled(kResidualRow));
   };
   painter.setFont(secondaryFont());
   const bool isMarked = bar.isBest || bar.isGiven;
@@ -105,7 +106,7 @@ void ResidualBars::paintLine(QPainter& painter, int line) const {
 bool ResidualBars::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
-  const int line = help->pos().y() / kResidualRow;
+  const int line = help->pos().y() / scaled(kResidualRow);
   if (line < 0 || line >= static_cast<int>(bars_.size())) return QWidget::event(event);
   const Bar& bar = bars_[static_cast<std::size_t>(line)];
   QToolTip::showText(help->globalPos(), bar.label + QStringLiteral(": ") + bar.number, this);

@@ -29,8 +29,8 @@ void PictureBox::setCaption(const QString& caption) {
 void PictureBox::paintEvent(QPaintEvent*) {
   const ThemeColors& colors = themeColors(this);
   QPainter painter(this);
-  const QRect words(0, height() - kRowHeight, width(), kRowHeight);
-  const QRect place(0, 0, width(), height() - kRowHeight);
+  const QRect words(0, height() - rowHeight(), width(), rowHeight());
+  const QRect place(0, 0, width(), height() - rowHeight());
   painter.fillRect(place, colors.surround);
   painter.setFont(secondaryFont());
   painter.setPen(colors.secondary);

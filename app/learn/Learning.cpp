@@ -138,6 +138,32 @@ void Learning::openState(const LessonState& state) {
 
 void Learning::show() {
   of_.panel.setStep(shown(), step_, notes_);
+  Q_EMIT stepShown();
+}
+
+QString Learning::place() const {
+  return tr("%1, step %2 of %3").arg(qtext(shown().title)).arg(step_ + 1).arg(shown().steps.size());
+}
+
+void Learning::stepBy(int steps) {
+  const int to = step_ + steps;
+  const bool isBeyond = to >= static_cast<int>(shown().steps.size());
+  if (to < 0 || (isBeyond && lesson_ + 1 >= static_cast<int>(lessons_.size()))) return;
+  chooseStep(to);
+}
+
+void Learning::openStep(const QString& lesson, int step) {
+  readLessons();
+  const auto found = std::ranges::find(lessons_, lesson.toStdString(), &Lesson::id);
+  if (found == lessons_.end()) {
+    Q_EMIT failed(tr("There is no lesson \"%1\".").arg(lesson));
+    return;
+  }
+  of_.panel.show();
+  lesson_ = static_cast<int>(found - lessons_.begin());
+  showLessons();
+  chooseStep(std::clamp(step, 1, static_cast<int>(found->steps.size())) - 1);
+  Q_EMIT changed();
 }
 
 void Learning::showLessons() {

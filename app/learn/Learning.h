@@ -37,6 +37,8 @@ class Learning : public QObject {
   /// Opens the page where it was left, at the first lesson at first.
   void open();
   void openTour();
+  /// A step of the lesson with this id, counted from 1; what there is not: an error is told.
+  void openStep(const QString& lesson, int step);
   void close();
   bool isOpen() const;
   /// Lessons of somebody's own, which appear behind the built-in ones.
@@ -47,12 +49,17 @@ class Learning : public QObject {
   bool shouldOfferTour() const;
   void rememberOffer();
 
+  /// So many steps on, or back; beyond a lesson's end the next one begins. Expects an open page.
+  void stepBy(int steps);
+  /// "Your first ghost, step 2 of 5"; expects an open page.
+  QString place() const;
   int lesson() const { return lesson_; }
   int step() const { return step_; }
   LessonWork* work() const { return work_; }
 
  Q_SIGNALS:
-  void changed();
+  void changed();   ///< opened or closed
+  void stepShown(); ///< another one, or what became of its task
   void said(const QString& sentence);
   void failed(const QString& sentence);
 

@@ -6,6 +6,8 @@
 namespace taa::app {
 
 /// Loads neither pictures nor pages, from wherever they are; links to the web open in the desktop's browser.
+/// Lines have room between them and are no longer than the eye follows, at each size of text and in both
+/// themes.
 class LessonText : public QTextBrowser {
   Q_OBJECT
  public:
@@ -14,6 +16,12 @@ class LessonText : public QTextBrowser {
 
  protected:
   QVariant loadResource(int, const QUrl&) override { return {}; }
+  void changeEvent(QEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
+
+ private:
+  void setType();
+  void fitLines();
 };
 
 } // namespace taa::app

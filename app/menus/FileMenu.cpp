@@ -3,6 +3,7 @@
 #include "app/commands/DoctorCommands.h"
 #include "app/commands/Exports.h"
 #include "app/commands/ImportFrames.h"
+#include "app/figures/FigureExport.h"
 #include "app/session/keeping/SessionKeeper.h"
 #include "app/style/Icons.h"
 #include "app/style/Text.h"
@@ -14,7 +15,7 @@ namespace taa::app {
 
 FileMenu::FileMenu(Commands& commands, const Targets& on, QWidget* parent)
     : CommandMenu(tr("&File"), commands, parent), keeper_(on.keeper), exports_(on.exports),
-      doctor_(on.doctor) {
+      doctor_(on.doctor), figures_(on.figures) {
   SessionKeeper& keeper = on.keeper;
   ImportFrames& imports = on.imports;
   add(tr("&Open…"), keys({"Ctrl+O"}), [&keeper] {
@@ -64,6 +65,8 @@ void FileMenu::addExports() {
   commands_.add(menu, tr("&View as PNG…"), keys({"Ctrl+E"}), [this] { exports_.askForView(false); });
   commands_.add(menu, tr("View with its &legend as PNG…"), keys({"Ctrl+Alt+E"}),
                 [this] { exports_.askForView(true); });
+  commands_.add(menu, tr("&Figure with its caption as PNG or SVG…"), keys({"Ctrl+Alt+G"}),
+                [this] { figures_.choose(); });
   commands_.add(menu, tr("&Range of frames…"), keys({"Ctrl+Shift+E"}), [this] { exports_.askForRange(); });
   QAction* report =
       commands_.add(menu, tr("Report of the &doctor as HTML…"), {}, [this] { doctor_.askForReport(); });

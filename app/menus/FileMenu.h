@@ -7,6 +7,7 @@ namespace taa::app {
 
 class DoctorCommands;
 class Exports;
+class FigureExport;
 class ImportFrames;
 class SessionKeeper;
 
@@ -18,6 +19,7 @@ class FileMenu : public CommandMenu {
     ImportFrames& imports;
     Exports& exports;
     DoctorCommands& doctor;
+    FigureExport& figures;
   };
   FileMenu(Commands& commands, const Targets& on, QWidget* parent);
 
@@ -28,6 +30,7 @@ class FileMenu : public CommandMenu {
   SessionKeeper& keeper_;
   Exports& exports_;
   DoctorCommands& doctor_;
+  FigureExport& figures_;
 };
 
 } // namespace taa::app

@@ -150,6 +150,7 @@ void ProbeMenu::addPlot(ProbePanel& panel) {
   commands_.add(menu, tr("&RGB or YCoCg"), keys({"Ctrl+Alt+C"}), [page] {
     page->setSpace(page->space() == PlotSpace::Rgb ? PlotSpace::YCoCg : PlotSpace::Rgb);
   });
+  commands_.add(menu, tr("In a &window of its own"), keys({"Ctrl+F3"}), [page] { page->openWindow(); });
   const auto addTurn = [&](const QString& text, const char* key, int right, int down) {
     commands_.add(menu, text, keys({key}), [page, right, down] { page->view()->turnBy(right, down); });
   };

@@ -10,8 +10,10 @@
 #include "app/panels/MessagesBar.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ProbePanel.h"
+#include "app/room/Presenter.h"
 #include "app/session/SceneChoices.h"
 #include "app/style/Icons.h"
+#include "app/style/TextSize.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 
@@ -34,6 +36,8 @@ ViewMenu::ViewMenu(Commands& commands, const Targets& on, QWidget* parent)
   addPictures(on.views);
   addMenu(new OverlayMenu(commands_, on.views, this));
   addThemes(on.theme);
+  addTextSizes(on.theme);
+  addRoom(on.presenter);
   addMessages(on.messages);
 }
 
@@ -94,7 +98,7 @@ void ViewMenu::addLowerPages(LowerArea& lower) {
     QString text;
     const char* key;
   };
-  const Entry entries[] = {{LowerPage::Profiler, tr("Profiler"), "F11"},
+  const Entry entries[] = {{LowerPage::Profiler, tr("Profiler"), "Ctrl+Shift+F11"},
                            {LowerPage::Plots, tr("Plots of the probes over frames"), "F6"},
                            {LowerPage::Jitter, tr("Jitter pattern"), "F7"},
                            {LowerPage::Weights, tr("Weights and effective samples"), "Shift+F7"},
@@ -168,6 +172,33 @@ void ViewMenu::addThemes(ThemeSetting& theme) {
     themes->addAction(action);
     onRefresh([&theme, action, choice = choice] { action->setChecked(theme.choice() == choice); });
   }
+}
+
+void ViewMenu::addTextSizes(ThemeSetting& theme) {
+  QMenu* menu = addMenu(tr("Te&xt size"));
+  commands_.add(menu, tr("&Larger text"), keys({"Ctrl++", "Ctrl+="}),
+                [&theme] { theme.setTextPercent(textPercent() + kTextStep); });
+  commands_.add(menu, tr("&Smaller text"), keys({"Ctrl+-"}),
+                [&theme] { theme.setTextPercent(textPercent() - kTextStep); });
+  menu->addSeparator();
+  for (int percent = kMinTextPercent; percent <= kMaxTextPercent; percent += kTextStep) {
+    QAction* action = commands_.add(menu, tr("Text at %1 %").arg(percent), {},
+                                    [&theme, percent] { theme.setTextPercent(percent); });
+    action->setCheckable(true);
+    onRefresh([action, percent] { action->setChecked(textPercent() == percent); });
+  }
+}
+
+void ViewMenu::addRoom(Presenter& presenter) {
+  QAction* full = addCheck(tr("F&ull screen"), QKeySequence(QStringLiteral("F11")),
+                           [&presenter](bool on) { presenter.setFullScreen(on); });
+  QAction* presents =
+      addCheck(tr("Present to a &room: pictures and the lesson alone, large text"),
+               QKeySequence(QStringLiteral("Ctrl+F11")), [&presenter](bool on) { presenter.setOn(on); });
+  onRefresh([&presenter, full, presents] {
+    full->setChecked(presenter.isFullScreen());
+    presents->setChecked(presenter.isOn());
+  });
 }
 
 } // namespace taa::app

@@ -10,6 +10,7 @@ class LowerArea;
 class MessagesBar;
 class PipelinePanel;
 class PlotsPanel;
+class Presenter;
 class PresetChoices;
 class ProbePanel;
 class SceneChoices;
@@ -31,6 +32,7 @@ class ViewMenu : public CommandMenu {
     LowerArea& lower;
     PlotsPanel& plots; ///< a page of `lower`
     ThemeSetting& theme;
+    Presenter& presenter;
     const MessagesBar& messages;
   };
   ViewMenu(Commands& commands, const Targets& on, QWidget* parent);
@@ -44,6 +46,8 @@ class ViewMenu : public CommandMenu {
   void addArrangement(ViewArea& views);
   void addPictures(ViewArea& views);
   void addThemes(ThemeSetting& theme);
+  void addTextSizes(ThemeSetting& theme);
+  void addRoom(Presenter& presenter);
   void addMessages(const MessagesBar& messages);
 };
 

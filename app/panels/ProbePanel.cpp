@@ -125,7 +125,7 @@ QWidget* ProbePanel::makeConclusions() {
   for (QWidget* part : {static_cast<QWidget*>(verdict_), static_cast<QWidget*>(summary_),
                         static_cast<QWidget*>(verdictDetails_), makeNeighbors()})
     column->addWidget(part);
-  auto* area = new FittingArea(3 * kRowHeight);
+  auto* area = new FittingArea(3 * rowHeight());
   area->setWidget(content);
   content->setAutoFillBackground(false);
   return area;

@@ -72,7 +72,7 @@ void ScenePanel::makeTree() {
   tree_->header()->setStretchLastSection(false);
   tree_->header()->setSectionResizeMode(SceneTreeModel::Name, QHeaderView::Stretch);
   tree_->header()->setSectionResizeMode(SceneTreeModel::Motion, QHeaderView::Fixed);
-  tree_->header()->resizeSection(SceneTreeModel::Motion, kMotionWidth);
+  tree_->header()->resizeSection(SceneTreeModel::Motion, scaled(kMotionWidth));
 }
 
 QWidget* ScenePanel::makeBottom() {

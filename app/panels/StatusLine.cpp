@@ -97,7 +97,7 @@ StatusLine::StatusLine(QWidget* parent)
   pair->addWidget(badgeIcon_);
   pair->addWidget(badge_);
   layout->addLayout(pair);
-  setFixedHeight(24);
+  setFixedHeight(scaled(24));
   times_->setToolTip(tr("Time of the last frame: drawing the scene, and the resolve"));
   badge_->setToolTip(
       tr("Whether the picture is exactly what these settings give from frame 0 on. "
@@ -142,9 +142,10 @@ void StatusLine::show(Badge badge, const QString& text) {
   badgeIcon_->setVisible(badge != Badge::None);
   const ThemeColors& colors = themeColors(this);
   if (badge == Badge::Exact)
-    badgeIcon_->setPixmap(iconPixmap(QStringLiteral("right"), colors.right, 14, devicePixelRatioF()));
+    badgeIcon_->setPixmap(iconPixmap(QStringLiteral("right"), colors.right, scaled(14), devicePixelRatioF()));
   else if (badge == Badge::Caution)
-    badgeIcon_->setPixmap(iconPixmap(QStringLiteral("caution"), colors.caution, 14, devicePixelRatioF()));
+    badgeIcon_->setPixmap(
+        iconPixmap(QStringLiteral("caution"), colors.caution, scaled(14), devicePixelRatioF()));
 }
 
 QString StatusLine::badge() const {

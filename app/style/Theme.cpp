@@ -41,6 +41,7 @@ QToolButton { background: transparent; border: none; padding: 3px; color: @text;
 QToolButton:hover { background: @hover; }
 QToolButton:checked { background: @hover; }
 QToolButton:focus { border: 1px solid @accent; padding: 2px; }
+QTextBrowser#lessonText { background: @panel; border: none; }
 QScrollArea { border: none; background: transparent; }
 QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
 QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }
@@ -67,7 +68,7 @@ QListWidget::item { padding: 3px 8px; border: none; }
 QListWidget::item:selected { background: @accent; color: @onAccent; }
 QHeaderView { background: @panel; }
 QHeaderView::section { background: @panel; color: @secondary; border: none; border-bottom: 1px solid @line;
-  padding: 2px 4px; font-size: 9pt; }
+  padding: 2px 4px; font-size: @smallpt; }
 )";
 
 QString filled(QString sheet, const ThemeColors& colors) {
@@ -78,7 +79,7 @@ QString filled(QString sheet, const ThemeColors& colors) {
   };
   // The longer of two names with the same beginning must go first; none here is the beginning of another.
   for (const auto& [name, color] : names) sheet.replace(QLatin1String(name), color.name());
-  return sheet;
+  return sheet.replace(QLatin1String("@small"), QString::number(9 * textScale()));
 }
 
 QPalette paletteOf(const ThemeColors& colors) {
@@ -123,7 +124,7 @@ std::optional<int> portalScheme() {
 }
 
 QFont sized(QFont font, int points) {
-  font.setPointSize(points);
+  font.setPointSizeF(points * textScale());
   return font;
 }
 

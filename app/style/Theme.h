@@ -35,14 +35,22 @@ void applyTheme(QApplication& application, ThemeChoice choice);
 const ThemeColors& themeColors(const QPalette& palette);
 const ThemeColors& themeColors(const QWidget* widget);
 
-/// 9 pt for secondary text, 12 pt for titles; the body's 10 pt is every widget's font.
+/// 9 pt for secondary text, 12 pt for titles; the body's 10 pt is every widget's font. All times textScale().
 QFont secondaryFont();
 QFont titleFont();
 /// Tabular figures; `points` 9, 10 or 12.
 QFont numberFont(int points = 9);
 
-inline constexpr int kRowHeight = 22;
 inline constexpr int kUnit = 4; ///< all distances are multiples of it
+
+/// How large text is now, of the sizes above: 1 to 2 (TextSize.h).
+double textScale();
+/// A length beside text, px where text has its own size, as it is now.
+int scaled(int length);
+double scaled(double length);
+inline int rowHeight() {
+  return scaled(22);
+}
 
 /// "dark", "light" or "system"; anything else: nothing is changed and false is returned.
 bool parseTheme(const QString& text, ThemeChoice& choice);

@@ -181,8 +181,8 @@ void ViewArea::setSpaces(const SpaceSettings& own, const std::vector<Settings>& 
 void ViewArea::arrange() {
   const double aspect = static_cast<double>(std::max(1, pictureSize_.x)) / std::max(1, pictureSize_.y);
   const auto pictureWidth = [&](double width, double height) { return std::min(width, height * aspect); };
-  const bool stackedIsLarger = pictureWidth(width(), height() / 2.0 - ViewHeader::kHeight) >
-                               pictureWidth(width() / 2.0, height() - ViewHeader::kHeight);
+  const bool stackedIsLarger = pictureWidth(width(), height() / 2.0 - ViewHeader::barHeight()) >
+                               pictureWidth(width() / 2.0, height() - ViewHeader::barHeight());
   const bool stacked =
       arrangement_ == Arrangement::Stacked || (arrangement_ == Arrangement::Automatic && stackedIsLarger);
   const Qt::Orientation orientation = stacked && count_ < kViewCount ? Qt::Vertical : Qt::Horizontal;

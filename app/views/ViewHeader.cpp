@@ -34,10 +34,14 @@ QString zoomText(double zoom) {
 
 ViewHeader::ViewHeader(QChar letter, QWidget* parent)
     : QWidget(parent), letter_(letter), row_(intermediate(IntermediateId::resolved)) {
-  setFixedHeight(kHeight);
+  setFixedHeight(barHeight());
   makeControls();
   nameControls();
   connectControls();
+}
+
+int ViewHeader::barHeight() {
+  return scaled(28);
 }
 
 void ViewHeader::makeControls() {
@@ -233,7 +237,7 @@ bool fitInto(Items& items, int room, int gap) {
 
 void ViewHeader::arrange() {
   std::vector<Item> all = items();
-  int left = 2 * kUnit + kHeaderLetter + kHeaderGap;
+  int left = 2 * kUnit + scaled(kHeaderLetter) + kHeaderGap;
   const int room = width() - left - kUnit, moreWidth = more_->sizeHint().width();
   const bool isAll = fitInto(all, room, kHeaderGap);
   if (!isAll) fitInto(all, room - moreWidth - kHeaderGap, kHeaderGap);
@@ -243,17 +247,17 @@ void ViewHeader::arrange() {
     if (overflow_->holds(item.widget)) continue;
     item.widget->setVisible(item.isShown);
     if (!item.isShown) continue;
-    const int top = (kHeight - kRowHeight) / 2;
+    const int top = (barHeight() - rowHeight()) / 2;
     if (item.widget == zoom_) {
       right -= item.width; // at the right end
-      item.widget->setGeometry(right, top, item.width, kRowHeight);
+      item.widget->setGeometry(right, top, item.width, rowHeight());
       right -= kHeaderGap;
       continue;
     }
-    item.widget->setGeometry(left, top, item.width, kRowHeight);
+    item.widget->setGeometry(left, top, item.width, rowHeight());
     left += item.width + kHeaderGap;
   }
-  if (!isAll) more_->setGeometry(right - moreWidth, (kHeight - kRowHeight) / 2, moreWidth, kRowHeight);
+  if (!isAll) more_->setGeometry(right - moreWidth, (barHeight() - rowHeight()) / 2, moreWidth, rowHeight());
 }
 
 void ViewHeader::makeOverflow() {
@@ -279,8 +283,10 @@ void ViewHeader::paintEvent(QPaintEvent*) {
   const ThemeColors& colors = themeColors(this);
   QPainter painter(this);
   painter.fillRect(rect(), colors.panel);
-  paintViewLetter(painter, {2 * kUnit, (kHeight - kHeaderLetter) / 2, kHeaderLetter, kHeaderLetter}, letter_,
-                  active_, colors);
+  paintViewLetter(
+      painter,
+      {2 * kUnit, (barHeight() - scaled(kHeaderLetter)) / 2, scaled(kHeaderLetter), scaled(kHeaderLetter)},
+      letter_, active_, colors);
 }
 
 void ViewHeader::resizeEvent(QResizeEvent*) {

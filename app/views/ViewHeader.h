@@ -21,7 +21,7 @@ class OverflowPopup;
 class ViewHeader : public QWidget {
   Q_OBJECT
  public:
-  static constexpr int kHeight = 28;
+  static int barHeight();
 
   explicit ViewHeader(QChar letter, QWidget* parent = nullptr);
 
@@ -35,8 +35,8 @@ class ViewHeader : public QWidget {
   void setHistogramShown(bool shown);
   /// Below the button that opens the list of overlays, or the one it is behind.
   QPoint overlaysPlace() const;
-  QSize sizeHint() const override { return {400, kHeight}; }
-  QSize minimumSizeHint() const override { return {120, kHeight}; }
+  QSize sizeHint() const override { return {400, barHeight()}; }
+  QSize minimumSizeHint() const override { return {120, barHeight()}; }
 
  Q_SIGNALS:
   void styleEdited(const ViewStyle& style);

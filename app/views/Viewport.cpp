@@ -27,7 +27,7 @@ ViewGeometry Viewport::viewGeometry() const {
   const double ratio = devicePixelRatioF();
   return {{static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio))},
           size_,
-          static_cast<int>(std::lround(kLegendHeight * ratio))};
+          static_cast<int>(std::lround(legendHeight() * ratio))};
 }
 
 ViewTransform Viewport::transform() const {
@@ -334,10 +334,10 @@ int Viewport::legendTop(int height) const {
 ShownLegend Viewport::shownLegend() const {
   constexpr int kShare = 6; // of the height is what a legend of more than a line may cover
   LegendFlow whole = legend(shown());
-  const int height = whole.lines(width()) * kLegendHeight;
+  const int height = whole.lines(width()) * legendHeight();
   if (!isLegendWhole_ && height * kShare > this->height()) {
     LegendFlow folded = legend(shown(), true);
-    const int least = folded.lines(width()) * kLegendHeight, top = legendTop(least);
+    const int least = folded.lines(width()) * legendHeight(), top = legendTop(least);
     const QRect sign = folded.lastPlace(width()).translated(0, top);
     if (least < height && !isLegendOpen_) return {std::move(folded), {0, top, width(), least}, sign};
     if (least < height) {
@@ -373,6 +373,14 @@ int Viewport::dividerColumn() const {
   return static_cast<int>(std::lround(wipePosition(divider_, width()) * devicePixelRatioF()));
 }
 
+QRect Viewport::pictureRect() const {
+  if (size_.x == 0) return {};
+  const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
+  const ScreenRect first = overlay.pixelRect({0, 0}), last = overlay.pixelRect(size_ - 1);
+  const QRectF whole(QPointF(first.x, first.y), QPointF(last.x + last.width, last.y + last.height));
+  return whole.toRect() & rect();
+}
+
 QImage Viewport::picture(bool withLegend) const {
   const Picture sides = sides_.picture(dividerColumn());
   if (sides.width == 0) return {};
@@ -381,7 +389,7 @@ QImage Viewport::picture(bool withLegend) const {
   const double ratio = devicePixelRatioF();
   const Showing now = sides_.showing();
   const LegendFlow flow = legend(now);
-  const int strips = flow.lines(width()) * kLegendHeight;
+  const int strips = flow.lines(width()) * legendHeight();
   // Of the format that the window is painted in: texts are then mixed with the picture to the same bits.
   QImage image(sides.width, sides.height + static_cast<int>(std::lround(strips * ratio)),
                QImage::Format_ARGB32_Premultiplied);

@@ -81,6 +81,10 @@ class Viewport : public QWidget, public Draggable {
   /// What it shows, pixel for pixel of the screen, without what is only held for a moment; `withLegend`: with
   /// all that lies over it, and below it what that means. Null while a part of it is on its way.
   QImage picture(bool withLegend) const;
+  /// What of it is covered by the picture, logical px.
+  QRect pictureRect() const;
+  /// What the picture means, without what is only held for a moment.
+  LegendFlow legendBelow() const { return legend(sides_.showing()); }
   /// Who is on a side: row, settings, frame.
   QString label(bool other) const { return sides_.label(other); }
   const std::shared_ptr<const ViewResult>& result() const { return sides_.result(); }

@@ -40,11 +40,11 @@ void paintSideLabel(QPainter& painter, const QRect& area, const QString& text, b
   const QFont font = secondaryFont();
   const QFontMetrics metrics(font);
   const int room = area.width() - 4 * kUnit;
-  if (room < kMinWidth) return;
+  if (room < scaled(kMinWidth)) return;
   const QString shown = metrics.elidedText(text, Qt::ElideMiddle, room);
   const int width = metrics.horizontalAdvance(shown) + 3 * kUnit;
   const QRect box(atRight ? area.right() - width - kUnit + 1 : area.left() + kUnit, area.top() + kUnit, width,
-                  kHeight);
+                  scaled(kHeight));
   QColor ground = colors.panel;
   ground.setAlpha(232);
   painter.fillRect(box, ground);

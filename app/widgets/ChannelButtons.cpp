@@ -31,12 +31,12 @@ QRect ChannelButtons::button(int channel) const {
   int widest = 0;
   for (const QString& name : names_) widest = std::max(widest, fontMetrics().horizontalAdvance(name));
   const int width = widest + 3 * kUnit;
-  return {channel * width, 1, width, kRowHeight - 3};
+  return {channel * width, 1, width, rowHeight() - 3};
 }
 
 QSize ChannelButtons::sizeHint() const {
   const int count = static_cast<int>(names_.size());
-  return {count == 0 ? 0 : button(count - 1).right() + 2, kRowHeight};
+  return {count == 0 ? 0 : button(count - 1).right() + 2, rowHeight()};
 }
 
 void ChannelButtons::paintEvent(QPaintEvent*) {

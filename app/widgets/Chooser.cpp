@@ -44,7 +44,9 @@ class EntryDelegate : public QStyledItemDelegate {
     painter->drawText(inside, Qt::AlignVCenter | Qt::AlignLeft, text);
   }
 
-  QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {200, kRowHeight}; }
+  QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override {
+    return {200, rowHeight()};
+  }
 };
 
 } // namespace
@@ -78,7 +80,7 @@ void Chooser::open(const QRect& anchor, int current) {
   const QPoint corner = parentWidget()->mapTo(window, anchor.bottomLeft() + QPoint(0, 1));
   const int width = std::min(anchor.width(), window->width() - 2 * kUnit);
   const int height =
-      std::min(list_->count() * kRowHeight + 12 * kUnit, window->height() - corner.y() - 2 * kUnit);
+      std::min(list_->count() * rowHeight() + 12 * kUnit, window->height() - corner.y() - 2 * kUnit);
   setGeometry(QRect(window->mapToGlobal(corner), QSize(width, height)));
   show();
   field_->setFocus();

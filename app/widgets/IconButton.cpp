@@ -6,7 +6,7 @@ namespace taa::app {
 
 IconButton::IconButton(const QString& icon, const QString& toolTip, QWidget* parent) : QToolButton(parent) {
   setIconName(icon);
-  setIconSize({16, 16});
+  setIconSize({scaled(16), scaled(16)});
   setToolTip(toolTip);
   setAccessibleName(toolTip);
   setFocusPolicy(Qt::TabFocus);

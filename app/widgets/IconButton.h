@@ -1,6 +1,8 @@
 // A flat button that is an icon.
 #pragma once
 
+#include "app/style/Theme.h"
+
 #include <QString>
 #include <QToolButton>
 
@@ -11,7 +13,7 @@ class IconButton : public QToolButton {
  public:
   IconButton(const QString& icon, const QString& toolTip, QWidget* parent = nullptr);
   void setIconName(const QString& icon);
-  QSize sizeHint() const override { return {24, 22}; }
+  QSize sizeHint() const override { return {scaled(24), rowHeight()}; }
   QSize minimumSizeHint() const override { return sizeHint(); }
 };
 

@@ -67,7 +67,7 @@ bool IntermediateRow::matches(const QString& wanted) const {
 }
 
 QSize IntermediateRow::sizeHint() const {
-  return {120, kRowHeight};
+  return {120, rowHeight()};
 }
 
 void IntermediateRow::paintEvent(QPaintEvent*) {
@@ -79,11 +79,13 @@ void IntermediateRow::paintEvent(QPaintEvent*) {
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
   }
   const int left = 3 * kUnit;
-  painter.drawPixmap(left, (height() - kIcon) / 2,
-                     iconPixmap(QStringLiteral("picture"), colors.secondary, kIcon, devicePixelRatioF()));
-  QRect inside = rect().adjusted(left + kIcon + 2 * kUnit, 0, -2 * kUnit, 0);
+  painter.drawPixmap(
+      left, (height() - scaled(kIcon)) / 2,
+      iconPixmap(QStringLiteral("picture"), colors.secondary, scaled(kIcon), devicePixelRatioF()));
+  QRect inside = rect().adjusted(left + scaled(kIcon) + 2 * kUnit, 0, -2 * kUnit, 0);
   for (qsizetype i = letters_.size() - 1; i >= 0; --i) {
-    const QRect box(inside.right() - kRowLetter + 1, (height() - kRowLetter) / 2, kRowLetter, kRowLetter);
+    const QRect box(inside.right() - scaled(kRowLetter) + 1, (height() - scaled(kRowLetter)) / 2,
+                    scaled(kRowLetter), scaled(kRowLetter));
     paintViewLetter(painter, box, letters_[i], letters_[i] == active_, colors);
     inside.setRight(box.left() - kUnit);
   }

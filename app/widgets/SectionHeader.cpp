@@ -53,7 +53,7 @@ QRect SectionHeader::thumbnailRect() const {
 }
 
 QSize SectionHeader::sizeHint() const {
-  return {120, hasThumbnail_ ? kThumbnailSize.height() + kUnit + 1 : kRowHeight + kUnit};
+  return {120, hasThumbnail_ ? scaled(kThumbnailSize.height()) + kUnit + 1 : rowHeight() + kUnit};
 }
 
 void SectionHeader::paintThumbnail(QPainter& painter) const {
@@ -76,13 +76,14 @@ void SectionHeader::paintEvent(QPaintEvent*) {
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
   }
   const QString chevron = isChecked() ? QStringLiteral("chevron-down") : QStringLiteral("chevron-right");
-  painter.drawPixmap(kUnit, (height() - 12) / 2,
-                     iconPixmap(chevron, colors.secondary, 12, devicePixelRatioF()));
+  const int icon = scaled(12);
+  painter.drawPixmap(kUnit, (height() - icon) / 2,
+                     iconPixmap(chevron, colors.secondary, icon, devicePixelRatioF()));
 
   QFont bold = font();
   bold.setBold(true);
   const bool hasSummary = !isChecked() && !summary_.isEmpty(); // else the settings themselves are in sight
-  QRect inside = rect().adjusted(5 * kUnit, 0, -2 * kUnit, 0);
+  QRect inside = rect().adjusted(icon + 2 * kUnit, 0, -2 * kUnit, 0);
   painter.setFont(bold);
   painter.setPen(colors.text);
   if (hasThumbnail_) {

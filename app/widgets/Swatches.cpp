@@ -48,12 +48,12 @@ void Swatches::setWide(bool wide) {
 }
 
 int Swatches::wideWidth() {
-  return 3 * kWideCell + 1;
+  return 3 * scaled(kWideCell) + 1;
 }
 
 QRect Swatches::cellRect(int cell) const {
-  const int wide = isWide_ ? kWideCell : kCell;
-  return {cell % 3 * wide, cell / 3 * kCell, wide, kCell};
+  const int wide = isWide_ ? scaled(kWideCell) : scaled(kCell);
+  return {cell % 3 * wide, cell / 3 * scaled(kCell), wide, scaled(kCell)};
 }
 
 QString Swatches::cellText(int cell) const {
@@ -66,7 +66,7 @@ QString Swatches::cellText(int cell) const {
 
 QSize Swatches::sizeHint() const {
   return {std::max(3 * cellRect(0).width() + 1, fontMetrics().horizontalAdvance(caption_)),
-          3 * kCell + 1 + fontMetrics().height() + 2};
+          3 * scaled(kCell) + 1 + fontMetrics().height() + 2};
 }
 
 bool Swatches::event(QEvent* event) {
@@ -83,7 +83,7 @@ void Swatches::paintEvent(QPaintEvent*) {
   const ThemeColors& colors = themeColors(this);
   QPainter painter(this);
   if (!values_)
-    painter.fillRect(0, 0, 3 * cellRect(0).width(), 3 * kCell, QBrush(colors.line, Qt::BDiagPattern));
+    painter.fillRect(0, 0, 3 * cellRect(0).width(), 3 * scaled(kCell), QBrush(colors.line, Qt::BDiagPattern));
   for (int cell = 0; values_ && cell < 9; ++cell) {
     const QColor& color = colors_[static_cast<std::size_t>(cell)];
     painter.fillRect(cellRect(cell), color);
@@ -96,12 +96,12 @@ void Swatches::paintEvent(QPaintEvent*) {
   }
   painter.setFont(font());
   painter.setPen(colors.line);
-  painter.drawRect(0, 0, 3 * cellRect(0).width(), 3 * kCell);
+  painter.drawRect(0, 0, 3 * cellRect(0).width(), 3 * scaled(kCell));
   painter.setPen(colors.accent);
   painter.drawRect(cellRect(4));
   painter.setPen(colors.secondary);
-  painter.drawText(QRect(0, 3 * kCell + 2, width(), fontMetrics().height()), Qt::AlignLeft | Qt::AlignVCenter,
-                   caption_);
+  painter.drawText(QRect(0, 3 * scaled(kCell) + 2, width(), fontMetrics().height()),
+                   Qt::AlignLeft | Qt::AlignVCenter, caption_);
 }
 
 } // namespace taa::app

@@ -12,6 +12,7 @@
 #include "app/commands/ThemeSetting.h"
 #include "app/commands/ViewChoices.h"
 #include "app/doctor/DoctorPanel.h"
+#include "app/figures/FigureExport.h"
 #include "app/learn/LearnPanel.h"
 #include "app/learn/Learning.h"
 #include "app/learn/RightArea.h"
@@ -38,10 +39,12 @@
 #include "app/panels/StatusLine.h"
 #include "app/panels/TimelinePanel.h"
 #include "app/panels/WeightsPanel.h"
+#include "app/room/Presenter.h"
 #include "app/session/ShaderWatch.h"
 #include "app/session/keeping/SessionKeeper.h"
 #include "app/style/Icons.h"
 #include "app/style/Text.h"
+#include "app/style/TextSize.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
@@ -54,6 +57,7 @@
 #include "app/window/Dialogs.h"
 #include "app/window/FlightFeed.h"
 #include "app/window/FocusOrder.h"
+#include "app/window/HoverText.h"
 #include "app/window/PlotFeed.h"
 #include "app/window/ProbeFeed.h"
 #include "app/window/SceneFeed.h"
@@ -62,6 +66,7 @@
 #include "app/window/WindowState.h"
 #include "app/window/WindowTitle.h"
 #include "app/window/WindowUndo.h"
+#include "app/window/figures/WindowFigures.h"
 #include "app/window/verdict/LineageFeed.h"
 #include "app/window/verdict/VerdictFeed.h"
 
@@ -80,6 +85,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace taa::app {
 
@@ -98,6 +104,7 @@ MainWindow::MainWindow(Session& session, QSettings* settings, QWidget* parent)
   layOut();
   makeKeeper();
   makeCommands();
+  makeRoom();
   makeMenus();
   connectPanels();
   makeFeeds();
@@ -137,8 +144,8 @@ void MainWindow::makePanels() {
   timeline_ = new TimelinePanel;
   messages_ = new MessagesBar;
   statusLine_ = new StatusLine;
-  work_ = new WorkBar(views_, ViewHeader::kHeight);
-  flightBar_ = new FlightBar(views_, kLegendHeight + 8);
+  work_ = new WorkBar(views_, ViewHeader::barHeight());
+  flightBar_ = new FlightBar(views_, legendHeight() + 8);
   sourceLabel_ = new QLabel;
   sourceLabel_->setFont(secondaryFont());
   sourceLabel_->setForegroundRole(QPalette::PlaceholderText);
@@ -218,15 +225,33 @@ void MainWindow::makeCommands() {
   lists_ = new CommandLists(*commands_, session_.presets(), this);
 }
 
+void MainWindow::makeRoom() {
+  std::vector<QSplitter*> splitters{columns_, rows_};
+  if (auto* right = qobject_cast<QSplitter*>(learn_->parentWidget())) splitters.push_back(right);
+  presenter_ = new Presenter(
+      {*this,
+       session_,
+       *views_,
+       *learning_,
+       *theme_,
+       {left_, probe_, timeline_, statusLine_, messages_},
+       splitters,
+       [this](int view) { return hoverText(*views_->view(view), session_.status().info.startsHistory); }});
+  centralWidget()->layout()->addWidget(presenter_->line());
+  const FigurePanels panels{session_, *views_, *probe_, *profiler_, *plots_, *jitter_, *weights_, *lineage_};
+  figures_ = new FigureExport(
+      {[panels] { return windowFigures(panels); }, [this] { return figureFacts(session_); }}, this);
+}
+
 void MainWindow::makeMenus() {
   QMenuBar* bar = menuBar();
   Commands& all = *commands_;
-  bar->addMenu(new FileMenu(all, {*keeper_, *imports_, *exports_, *doctorCommands_}, bar));
+  bar->addMenu(new FileMenu(all, {*keeper_, *imports_, *exports_, *doctorCommands_, *figures_}, bar));
   bar->addMenu(new EditMenu(
       all, {session_, *escape_, *probeCommands_, *exports_, *profiler_, *left_, *pipeline_, *lists_}, bar));
   bar->addMenu(new ViewMenu(all,
                             {session_.presets(), session_.scene(), *views_, *choices_, *left_, *pipeline_,
-                             *probe_, *lower_, *plots_, *theme_, *messages_},
+                             *probe_, *lower_, *plots_, *theme_, *presenter_, *messages_},
                             bar));
   bar->addMenu(new FrameMenu(all, session_, *timeline_, *prompts_, bar));
   bar->addMenu(new SceneMenu(all, {session_.scene(), *flight_, *cameras_, *left_, *scene_}, bar));
@@ -263,6 +288,7 @@ void MainWindow::connectMenus() {
   connect(flight_, &Flight::changed, all, &Commands::refresh);
   connect(learning_, &Learning::changed, all, &Commands::refresh);
   connect(theme_, &ThemeSetting::changed, all, &Commands::refresh);
+  connect(presenter_, &Presenter::changed, all, &Commands::refresh);
   connect(&session_, &Session::statusChanged, all, &Commands::refresh);
   connect(&session_.presets(), &PresetChoices::settingsChanged, all, &Commands::refresh);
   connect(&session_.probes(), &ProbeChoices::changed, all, &Commands::refresh);
@@ -324,6 +350,8 @@ void MainWindow::connectMessages() {
   connect(learning_, &Learning::failed, messages_, &MessagesBar::showError);
   connect(exports_, &Exports::said, messages_, &MessagesBar::showNote);
   connect(exports_, &Exports::failed, messages_, &MessagesBar::showError);
+  connect(figures_, &FigureExport::said, messages_, &MessagesBar::showNote);
+  connect(figures_, &FigureExport::failed, messages_, &MessagesBar::showError);
   connect(cameras_, &CameraFiles::failed, messages_, &MessagesBar::showError);
   connect(doctorCommands_, &DoctorCommands::said, messages_, &MessagesBar::showNote);
   connect(doctorCommands_, &DoctorCommands::failed, messages_, &MessagesBar::showError);
@@ -391,6 +419,14 @@ void MainWindow::setTheme(ThemeChoice choice) {
   theme_->choose(choice);
 }
 
+void MainWindow::setTextPercent(int percent) {
+  theme_->showTextPercent(percent);
+}
+
+void MainWindow::openLesson(const std::string& lesson, int step) {
+  learning_->openStep(QString::fromStdString(lesson), step);
+}
+
 void MainWindow::openPage(const std::string& name) {
   if (const auto page = lowerPageWithId(QString::fromStdString(name))) lower_->setShown(*page, true);
   if (name == "colorspace") probe_->openTab(ProbeTab::ColorSpace);
@@ -425,11 +461,15 @@ void MainWindow::openDialog(const std::string& name) {
 }
 
 void MainWindow::takeScreenshot(const QString& file, int frame, const std::string& dialog,
+                                const std::string& figure,
                                 std::function<void(int code, const QString& text)> done) {
   std::function<void()> opens;
   if (!dialog.empty()) opens = [this, dialog] { openDialog(dialog); };
+  std::function<void()> writes;
+  if (!figure.empty())
+    writes = [this, figure, file] { figures_->writeOrThrow(QString::fromStdString(figure), file); };
   new Screenshot({*this, session_, *views_, *pipeline_, *profiler_, *plots_, *jitter_, *weights_, *lineage_,
-                  *doctor_, opens},
+                  *doctor_, opens, writes},
                  file, frame, std::move(done));
 }
 
@@ -440,6 +480,7 @@ void MainWindow::restore() {
                            "Press ? for all keys."));
   // The frame around it is not known before it is shown: room for a title bar and its borders is left.
   const int title = style()->pixelMetric(QStyle::PM_TitleBarHeight) + 4 * kUnit;
+  theme_->restoreTextSize();
   resize(QSize(1600, 900).boundedTo(screen()->availableSize() - QSize(4 * kUnit, title)));
   if (settings_) restoreGeometry(settings_->value(QStringLiteral("geometry")).toByteArray());
 }
@@ -453,6 +494,7 @@ void MainWindow::remember() {
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   if (std::exchange(wasShown_, true)) return;
+  fitFonts(textPercent()); // the style sheet has given widgets the fonts back that they were made with
   const bool isKnown =
       settings_ && columns_->restoreState(settings_->value(QStringLiteral("columns")).toByteArray());
   // The probe's last column, what values mean, shows where the window has room for it.
@@ -464,6 +506,7 @@ void MainWindow::showEvent(QShowEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  presenter_->setOn(false); // what is remembered is the layout that it goes back to
   remember();
   keeper_->leave();
   QMainWindow::closeEvent(event);

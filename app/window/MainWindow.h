@@ -23,6 +23,7 @@ class DoctorCommands;
 class DoctorPanel;
 class EscapeKey;
 class Exports;
+class FigureExport;
 class Flight;
 class FlightBar;
 class FlightFeed;
@@ -40,6 +41,7 @@ class OwnPresets;
 class PipelinePanel;
 class PlotFeed;
 class PlotsPanel;
+class Presenter;
 class ProbeCommands;
 class ProbeFeed;
 class ProbePanel;
@@ -71,14 +73,18 @@ class MainWindow : public QMainWindow {
   /// Offers the tour in a line across the window, unless that was done before.
   void offerTour();
   void setTheme(ThemeChoice choice);
+  /// For this start alone.
+  void setTextPercent(int percent);
+  /// Opens the page Learn at a step, counted from 1.
+  void openLesson(const std::string& lesson, int step);
   /// Opens a page by its name: "profiler", "plots" … below, "colorspace" or "whatif" of the probe, "scene" on
   /// the left, "learn"; anything else: nothing.
   void openPage(const std::string& name);
   /// One of dialogNames(); expects an open source.
   void openDialog(const std::string& name);
   /// Writes a picture of the window once all of this frame has arrived in it, and calls `done` with an exit
-  /// code and what to say. `dialog` is opened before; empty: none.
-  void takeScreenshot(const QString& file, int frame, const std::string& dialog,
+  /// code and what to say. `dialog` is opened before; empty: none. `figure`: of one alone; empty: of all.
+  void takeScreenshot(const QString& file, int frame, const std::string& dialog, const std::string& figure,
                       std::function<void(int code, const QString& text)> done);
 
  protected:
@@ -93,6 +99,7 @@ class MainWindow : public QMainWindow {
   void layOut();
   void makeKeeper();
   void makeCommands();
+  void makeRoom();
   void makeMenus();
   void makeFeeds();
   void connectMenus();
@@ -139,6 +146,7 @@ class MainWindow : public QMainWindow {
   Flight* flight_ = nullptr;
   EscapeKey* escape_ = nullptr;
   Exports* exports_ = nullptr;
+  FigureExport* figures_ = nullptr;
   ImportFrames* imports_ = nullptr;
   CameraFiles* cameras_ = nullptr;
   OwnPresets* presets_ = nullptr;
@@ -147,6 +155,7 @@ class MainWindow : public QMainWindow {
   GoToPrompts* prompts_ = nullptr;
   ViewChoices* choices_ = nullptr;
   Learning* learning_ = nullptr;
+  Presenter* presenter_ = nullptr;
   CommandLists* lists_ = nullptr;
   // What ends before the panels do: they have more to say while they are destroyed
   std::unique_ptr<WindowState> state_;

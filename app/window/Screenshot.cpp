@@ -13,6 +13,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Files.h"
+#include "core/base/ShownText.h"
 
 #include <QBuffer>
 #include <QByteArray>
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -143,6 +145,7 @@ bool Screenshot::isGivenUp() {
 }
 
 void Screenshot::take() {
+  if (of_.writes) return takeFigure();
   QPixmap picture = of_.window.grab();
   paintDialogs(of_.window, picture);
   QByteArray bytes;
@@ -154,6 +157,15 @@ void Screenshot::take() {
     finish(0, {});
   } catch (const Error& error) {
     finish(1, QString::fromUtf8(error.what()));
+  }
+}
+
+void Screenshot::takeFigure() {
+  try {
+    of_.writes();
+    finish(0, {});
+  } catch (const std::exception& error) {
+    finish(1, QString::fromStdString(shownReason(error)));
   }
 }
 

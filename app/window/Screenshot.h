@@ -32,6 +32,7 @@ struct ScreenshotPanels {
   LineagePanel& lineage;
   DoctorPanel& doctor;
   std::function<void()> openDialog; ///< before the picture; null: none
+  std::function<void()> writes;     ///< in place of a picture of the window; throws Error; null: that
 };
 
 /// Waits for frame, views and probe, writes the picture, and calls `done` with an exit code and what to say:
@@ -53,6 +54,7 @@ class Screenshot : public QObject {
   bool isDoctorComplete();
   bool isGivenUp();
   void take();
+  void takeFigure();
   void finish(int code, const QString& text);
 
   ScreenshotPanels of_;

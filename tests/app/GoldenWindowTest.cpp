@@ -53,7 +53,7 @@ const std::vector<Page>& pages() {
       {"jitter", Qt::Key_F7, Qt::NoModifier, true},
       {"weights", Qt::Key_F7, Qt::ShiftModifier, true},
       {"lineage", Qt::Key_F7, Qt::ControlModifier, true},
-      {"profiler", Qt::Key_F11, Qt::NoModifier, true},
+      {"profiler", Qt::Key_F11, Qt::ControlModifier | Qt::ShiftModifier, true},
       {"import"},
   };
   return all;

@@ -53,7 +53,7 @@ TEST_F(Lower, ShowsOnePageAtATimeAndClosesByTheSameKey) {
   key(Qt::Key_F7);
   EXPECT_TRUE(window.jitter()->isVisible());
   EXPECT_FALSE(renderer->profiling) << "a page that is not shown costs nothing";
-  key(Qt::Key_F11);
+  key(Qt::Key_F11, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_TRUE(window.profiler()->isVisible());
   EXPECT_FALSE(window.jitter()->isVisible());
   EXPECT_TRUE(renderer->profiling);

@@ -25,7 +25,7 @@ namespace {
 
 class Profiler : public test::FakeWindow {
  protected:
-  void open() { key(Qt::Key_F11); }
+  void open() { key(Qt::Key_F11, Qt::ControlModifier | Qt::ShiftModifier); }
   static QString cell(const ValueTable* table, int row, int column) {
     return table->topLevelItem(row)->text(column);
   }

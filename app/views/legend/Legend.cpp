@@ -36,7 +36,7 @@ QRgb rgbOf(const std::array<float, 3>& linear) {
 }
 
 QImage mapBar(ColorMap map) {
-  QImage bar(kBarWidth * 2, 1, QImage::Format_RGB32);
+  QImage bar(scaled(kBarWidth) * 2, 1, QImage::Format_RGB32);
   for (int x = 0; x < bar.width(); ++x)
     bar.setPixel(x, 0,
                  rgbOf(mapColor(map, (static_cast<float>(x) + 0.5f) / static_cast<float>(bar.width()))));
@@ -92,7 +92,7 @@ class Writer {
   }
   void swatch(int category) {
     const QColor color(rgbOf(categoryColor(category)));
-    icon(kBarHeight, kBarHeight,
+    icon(scaled(kBarHeight), scaled(kBarHeight),
          [color](QPainter& painter, const QRect& place) { painter.fillRect(place, color); });
   }
   LegendFlow& flow() { return flow_; }
@@ -139,9 +139,9 @@ void addMapScale(Writer& writer, const Intermediate& row, const ViewStyle& style
   const bool isSigned = row.visual == Visual::Signed || row.visual == Visual::Vector;
   writer.digits(shortText(isSigned ? -extent(style) : style.low));
   writer.flow().glue();
-  writer.icon(kBarWidth, kBarHeight, [map = style.map](QPainter& painter, const QRect& place) {
-    painter.drawImage(place, mapBar(map));
-  });
+  writer.icon(
+      scaled(kBarWidth), scaled(kBarHeight),
+      [map = style.map](QPainter& painter, const QRect& place) { painter.drawImage(place, mapBar(map)); });
   writer.digits(shortText(isSigned ? extent(style) : style.high));
 }
 
@@ -149,7 +149,7 @@ void addScale(Writer& writer, const LegendSide& side) {
   const Intermediate& row = side.row;
   const ViewStyle& style = side.style;
   if (row.visual == Visual::Vector && shownChannels(row, style) > 1) {
-    writer.icon(kLegendHeight - 4, kLegendHeight - 4, [](QPainter& painter, const QRect& place) {
+    writer.icon(legendHeight() - 4, legendHeight() - 4, [](QPainter& painter, const QRect& place) {
       const int ratio = std::max(1, static_cast<int>(painter.device()->devicePixelRatioF()));
       painter.drawImage(place, hueDisk(place.height() * ratio));
     });
@@ -247,7 +247,7 @@ void addArrows(Writer& writer, const Intermediate& row, const ViewStyle& style,
                const ViewTransform& transform) {
   const ArrowScale scale = arrowScale(transform);
   const QString unit = tableText(row.unit);
-  writer.icon(static_cast<int>(std::lround(scale.longest)), kLegendHeight - 8, paintArrow);
+  writer.icon(static_cast<int>(std::lround(scale.longest)), legendHeight() - 8, paintArrow);
   writer.plain(QObject::tr("= %1 %2 or more, shorter in proportion").arg(shortText(extent(style)), unit));
   writer.icon(6, 6, paintDot);
   writer.plain(QObject::tr("= still: less than %1 %2")
@@ -259,9 +259,10 @@ void addArrows(Writer& writer, const Intermediate& row, const ViewStyle& style,
 void addHatches(Writer& writer) {
   constexpr int kSwatchWidth = 18, kSwatchHeight = 12;
   for (const bool isAbove : {true, false}) {
-    writer.icon(kSwatchWidth, kSwatchHeight, [isAbove](QPainter& painter, const QRect& place) {
-      paintHatch(painter, place, isAbove ? kAboveColor : kBelowColor, isAbove);
-    });
+    writer.icon(scaled(kSwatchWidth), scaled(kSwatchHeight),
+                [isAbove](QPainter& painter, const QRect& place) {
+                  paintHatch(painter, place, isAbove ? kAboveColor : kBelowColor, isAbove);
+                });
     writer.plain(isAbove ? QObject::tr("above the range") : QObject::tr("below it"));
   }
 }

@@ -30,7 +30,7 @@ void LegendFlow::add(Item item) {
 void LegendFlow::text(const QString& text, const QFont& font, const QColor& color) {
   if (text.isEmpty()) return;
   const QFontMetrics metrics(font);
-  add({text, font, color, {metrics.horizontalAdvance(text) + 1, kLegendHeight}, {}});
+  add({text, font, color, {metrics.horizontalAdvance(text) + 1, legendHeight()}, {}});
 }
 
 void LegendFlow::icon(QSize size, PaintIcon paint) {
@@ -69,18 +69,18 @@ int LegendFlow::lines(int width) const {
 QRect LegendFlow::lastPlace(int width) const {
   if (isEmpty()) return {};
   const Place last = places(width).back();
-  return {last.left, last.line * kLegendHeight, last.width, kLegendHeight};
+  return {last.left, last.line * legendHeight(), last.width, legendHeight()};
 }
 
 void LegendFlow::paint(QPainter& painter, QPoint corner, int width, const ThemeColors& colors) const {
   QColor ground = colors.panel;
   ground.setAlpha(232);
-  painter.fillRect(QRect(corner, QSize(width, lines(width) * kLegendHeight)), ground);
+  painter.fillRect(QRect(corner, QSize(width, lines(width) * legendHeight())), ground);
   const std::vector<Place> at = places(width);
   for (std::size_t index = 0; index < items_.size(); ++index) {
     const Item& item = items_[index];
-    const QRect place(corner.x() + at[index].left, corner.y() + at[index].line * kLegendHeight,
-                      at[index].width, kLegendHeight);
+    const QRect place(corner.x() + at[index].left, corner.y() + at[index].line * legendHeight(),
+                      at[index].width, legendHeight());
     if (item.paint) {
       const int top = place.center().y() - item.size.height() / 2 + 1;
       item.paint(painter, QRect(place.left(), top, place.width(), item.size.height()));

@@ -1,6 +1,8 @@
 // Texts and small pictures in lines that wrap where the strip is narrow: nothing of them is left out.
 #pragma once
 
+#include "app/style/Theme.h"
+
 #include <QColor>
 #include <QFont>
 #include <QRect>
@@ -14,9 +16,10 @@ class QPainter;
 
 namespace taa::app {
 
-struct ThemeColors;
-
-inline constexpr int kLegendHeight = 22; ///< of a line
+/// Of a line.
+inline int legendHeight() {
+  return scaled(22);
+}
 
 class LegendFlow {
  public:

@@ -20,7 +20,7 @@ constexpr int kFoot = 20, kRoomAbove = 6; // px below and above the columns
 } // namespace
 
 RangeHistogram::RangeHistogram(QWidget* parent) : QWidget(parent) {
-  setFixedSize(kWidth, kHeight);
+  setFixedSize(scaled(kWidth), scaled(kHeight));
   setFocusPolicy(Qt::StrongFocus);
   setCursor(Qt::SizeHorCursor);
   setAccessibleName(tr("Histogram of the visible values and the range they are drawn in"));
@@ -44,12 +44,12 @@ void RangeHistogram::setRange(ValueRange range) {
 
 double RangeHistogram::position(double value) const {
   const double span = static_cast<double>(scale_.high) - static_cast<double>(scale_.low);
-  return kSide + (value - static_cast<double>(scale_.low)) / span * (kBins * kColumn);
+  return kSide + (value - static_cast<double>(scale_.low)) / span * (width() - 2 * kSide);
 }
 
 double RangeHistogram::valueAt(double x) const {
   const double span = static_cast<double>(scale_.high) - static_cast<double>(scale_.low);
-  return static_cast<double>(scale_.low) + (x - kSide) / (kBins * kColumn) * span;
+  return static_cast<double>(scale_.low) + (x - kSide) / (width() - 2 * kSide) * span;
 }
 
 void RangeHistogram::moveEnd(bool high, double value) {
@@ -104,20 +104,22 @@ void RangeHistogram::paintEvent(QPaintEvent*) {
 }
 
 void RangeHistogram::paintColumns(QPainter& painter, const ThemeColors& colors) const {
-  const int foot = height() - kFoot, tallest = foot - kRoomAbove;
+  const int foot = height() - scaled(kFoot), tallest = foot - kRoomAbove;
+  const double column = (width() - 2.0 * kSide) / kBins;
   const int most = *std::ranges::max_element(counts_);
   for (std::size_t bin = 0; bin < counts_.size(); ++bin) {
     if (counts_[bin] == 0) continue;
     // One pixel already for a single value: what is rare is what one looks for.
     const double share = std::log1p(counts_[bin]) / std::log1p(most);
     const int tall = std::max(1, static_cast<int>(std::lround(share * tallest)));
-    painter.fillRect(kSide + static_cast<int>(bin) * kColumn, foot - tall, kColumn, tall, colors.secondary);
+    painter.fillRect(QRectF(kSide + static_cast<double>(bin) * column, foot - tall, column, tall),
+                     colors.secondary);
   }
-  painter.fillRect(kSide, foot, kBins * kColumn, 1, colors.line);
+  painter.fillRect(kSide, foot, width() - 2 * kSide, 1, colors.line);
 }
 
 void RangeHistogram::paintRange(QPainter& painter, const ThemeColors& colors) const {
-  const int foot = height() - kFoot;
+  const int foot = height() - scaled(kFoot);
   painter.setFont(numberFont());
   for (const bool high : {false, true}) {
     const auto value = static_cast<double>(high ? range_.high : range_.low);
@@ -131,7 +133,7 @@ void RangeHistogram::paintRange(QPainter& painter, const ThemeColors& colors) co
     painter.setRenderHint(QPainter::Antialiasing, false);
   }
   // Below the ends of the axis what they are; the range between them, since its ends may lie close together.
-  const QRect texts(kSide, foot + 5, kWidth - 2 * kSide, kFoot - 5);
+  const QRect texts(kSide, foot + 5, width() - 2 * kSide, scaled(kFoot) - 5);
   painter.setPen(colors.secondary);
   painter.drawText(texts, Qt::AlignVCenter | Qt::AlignLeft, shortText(static_cast<double>(scale_.low)));
   painter.drawText(texts, Qt::AlignVCenter | Qt::AlignRight, shortText(static_cast<double>(scale_.high)));

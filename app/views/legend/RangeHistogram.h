@@ -17,7 +17,8 @@ class RangeHistogram : public QWidget {
   Q_OBJECT
  public:
   static constexpr int kWidth = 288, kHeight = 92;
-  static constexpr int kSide = 8, kColumn = 2; ///< px beside the columns, width of one
+  static constexpr int kSide = 8,
+                       kColumn = 2; ///< px beside the columns, width of one where text has its own size
   static constexpr int kBins = (kWidth - 2 * kSide) / kColumn;
 
   explicit RangeHistogram(QWidget* parent = nullptr);
@@ -34,7 +35,7 @@ class RangeHistogram : public QWidget {
   double position(double value) const;
   /// The ends of the range beside the signs of their handles.
   QString rangeText() const;
-  QSize sizeHint() const override { return {kWidth, kHeight}; }
+  QSize sizeHint() const override { return minimumSize(); }
 
  Q_SIGNALS:
   void rangeEdited(ValueRange range);

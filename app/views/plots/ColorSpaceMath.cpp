@@ -1,5 +1,6 @@
 #include "app/views/plots/ColorSpaceMath.h"
 
+#include "app/models/ChartMath.h"
 #include "core/taa/twin/Color.h"
 
 #include <glm/common.hpp>
@@ -91,10 +92,13 @@ ColorScene colorScene(const twin::PixelRecord& record, const twin::Details& deta
   scene.axes = space == PlotSpace::Rgb ? std::array<std::string, 3>{"R", "G", "B"}
                                        : std::array<std::string, 3>{"Y", "Co", "Cg"};
   for (std::size_t k = 0; k < 9; ++k) scene.samples[k] = plot(hood.samples[k]);
+  for (std::size_t k = 0; k < 9; ++k) scene.sampleColors[k] = twin::fromBox(hood.samples[k], settings.space);
   const NeighborhoodShape shape = settings.neighborhood.shape;
   if (shape == NeighborhoodShape::Varying || shape == NeighborhoodShape::Pairs) // not only of the nine
-    for (const twin::NeighborhoodSample& member : hood.members)
+    for (const twin::NeighborhoodSample& member : hood.members) {
       scene.taps.push_back(plot(boxed(member.color)));
+      scene.tapColors.push_back(member.color);
+    }
   scene.minMax = plot.box(hood.min, hood.max);
   scene.variance = plot.box(hood.mean - reach, hood.mean + reach);
   scene.box = plot.box(hood.boxMin, hood.boxMax);
@@ -181,6 +185,15 @@ ColorRange rangeOf(const ColorScene& scene) {
 
 glm::dvec3 ColorRange::unit(const glm::vec3& color) const {
   return 2.0 * (glm::dvec3(color) - glm::dvec3(low)) / (glm::dvec3(high) - glm::dvec3(low)) - 1.0;
+}
+
+std::array<std::vector<double>, 3> ticksOf(const ColorRange& range, int most) {
+  std::array<std::vector<double>, 3> ticks;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Span span{static_cast<double>(range.low[axis]), static_cast<double>(range.high[axis])};
+    ticks[static_cast<std::size_t>(axis)] = ticksOf(span, roundStep(span.length(), most));
+  }
+  return ticks;
 }
 
 Turn turned(const Turn& turn, glm::dvec2 dragPx) {

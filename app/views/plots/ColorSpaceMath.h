@@ -26,8 +26,10 @@ using Segment = std::pair<glm::vec3, glm::vec3>;
 /// All in the plot's space.
 struct ColorScene {
   std::array<std::string, 3> axes;
-  std::array<glm::vec3, 9> samples{}; ///< row-major, [4] is the pixel's own
-  std::vector<glm::vec3> taps;        ///< that the box is of; empty: it is of samples
+  std::array<glm::vec3, 9> samples{};      ///< row-major, [4] is the pixel's own
+  std::vector<glm::vec3> taps;             ///< that the box is of; empty: it is of samples
+  std::array<glm::vec3, 9> sampleColors{}; ///< of `samples` as they are, scene-linear RGB
+  std::vector<glm::vec3> tapColors;        ///< of `taps`
   Corners minMax{}, variance{}, box{};
   std::vector<Segment> hull; ///< edges of what slabs around the samples leave; empty: not the method
   glm::vec3 mean{0.0f}, current{0.0f}, resolved{0.0f};
@@ -52,6 +54,9 @@ struct ColorRange {
   glm::dvec3 unit(const glm::vec3& color) const;
 };
 ColorRange rangeOf(const ColorScene& scene);
+
+/// Round numbers on the axes, from low to high; a few each.
+std::array<std::vector<double>, 3> ticksOf(const ColorRange& range, int most);
 
 /// How the plot is turned: about the upright axis, then towards the eye; radians.
 struct Turn {

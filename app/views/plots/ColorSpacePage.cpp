@@ -6,6 +6,8 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QShortcut>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace taa::app {
@@ -22,7 +24,9 @@ QLabel* makeNote() {
 
 } // namespace
 
-ColorSpacePage::ColorSpacePage(QWidget* parent) : QWidget(parent) {
+ColorSpacePage::ColorSpacePage(QWidget* parent) : ColorSpacePage(parent, {}) {}
+
+ColorSpacePage::ColorSpacePage(QWidget* parent, Qt::WindowFlags flags) : QWidget(parent, flags) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kUnit);
@@ -34,6 +38,13 @@ ColorSpacePage::ColorSpacePage(QWidget* parent) : QWidget(parent) {
   note_ = makeNote();
   line->addWidget(spaces_);
   line->addWidget(note_, 1);
+  opens_ = new QToolButton;
+  opens_->setText(tr("In a window"));
+  opens_->setToolTip(tr("The plot in a window of its own, as large as you like (Ctrl+F3)"));
+  opens_->setFocusPolicy(Qt::TabFocus);
+  opens_->setVisible(!flags.testFlag(Qt::Window));
+  connect(opens_, &QToolButton::clicked, this, &ColorSpacePage::openWindow);
+  line->addWidget(opens_);
   column->addLayout(line);
   view_ = new ColorSpaceView;
   view_->setToolTip(tr("Drag to turn, double-click to turn back"));
@@ -54,7 +65,31 @@ void ColorSpacePage::setResult(const std::optional<ProbeResult>& result) {
   show();
 }
 
+QString ColorSpacePage::note() const {
+  return note_->text();
+}
+
+void ColorSpacePage::openWindow() {
+  if (!inWindow_) {
+    inWindow_ = new ColorSpacePage(window(), Qt::Window);
+    inWindow_->setAttribute(Qt::WA_DeleteOnClose);
+    inWindow_->setAutoFillBackground(true);
+    inWindow_->setBackgroundRole(QPalette::AlternateBase);
+    inWindow_->setWindowTitle(tr("Color space of the probed pixel"));
+    inWindow_->setSpace(chosen_);
+    inWindow_->view()->setTurn(view_->turn());
+    auto* closes = new QShortcut(QKeySequence::Cancel, inWindow_);
+    connect(closes, &QShortcut::activated, inWindow_, &QWidget::close);
+    inWindow_->resize(scaled(720), scaled(800));
+  }
+  inWindow_->setResult(result_);
+  inWindow_->QWidget::show();
+  inWindow_->raise();
+  inWindow_->activateWindow();
+}
+
 void ColorSpacePage::show() {
+  if (inWindow_) inWindow_->setResult(result_);
   if (!result_ || !result_->details || result_->around.size() <= kProbedMiddle) return view_->setScene({});
   view_->setScene(colorScene(result_->around[kProbedMiddle], *result_->details, result_->settings, chosen_,
                              result_->whatIf));

@@ -1,7 +1,10 @@
 #include "app/views/plots/ColorSpaceView.h"
 
 #include "app/style/Numbers.h"
+#include "app/style/PaintedAsFigure.h"
 #include "app/style/Theme.h"
+
+#include "core/picture/ColorMap.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -27,6 +30,7 @@ struct PlotItem {
   QColor color;
   std::vector<glm::vec3> points{};
   std::vector<Segment> lines{};
+  std::vector<QColor> fills{}; ///< of the points; empty: they are as the others of their shape
 };
 
 namespace {
@@ -36,6 +40,30 @@ QPen penOf(PlotShape shape, const QColor& color) {
   if (shape == PlotShape::Dotted) pen.setStyle(Qt::DotLine);
   if (shape == PlotShape::Dashed) pen.setStyle(Qt::DashLine);
   return pen;
+}
+
+/// As a screen shows it; what is brighter than white, or negative, at its end.
+QColor shownColor(const glm::vec3& linear) {
+  std::array<int, 3> bytes{};
+  for (int channel = 0; channel < 3; ++channel) {
+    const float value = linear[channel] > 0.0f ? std::min(linear[channel], 1.0f) : 0.0f; // NaN too
+    bytes[static_cast<std::size_t>(channel)] = static_cast<int>(std::lround(255.0f * srgbEncoded(value)));
+  }
+  return QColor(bytes[0], bytes[1], bytes[2]);
+}
+
+template <class Colors>
+std::vector<QColor> shownColors(const Colors& linear) {
+  std::vector<QColor> colors;
+  for (const glm::vec3& color : linear) colors.push_back(shownColor(color));
+  return colors;
+}
+
+/// A disk in its own color, with a rim that any ground lets see.
+void drawSample(QPainter& painter, QPointF place, const QColor& rim, const QColor& fill) {
+  painter.setPen(QPen(rim, 1.2));
+  painter.setBrush(fill);
+  painter.drawEllipse(place, 4.0, 4.0);
 }
 
 void drawMark(QPainter& painter, QPointF place, PlotShape shape, const QColor& color) {
@@ -82,9 +110,16 @@ std::vector<PlotItem> itemsOf(const ColorScene& scene, const ThemeColors& colors
   items.push_back({PlotShape::Ring,
                    ColorSpaceView::tr("samples"),
                    colors.text,
-                   {scene.samples.begin(), scene.samples.end()}});
+                   {scene.samples.begin(), scene.samples.end()},
+                   {},
+                   shownColors(scene.sampleColors)});
   if (!scene.taps.empty())
-    items.push_back({PlotShape::Ring, ColorSpaceView::tr("taps"), colors.accent, scene.taps});
+    items.push_back({PlotShape::Ring,
+                     ColorSpaceView::tr("taps"),
+                     colors.accent,
+                     scene.taps,
+                     {},
+                     shownColors(scene.tapColors)});
   if (scene.historyRaw && scene.historyRectified) {
     PlotItem way{PlotShape::Arrow, ColorSpaceView::tr("clip ray"), colors.caution, {}, {}};
     if (*scene.historyRaw != *scene.historyRectified)
@@ -114,12 +149,25 @@ void paintItem(QPainter& painter, const PlotItem& item, const Place& placeOf) {
     painter.drawLine(placeOf(a), placeOf(b));
     isFirst = false;
   }
-  for (const glm::vec3& point : item.points) drawMark(painter, placeOf(point), item.shape, item.color);
+  for (std::size_t index = 0; index < item.points.size(); ++index) {
+    const QPointF place = placeOf(item.points[index]);
+    if (index < item.fills.size())
+      drawSample(painter, place, item.color, item.fills[index]);
+    else
+      drawMark(painter, place, item.shape, item.color);
+  }
 }
 
-QString rangeText(float low, float high) {
-  return QStringLiteral("%1 … %2").arg(shortText(static_cast<double>(low)),
-                                       shortText(static_cast<double>(high)));
+constexpr double kTickShare = 0.45; ///< of half an edge: room around the frame for its ticks
+constexpr int kMaxTicks = 4;        ///< on an axis; where there is little room, half as many
+
+/// A label by a tick, on the side of it that `away` points to.
+void drawTickLabel(QPainter& painter, QPointF tick, QPointF away, const QString& text) {
+  const QSizeF size(painter.fontMetrics().horizontalAdvance(text), painter.fontMetrics().height());
+  const double length = std::max(1e-6, std::hypot(away.x(), away.y()));
+  const QPointF middle = tick + away / length * (0.5 * std::hypot(size.width(), size.height()) + 2.0);
+  painter.drawText(QRectF(middle - QPointF(size.width(), size.height()) / 2, size),
+                   Qt::AlignCenter | Qt::TextDontClip, text);
 }
 
 } // namespace
@@ -132,7 +180,7 @@ struct ColorSpaceView::Content {
 ColorSpaceView::ColorSpaceView(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setFont(secondaryFont());
-  setMinimumSize(240, 120);
+  setMinimumSize(240, 100);
   setCursor(Qt::OpenHandCursor);
   setAccessibleName(tr("Color space plot"));
 }
@@ -168,7 +216,7 @@ QRectF ColorSpaceView::plotRect() const {
 
 QRectF ColorSpaceView::projectionRect(int index) const {
   const double side = std::min((width() - 4.0 * 2 * kUnit) / 3, 0.34 * (height() - legendHeight()));
-  const double top = height() - legendHeight() - side - fontMetrics().height() - kUnit;
+  const double top = height() - legendHeight() - side - 2 * fontMetrics().height() - kUnit;
   const double gap = (width() - 3 * side) / 4;
   return {gap + index * (side + gap), top, side, side};
 }
@@ -176,7 +224,7 @@ QRectF ColorSpaceView::projectionRect(int index) const {
 QPointF ColorSpaceView::placeOf(const glm::vec3& color) const {
   const QRectF rect = plotRect();
   const glm::dvec2 place = projected(range_.unit(color), turn_).place;
-  const double scale = 0.5 * std::min(rect.width(), rect.height()) / std::sqrt(3.0);
+  const double scale = 0.5 * std::min(rect.width(), rect.height()) / (std::sqrt(3.0) + kTickShare);
   return rect.center() + scale * QPointF(place.x, -place.y);
 }
 
@@ -196,24 +244,37 @@ void ColorSpaceView::paintPlot(QPainter& painter, const Content& content) const 
     frame[corner] = low + size * glm::vec3(corner & 1 ? 1 : 0, corner & 2 ? 1 : 0, corner & 4 ? 1 : 0);
   for (const auto& [a, b] : edgesOf(frame)) painter.drawLine(placeOf(a), placeOf(b));
   for (const PlotItem& item : content.items) paintItem(painter, item, place);
+  paintAxes(painter, content);
+}
+
+// Ticks stand on the three edges of the frame that begin at its lowest corner, labels away from its middle.
+void ColorSpaceView::paintAxes(QPainter& painter, const Content& content) const {
+  const glm::vec3 low = range_.low, size = range_.high - range_.low;
+  const auto ticks = ticksOf(range_, kMaxTicks);
+  const QPointF middle = placeOf(low + 0.5f * size);
   for (int axis = 0; axis < 3; ++axis) {
     glm::vec3 end = low;
-    end[axis] = range_.high[axis] + 0.08f * size[axis];
+    end[axis] = range_.high[axis] + 0.12f * size[axis];
     painter.setPen(content.colors.text);
-    painter.drawText(QRectF(placeOf(end) - QPointF(20, 10), QSizeF(40, 20)), Qt::AlignCenter,
-                     QString::fromStdString(scene_->axes[static_cast<std::size_t>(axis)]));
+    painter.drawText(QRectF(placeOf(end) - QPointF(20, 10), QSizeF(40, 20)),
+                     Qt::AlignCenter | Qt::TextDontClip, axisName(axis));
+    painter.setPen(content.colors.secondary);
+    for (const double tick : ticks[static_cast<std::size_t>(axis)]) {
+      glm::vec3 at = low;
+      at[axis] = static_cast<float>(tick);
+      const QPointF place = placeOf(at), away = place - middle;
+      painter.drawLine(place, place + away / std::max(1.0, std::hypot(away.x(), away.y())) * kUnit);
+      drawTickLabel(painter, place, away, shortText(tick));
+    }
   }
-  painter.setPen(content.colors.secondary);
-  for (int axis = 0; axis < 3; ++axis)
-    painter.drawText(
-        QPointF(2 * kUnit, (axis + 1) * (fontMetrics().height() + 1)),
-        QStringLiteral("%1 %2").arg(QString::fromStdString(scene_->axes[static_cast<std::size_t>(axis)]),
-                                    rangeText(range_.low[axis], range_.high[axis])));
+}
+
+QString ColorSpaceView::axisName(int axis) const {
+  return QString::fromStdString(scene_->axes[static_cast<std::size_t>(axis)]);
 }
 
 void ColorSpaceView::paintProjection(QPainter& painter, const Content& content, int index) const {
   const QRectF rect = projectionRect(index);
-  const auto& [right, up] = kProjections[static_cast<std::size_t>(index)];
   painter.setPen(QPen(content.colors.line, 1));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(rect);
@@ -222,12 +283,40 @@ void ColorSpaceView::paintProjection(QPainter& painter, const Content& content, 
   for (const PlotItem& item : content.items)
     paintItem(painter, item, [&](const glm::vec3& color) { return flatPlace(color, index); });
   painter.restore();
+  paintFlatAxes(painter, content, index);
+}
+
+// Ticks stand inside of the frame; labels of the upright axis, too, since there is little room beside it.
+void ColorSpaceView::paintFlatAxes(QPainter& painter, const Content& content, int index) const {
+  const QRectF rect = projectionRect(index);
+  const auto& [right, up] = kProjections[static_cast<std::size_t>(index)];
+  const auto ticks = ticksOf(range_, kMaxTicks);
   painter.setPen(content.colors.secondary);
-  const auto name = [&](int axis) {
-    return QString::fromStdString(scene_->axes[static_cast<std::size_t>(axis)]);
-  };
-  painter.drawText(QRectF(rect.left(), rect.bottom() + 1, rect.width(), fontMetrics().height()),
-                   Qt::AlignHCenter, tr("%1 right, %2 up").arg(name(right), name(up)));
+  const double line = fontMetrics().height();
+  double free = rect.left(); // labels do not run into each other
+  for (const double tick : ticks[static_cast<std::size_t>(right)]) {
+    glm::vec3 at = range_.low;
+    at[right] = static_cast<float>(tick);
+    const double x = flatPlace(at, index).x(), wide = fontMetrics().horizontalAdvance(shortText(tick));
+    painter.drawLine(QPointF(x, rect.bottom()), QPointF(x, rect.bottom() - kUnit));
+    const double left = std::clamp(x - wide / 2, rect.left(), std::max(rect.left(), rect.right() - wide));
+    if (left < free) continue;
+    painter.drawText(QRectF(left, rect.bottom() + 1, wide, line), Qt::AlignCenter | Qt::TextDontClip,
+                     shortText(tick));
+    free = left + wide + kUnit;
+  }
+  for (const double tick : ticks[static_cast<std::size_t>(up)]) {
+    glm::vec3 at = range_.low;
+    at[up] = static_cast<float>(tick);
+    const double y = flatPlace(at, index).y();
+    painter.drawLine(QPointF(rect.left(), y), QPointF(rect.left() + kUnit, y));
+    const double top = std::clamp(y - line / 2, rect.top(), rect.bottom() - line);
+    painter.drawText(QRectF(rect.left() + 2 * kUnit, top, rect.width(), line),
+                     Qt::AlignLeft | Qt::AlignVCenter, shortText(tick));
+  }
+  painter.setPen(content.colors.text);
+  painter.drawText(QRectF(rect.left(), rect.bottom() + 1 + line, rect.width(), line), Qt::AlignHCenter,
+                   tr("%1 right, %2 up").arg(axisName(right), axisName(up)));
 }
 
 void ColorSpaceView::paintLegend(QPainter& painter, const Content& content) const {
@@ -240,6 +329,8 @@ void ColorSpaceView::paintLegend(QPainter& painter, const Content& content) cons
     if (item.points.empty()) {
       painter.setPen(penOf(item.shape, item.color));
       painter.drawLine(middle - QPointF(9, 0), middle + QPointF(9, 0));
+    } else if (!item.fills.empty()) {
+      drawSample(painter, middle, item.color, item.fills[item.fills.size() / 2]);
     } else {
       drawMark(painter, middle, item.shape, item.color);
     }
@@ -262,7 +353,7 @@ void ColorSpaceView::paintEvent(QPaintEvent*) {
   paintPlot(painter, content);
   for (int index = 0; index < 3; ++index) paintProjection(painter, content, index);
   paintLegend(painter, content);
-  if (!hasFocus()) return;
+  if (!hasFocus() || isPaintedAsFigure(*this)) return;
   painter.setPen(QPen(colors.accent, 1));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(QRectF(0.5, 0.5, width() - 1, height() - 1));

@@ -52,6 +52,9 @@ class ColorSpaceView : public QWidget {
   int legendHeight() const;
   QPointF flatPlace(const glm::vec3& color, int projection) const;
   void paintPlot(QPainter& painter, const Content& content) const;
+  void paintAxes(QPainter& painter, const Content& content) const;
+  void paintFlatAxes(QPainter& painter, const Content& content, int index) const;
+  QString axisName(int axis) const; ///< expects a scene
   void paintProjection(QPainter& painter, const Content& content, int index) const;
   void paintLegend(QPainter& painter, const Content& content) const;
 

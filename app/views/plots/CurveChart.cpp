@@ -26,7 +26,7 @@ constexpr double kTickRoom = 48.0;                        ///< px left of the pl
 CurveChart::CurveChart(const QString& title, const QString& xTitle, QWidget* parent)
     : QWidget(parent), title_(title), xTitle_(xTitle) {
   setFocusPolicy(Qt::NoFocus);
-  setMinimumSize(180, kLowest);
+  setMinimumSize(180, scaled(kLowest));
   setMouseTracking(true);
   setAccessibleName(title);
   setToolTip(tr("Click to go there; drag or turn the wheel to zoom, double-click to see all."));
@@ -53,7 +53,7 @@ void CurveChart::setPlayhead(std::optional<double> x) {
 void CurveChart::setEdges(const Span& edges) {
   if (edges_ == edges) return;
   edges_ = edges;
-  setMinimumHeight(kLowestBeside);
+  setMinimumHeight(scaled(kLowestBeside));
   layOutLegend();
   fitAxes();
 }
@@ -83,10 +83,11 @@ void CurveChart::fitAxes() {
   for (const Curve& curve : curves_)
     if (const auto values = valueSpan(curve.points, shown_))
       span = span ? Span{std::min(span->low, values->low), std::max(span->high, values->high)} : *values;
-  const int fewest = height() < 2 * kValueSpace ? 1 : 2;
-  const int rows = std::max(fewest, static_cast<int>((height() - 2 * legend_.height()) / kValueSpace));
+  const int fewest = height() < 2 * scaled(kValueSpace) ? 1 : 2;
+  const int rows =
+      std::max(fewest, static_cast<int>((height() - 2 * legend_.height()) / scaled(kValueSpace)));
   const Span scale = roundedSpan(span.value_or(Span{}), rows);
-  const int columns = std::max(2, static_cast<int>(width() / kColumnSpace));
+  const int columns = std::max(2, static_cast<int>(width() / scaled(kColumnSpace)));
   const Span frames{shown_.low, std::max(shown_.high, shown_.low + 1e-9)};
   axes_.layOut({frames, std::max(1.0, roundStep(shown_.length(), columns))},
                {scale, roundStep(scale.length(), rows)},
@@ -126,7 +127,7 @@ QString CurveChart::readout() const {
 // Room for the legend above the curves: as many lines as their names take.
 void CurveChart::layOutLegend() {
   if (edges_)
-    return legend_.layOutBeside(curves_, edges_->low - kTickRoom, edges_->high + 3.0 * kUnit,
+    return legend_.layOutBeside(curves_, edges_->low - scaled(kTickRoom), edges_->high + 3.0 * kUnit,
                                 width() - 2.0 * kUnit);
   const double place = QFontMetricsF(secondaryFont()).horizontalAdvance(xTitle_ + QStringLiteral(" 00000"));
   legend_.layOut(title_, curves_, width(), place);

@@ -27,7 +27,7 @@ const QString& CurveLegend::nameOf(const Curve& curve) const {
 }
 
 std::vector<double> CurveLegend::widthsOf(const std::vector<Curve>& curves) const {
-  const double sample = isShortened_ ? kShortSample : kLongSample;
+  const double sample = isShortened_ ? scaled(kShortSample) : scaled(kLongSample);
   const double value = metrics().horizontalAdvance(QStringLiteral("−0.00000"));
   std::vector<double> widths;
   for (const Curve& curve : curves)
@@ -63,13 +63,13 @@ void CurveLegend::layOutBeside(const std::vector<Curve>& curves, double titleEnd
 }
 
 double CurveLegend::height() const {
-  return titleEnd_ ? 0.0 : lines_ * kLineHeight;
+  return titleEnd_ ? 0.0 : lines_ * scaled(kLineHeight);
 }
 
 void CurveLegend::paintEntry(QPainter& painter, const ThemeColors& colors, const Curve& curve,
                              const LegendPlace& place, std::optional<double> x) const {
-  const double sample = isShortened_ ? kShortSample : kLongSample;
-  const double baseline = kFirstBaseline + place.line * kLineHeight;
+  const double sample = isShortened_ ? scaled(kShortSample) : scaled(kLongSample);
+  const double baseline = scaled(kFirstBaseline) + place.line * scaled(kLineHeight);
   double left = left_ + place.left;
   painter.setPen(QPen(curve.color, 1.5, curve.dash, Qt::FlatCap));
   painter.drawLine(QPointF(left, baseline - 4.0), QPointF(left + sample, baseline - 4.0));
@@ -88,7 +88,7 @@ void CurveLegend::paint(QPainter& painter, const ThemeColors& colors, const QStr
   painter.setFont(secondaryFont());
   painter.setPen(colors.text);
   const double titleWidth = titleEnd_ ? *titleEnd_ - kLegendMargin : width_;
-  painter.drawText(QPointF(kLegendMargin, kFirstBaseline),
+  painter.drawText(QPointF(kLegendMargin, scaled(kFirstBaseline)),
                    metrics().elidedText(title, Qt::ElideRight, titleWidth));
   const std::vector<double> widths = widthsOf(curves);
   double lineEnd = titleEnd_ ? 0.0 : metrics().horizontalAdvance(title) + kTitleGap;
@@ -100,9 +100,9 @@ void CurveLegend::paint(QPainter& painter, const ThemeColors& colors, const QStr
   }
   const QString shown = metrics().elidedText(place, Qt::ElideRight, width_ - lineEnd);
   painter.setPen(colors.secondary);
-  painter.drawText(
-      QPointF(left_ + width_ - metrics().horizontalAdvance(shown), kFirstBaseline + placeLine * kLineHeight),
-      shown);
+  painter.drawText(QPointF(left_ + width_ - metrics().horizontalAdvance(shown),
+                           scaled(kFirstBaseline) + placeLine * scaled(kLineHeight)),
+                   shown);
 }
 
 } // namespace taa::app

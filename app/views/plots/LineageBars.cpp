@@ -57,8 +57,8 @@ void LineageBars::fitAxes() {
   const int first =
       lineage_ && !lineage_->frames.empty() ? lineage_->frames.back().frame : last - kEmptyFrames;
   const double line = QFontMetricsF(secondaryFont()).height() + kUnit;
-  const int rows = std::max(2, static_cast<int>((height() - 2.0 * line) / kBarValueSpace));
-  const int columns = std::max(2, static_cast<int>(width() / kTickSpace));
+  const int rows = std::max(2, static_cast<int>((height() - 2.0 * line) / scaled(kBarValueSpace)));
+  const int columns = std::max(2, static_cast<int>(width() / scaled(kTickSpace)));
   const Span frames{first - 0.5, last + 0.5};
   const Span weights = roundedSpan(lineage_ ? barSpan(*lineage_) : Span{}, rows);
   axes_.layOut({frames, std::max(1.0, roundStep(frames.length(), columns))},

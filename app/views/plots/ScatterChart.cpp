@@ -83,11 +83,11 @@ void ScatterChart::fitAxes() {
     const Span span = roundedSpan(values, steps);
     return ChartAxis{span, roundStep(span.length(), steps), title};
   };
-  axes_.layOut(
-      axisOf(spanOf(points_, &QPointF::x), std::max(2, static_cast<int>(width() / kScatterTickSpace)),
-             xTitle_),
-      axisOf(spanOf(points_, &QPointF::y), std::max(2, static_cast<int>(height() / kTickRows)), yTitle_),
-      QRectF(rect()).adjusted(kUnit, 2.0 * kUnit + legendHeight(), -3.0 * kUnit, -kUnit));
+  axes_.layOut(axisOf(spanOf(points_, &QPointF::x),
+                      std::max(2, static_cast<int>(width() / scaled(kScatterTickSpace))), xTitle_),
+               axisOf(spanOf(points_, &QPointF::y),
+                      std::max(2, static_cast<int>(height() / scaled(kTickRows))), yTitle_),
+               QRectF(rect()).adjusted(kUnit, 2.0 * kUnit + legendHeight(), -3.0 * kUnit, -kUnit));
   update();
 }
 

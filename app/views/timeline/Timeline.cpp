@@ -40,7 +40,7 @@ Timeline::Timeline(QWidget* parent) : QWidget(parent) {
 }
 
 QSize Timeline::sizeHint() const {
-  return {300, strip_.name.isEmpty() ? kTimelineHeight : kStripTop + kStripHeight};
+  return {300, strip_.name.isEmpty() ? scaled(kTimelineHeight) : scaled(kStripTop) + scaled(kStripHeight)};
 }
 
 void Timeline::setFrameCount(int count) {
@@ -122,13 +122,13 @@ void Timeline::setStrip(const TimelineStrip& strip) {
 }
 
 TimelineScale Timeline::scale() const {
-  return {frameCount_, kRulerMargin, width() - 2 * kRulerMargin, shown_};
+  return {frameCount_, scaled(kRulerMargin), width() - 2 * scaled(kRulerMargin), shown_};
 }
 
 QRectF Timeline::handle(bool isLast) const {
   const auto [first, last] = range();
   const double x = scale().position(isLast ? last : first);
-  return {isLast ? x + 1 : x - kHandleWidth, kRulerLine - 5, kHandleWidth, 14};
+  return {isLast ? x + 1 : x - scaled(kHandleWidth), scaled(kRulerLine) - 5.0, scaled(kHandleWidth), 14};
 }
 
 QString Timeline::textAt(int frame) const {
@@ -150,15 +150,15 @@ QString Timeline::textAt(int frame) const {
 void Timeline::paintTicks(QPainter& painter) const {
   const ThemeColors& colors = themeColors(this);
   const TimelineScale ruler = scale();
-  painter.fillRect(QRectF(ruler.left, kRulerLine, ruler.width, 1), colors.secondary);
+  painter.fillRect(QRectF(ruler.left, scaled(kRulerLine), ruler.width, 1), colors.secondary);
   for (const int frame : ruler.ticks(ruler.tickStep(kRulerTickSpace)))
-    painter.fillRect(QRectF(ruler.position(frame), kRulerLine - 3, 1, 3), colors.line);
+    painter.fillRect(QRectF(ruler.position(frame), scaled(kRulerLine) - 3, 1, 3), colors.line);
   painter.setFont(secondaryFont());
-  for (const int frame : ruler.ticks(ruler.tickStep(kLabelSpace))) {
+  for (const int frame : ruler.ticks(ruler.tickStep(scaled(kLabelSpace)))) {
     const double x = ruler.position(frame);
-    painter.fillRect(QRectF(x, kRulerLine - 6, 1, 6), colors.secondary);
+    painter.fillRect(QRectF(x, scaled(kRulerLine) - 6, 1, 6), colors.secondary);
     painter.setPen(colors.secondary);
-    painter.drawText(QRectF(x - 28, 0, 56, kRulerLine - 7), Qt::AlignHCenter | Qt::AlignBottom,
+    painter.drawText(QRectF(x - 28, 0, 56, scaled(kRulerLine) - 7), Qt::AlignHCenter | Qt::AlignBottom,
                      QString::number(frame));
   }
 }
@@ -167,8 +167,8 @@ void Timeline::paintKept(QPainter& painter) const {
   const TimelineScale ruler = scale();
   const double half = std::max(0.5, 0.5 * ruler.spacing());
   for (const auto& [first, last] : runsOfFrames(kept_))
-    painter.fillRect(QRectF(QPointF(ruler.position(first) - half, kKeptTop),
-                            QPointF(ruler.position(last) + half, kKeptTop + kKeptHeight)),
+    painter.fillRect(QRectF(QPointF(ruler.position(first) - half, scaled(kKeptTop)),
+                            QPointF(ruler.position(last) + half, scaled(kKeptTop) + kKeptHeight)),
                      themeColors(this).secondary);
 }
 
@@ -177,8 +177,8 @@ void Timeline::paintRange(QPainter& painter) const {
   const auto [first, last] = range();
   const QColor color = range_ ? colors.accent : colors.secondary;
   if (range_)
-    painter.fillRect(QRectF(QPointF(scale().position(first), kRulerLine - 1),
-                            QPointF(scale().position(last) + 1, kRulerLine + 2)),
+    painter.fillRect(QRectF(QPointF(scale().position(first), scaled(kRulerLine) - 1),
+                            QPointF(scale().position(last) + 1, scaled(kRulerLine) + 2)),
                      color);
   // Brackets that open towards what is repeated.
   for (const bool isLast : {false, true}) {
@@ -206,14 +206,16 @@ void Timeline::paintMarks(QPainter& painter) const {
   const QFontMetrics metrics(painter.font());
   for (const auto& [frame, name] : marks_) {
     const double x = scale().position(frame) + 0.5;
-    const QPointF diamond[] = {
-        {x, kRulerLine - 12.0}, {x + 5, kRulerLine - 7.0}, {x, kRulerLine - 2.0}, {x - 5, kRulerLine - 7.0}};
+    const QPointF diamond[] = {{x, scaled(kRulerLine) - 12.0},
+                               {x + 5, scaled(kRulerLine) - 7.0},
+                               {x, scaled(kRulerLine) - 2.0},
+                               {x - 5, scaled(kRulerLine) - 7.0}};
     if (!name.isEmpty()) {
       const int wide = metrics.horizontalAdvance(name);
       const double left = std::min(x + 8, width() - wide - 2.0);
-      painter.fillRect(QRectF(left - 2, 0, wide + 4, kRulerLine - 3), colors.window);
+      painter.fillRect(QRectF(left - 2, 0, wide + 4, scaled(kRulerLine) - 3), colors.window);
       painter.setPen(colors.text);
-      painter.drawText(QPointF(left, kRulerLine - 8), name);
+      painter.drawText(QPointF(left, scaled(kRulerLine) - 8), name);
     }
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(colors.text);
@@ -228,7 +230,7 @@ void Timeline::paintStrip(QPainter& painter) const {
   if (strip_.name.isEmpty()) return;
   const ThemeColors& colors = themeColors(this);
   const TimelineScale ruler = scale();
-  const double bottom = kStripTop + kStripHeight - 1;
+  const double bottom = scaled(kStripTop) + scaled(kStripHeight) - 1;
   double most = 0.0;
   for (const std::optional<double>& value : strip_.values)
     if (value) most = std::max(most, *value);
@@ -237,29 +239,33 @@ void Timeline::paintStrip(QPainter& painter) const {
   const double wide = std::max(1.0, ruler.spacing());
   for (std::size_t frame = 0; frame < strip_.values.size(); ++frame) {
     if (!strip_.values[frame]) continue;
-    const double tall = std::clamp(*strip_.values[frame] / most, 0.0, 1.0) * (kStripHeight - 2);
+    const double tall = std::clamp(*strip_.values[frame] / most, 0.0, 1.0) * (scaled(kStripHeight) - 2);
     const double x = ruler.position(static_cast<int>(frame)) - 0.5 * wide;
     painter.fillRect(QRectF(x, bottom - std::max(1.0, tall), wide, std::max(1.0, tall)), colors.secondary);
   }
   painter.setFont(secondaryFont());
   painter.setPen(colors.secondary);
   const QString scaleText = tr("%1, 0 to %2").arg(strip_.name, shortText(most, 3) + strip_.unit);
-  painter.drawText(QRectF(ruler.left, kHeadTop - 1, ruler.width, kHeadHeight + 3),
+  painter.drawText(QRectF(ruler.left, scaled(kHeadTop) - 1, ruler.width, scaled(kHeadHeight) + 3),
                    Qt::AlignRight | Qt::AlignVCenter, scaleText);
 }
 
 void Timeline::paintHead(QPainter& painter, int frame) const {
   const ThemeColors& colors = themeColors(this);
-  const double x = scale().position(frame) + 0.5, top = kHeadTop;
-  const QPointF head[] = {
-      {x - 5, top + kHeadHeight}, {x + 5, top + kHeadHeight}, {x + 5, top + 4}, {x, top}, {x - 5, top + 4}};
+  const double x = scale().position(frame) + 0.5, top = scaled(kHeadTop);
+  const QPointF head[] = {{x - 5, top + scaled(kHeadHeight)},
+                          {x + 5, top + scaled(kHeadHeight)},
+                          {x + 5, top + 4},
+                          {x, top},
+                          {x - 5, top + 4}};
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
   painter.setBrush(colors.accent);
   painter.drawPolygon(head, 5);
   painter.setRenderHint(QPainter::Antialiasing, false);
-  painter.fillRect(QRectF(x - 1, kRulerLine - 8, 2, top - kRulerLine + 9), colors.accent);
-  if (!strip_.name.isEmpty()) painter.fillRect(QRectF(x - 1, kStripTop, 2, kStripHeight), colors.accent);
+  painter.fillRect(QRectF(x - 1, scaled(kRulerLine) - 8, 2, top - scaled(kRulerLine) + 9), colors.accent);
+  if (!strip_.name.isEmpty())
+    painter.fillRect(QRectF(x - 1, scaled(kStripTop), 2, scaled(kStripHeight)), colors.accent);
 }
 
 void Timeline::paintEvent(QPaintEvent*) {
@@ -271,8 +277,9 @@ void Timeline::paintEvent(QPaintEvent*) {
   paintStrip(painter);
   paintMarks(painter);
   if (hovered_ >= 0 && dragged_ < 0 && !handle_)
-    painter.fillRect(QRectF(scale().position(hovered_), kRulerLine - 8, 1, height() - kRulerLine + 8),
-                     colors.text);
+    painter.fillRect(
+        QRectF(scale().position(hovered_), scaled(kRulerLine) - 8, 1, height() - scaled(kRulerLine) + 8),
+        colors.text);
   paintHead(painter, dragged_ >= 0 ? dragged_ : frame_);
 }
 

@@ -32,7 +32,7 @@ void OverflowPopup::open(const Controls& controls, QPoint corner) {
     const int row = grid->rowCount();
     grid->addWidget(new QLabel(name), row, 0);
     grid->addWidget(control, row, 1, Qt::AlignLeft | Qt::AlignVCenter);
-    control->setMinimumSize(control->sizeHint().width(), kRowHeight); // a grid knows no fixed geometry
+    control->setMinimumSize(control->sizeHint().width(), rowHeight()); // a grid knows no fixed geometry
     control->show();
     controls_.emplace_back(control);
   }

@@ -18,7 +18,7 @@ constexpr int kIconSpace = 28;
 Strip::Strip(StripKind kind, QWidget* parent)
     : QWidget(parent), kind_(kind), label_(new QLabel), action_(new QPushButton) {
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(kIconSpace + kUnit, kUnit, kUnit, kUnit);
+  layout->setContentsMargins(scaled(kIconSpace) + kUnit, kUnit, kUnit, kUnit);
   layout->setSpacing(2 * kUnit);
   label_->setWordWrap(true);
   label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -59,8 +59,8 @@ void Strip::paintEvent(QPaintEvent*) {
                        : kind_ == StripKind::Caution ? colors.caution
                                                      : colors.secondary;
   painter.fillRect(0, 0, 3, height() - 1, color);
-  painter.drawPixmap(3 * kUnit - 1, (kRowHeight - 16) / 2 + kUnit,
-                     iconPixmap(QLatin1String(icon), color, 16, devicePixelRatioF()));
+  painter.drawPixmap(3 * kUnit - 1, (rowHeight() - scaled(16)) / 2 + kUnit,
+                     iconPixmap(QLatin1String(icon), color, scaled(16), devicePixelRatioF()));
 }
 
 } // namespace taa::app

@@ -61,11 +61,11 @@ QString WorkBar::text() const {
 QRect WorkBar::words() const {
   const int wordsWidth = layout()->sizeHint().width();
   return {width() - wordsWidth - kWordsGap + 2 * kUnit, kBar + kWordsGap, wordsWidth - 2 * kUnit,
-          kRowHeight + 2};
+          rowHeight() + 2};
 }
 
 void WorkBar::place() {
-  setGeometry(0, top_, parentWidget()->width(), kBar + kWordsGap + kRowHeight + 2);
+  setGeometry(0, top_, parentWidget()->width(), kBar + kWordsGap + rowHeight() + 2);
   // Only the bar and the words take room from what is below.
   setMask(QRegion(0, 0, width(), kBar) + words());
 }

@@ -66,7 +66,7 @@ QSize ChoiceButton::sizeHint() const {
   if (caption_.isEmpty())
     for (const QString& label : labels_) width = std::max(width, fontMetrics().horizontalAdvance(label));
   // The frame takes a pixel at either end.
-  return {width + 2 * kChoicePadding + (plain_ ? 0 : kUnit + kChevron) + 2, kRowHeight};
+  return {width + 2 * kChoicePadding + (plain_ ? 0 : kUnit + scaled(kChevron)) + 2, rowHeight()};
 }
 
 void ChoiceButton::paintEvent(QPaintEvent*) {
@@ -80,13 +80,13 @@ void ChoiceButton::paintEvent(QPaintEvent*) {
   }
   painter.setPen(dimmed_ ? colors.secondary : colors.text);
   const QRect inside =
-      box.adjusted(kChoicePadding, 0, -kChoicePadding - (plain_ ? 0 : kChevron + kUnit) + 1, 0);
+      box.adjusted(kChoicePadding, 0, -kChoicePadding - (plain_ ? 0 : scaled(kChevron) + kUnit) + 1, 0);
   painter.drawText(inside, Qt::AlignVCenter | Qt::AlignLeft,
                    fontMetrics().elidedText(caption(), Qt::ElideRight, inside.width()));
   if (plain_) return;
   painter.drawPixmap(
-      box.right() - kChoicePadding - kChevron + 2, box.center().y() - kChevron / 2 + 1,
-      iconPixmap(QStringLiteral("chevron-down"), colors.secondary, kChevron, devicePixelRatioF()));
+      box.right() - kChoicePadding - scaled(kChevron) + 2, box.center().y() - scaled(kChevron) / 2 + 1,
+      iconPixmap(QStringLiteral("chevron-down"), colors.secondary, scaled(kChevron), devicePixelRatioF()));
 }
 
 QMenu* ChoiceButton::partOf(QMenu* menu, const Part& part) {

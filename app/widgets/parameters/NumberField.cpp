@@ -58,7 +58,7 @@ QSize NumberField::sizeHint() const {
   const QFontMetrics small(secondaryFont());
   if (!unit_.isEmpty()) width += small.horizontalAdvance(unit_) + kUnit;
   if (!prefix_.isEmpty()) width += small.horizontalAdvance(prefix_) + kUnit;
-  return {width, kRowHeight};
+  return {width, rowHeight()};
 }
 
 QString NumberField::text() const {

@@ -21,7 +21,7 @@ void ParameterLabel::setState(bool changed, bool dimmed) {
 }
 
 QSize ParameterLabel::sizeHint() const {
-  return {kDotSpace + fontMetrics().horizontalAdvance(text_) + kUnit, kRowHeight};
+  return {scaled(kDotSpace) + fontMetrics().horizontalAdvance(text_) + kUnit, rowHeight()};
 }
 
 void ParameterLabel::paintEvent(QPaintEvent*) {
@@ -31,10 +31,10 @@ void ParameterLabel::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     painter.setBrush(colors.accent);
-    painter.drawEllipse(QPointF(kDotSpace / 2.0 - 1, kRowHeight / 2.0), 2.5, 2.5);
+    painter.drawEllipse(QPointF(scaled(kDotSpace) / 2.0 - 1, rowHeight() / 2.0), 2.5, 2.5);
   }
   painter.setPen(dimmed_ ? colors.secondary : colors.text);
-  const QRect place(kDotSpace, 0, width() - kDotSpace, kRowHeight);
+  const QRect place(scaled(kDotSpace), 0, width() - scaled(kDotSpace), rowHeight());
   painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft,
                    fontMetrics().elidedText(text_, Qt::ElideRight, place.width()));
 }

@@ -141,7 +141,7 @@ void ParameterRow::edit(double value) {
 
 int ParameterRow::editorWidth() const {
   const bool isNumber = row_.kind == ParameterKind::Integer || row_.kind == ParameterKind::Number;
-  return isNumber ? std::max(kFieldWidth, editor_->sizeHint().width()) : editor_->sizeHint().width();
+  return isNumber ? std::max(scaled(kFieldWidth), editor_->sizeHint().width()) : editor_->sizeHint().width();
 }
 
 bool ParameterRow::fitsInOneLine(int width) const {
@@ -149,25 +149,25 @@ bool ParameterRow::fitsInOneLine(int width) const {
 }
 
 int ParameterRow::heightForWidth(int width) const {
-  if (fitsInOneLine(width)) return kRowHeight;
+  if (fitsInOneLine(width)) return rowHeight();
   const int inset = 3 * kUnit;
-  return kRowHeight + (editor_->hasHeightForWidth() ? editor_->heightForWidth(width - inset) : kRowHeight);
+  return rowHeight() + (editor_->hasHeightForWidth() ? editor_->heightForWidth(width - inset) : rowHeight());
 }
 
 QSize ParameterRow::sizeHint() const {
-  return {label_->sizeHint().width() + kUnit + editorWidth(), kRowHeight};
+  return {label_->sizeHint().width() + kUnit + editorWidth(), rowHeight()};
 }
 
 void ParameterRow::resizeEvent(QResizeEvent*) {
   if (fitsInOneLine(width())) {
     const int left = width() - editorWidth();
-    label_->setGeometry(0, 0, left - kUnit, kRowHeight);
-    editor_->setGeometry(left, 0, editorWidth(), kRowHeight);
+    label_->setGeometry(0, 0, left - kUnit, rowHeight());
+    editor_->setGeometry(left, 0, editorWidth(), rowHeight());
     return;
   }
   const int inset = 3 * kUnit; // in line with the label's text
-  label_->setGeometry(0, 0, width(), kRowHeight);
-  editor_->setGeometry(inset, kRowHeight, width() - inset, height() - kRowHeight);
+  label_->setGeometry(0, 0, width(), rowHeight());
+  editor_->setGeometry(inset, rowHeight(), width() - inset, height() - rowHeight());
 }
 
 } // namespace taa::app

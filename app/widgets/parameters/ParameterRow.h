@@ -34,7 +34,7 @@ class ParameterRow : public QWidget {
   bool hasHeightForWidth() const override { return true; }
   int heightForWidth(int width) const override;
   QSize sizeHint() const override;
-  QSize minimumSizeHint() const override { return {80, kMinHeight}; }
+  QSize minimumSizeHint() const override { return {80, rowHeight()}; }
 
  Q_SIGNALS:
   void edited(const QString& path, double value);
@@ -45,7 +45,6 @@ class ParameterRow : public QWidget {
   void resizeEvent(QResizeEvent*) override;
 
  private:
-  static constexpr int kMinHeight = 22;
   void makeEditor();
   void edit(double value);
   /// Whether label and editor fit side by side.

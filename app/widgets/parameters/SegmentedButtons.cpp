@@ -54,12 +54,12 @@ int SegmentedButtons::columns(int width) const {
 }
 
 QSize SegmentedButtons::sizeHint() const {
-  return {allLabels(), kRowHeight};
+  return {allLabels(), rowHeight()};
 }
 
 int SegmentedButtons::heightForWidth(int width) const {
   const int perRow = columns(width);
-  return kRowHeight * ((count() + perRow - 1) / perRow);
+  return rowHeight() * ((count() + perRow - 1) / perRow);
 }
 
 QRect SegmentedButtons::segment(int index) const {
@@ -73,7 +73,7 @@ QRect SegmentedButtons::segment(int index) const {
     for (int before = 0; before < index; ++before) left += labelWidth(before);
     right = left + labelWidth(index) + (column + 1) * spare / perRow - column * spare / perRow;
   }
-  return {left, row * kRowHeight + 1, right - left, kRowHeight - 3};
+  return {left, row * rowHeight() + 1, right - left, rowHeight() - 3};
 }
 
 void SegmentedButtons::paintEvent(QPaintEvent*) {

@@ -20,22 +20,23 @@ void Toggle::setDimmed(bool dimmed) {
 }
 
 QSize Toggle::sizeHint() const {
-  return {30, kRowHeight};
+  return {scaled(30), rowHeight()};
 }
 
 void Toggle::paintEvent(QPaintEvent*) {
   const ThemeColors& colors = themeColors(this);
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QRectF track(0.5, (height() - 13) / 2.0, 28, 13);
+  const double high = scaled(13.0), half = high / 2;
+  const QRectF track(0.5, (height() - high) / 2, scaled(28.0), high);
   const bool on = isChecked();
   painter.setPen(hasFocus() ? colors.text : on && !dimmed_ ? colors.accent : colors.secondary);
   painter.setBrush(on ? (dimmed_ ? colors.line : colors.accent) : underMouse() ? colors.hover : colors.field);
-  painter.drawRoundedRect(track, 6.5, 6.5);
-  const double x = on ? track.right() - 6.5 : track.left() + 6.5;
+  painter.drawRoundedRect(track, half, half);
+  const double x = on ? track.right() - half : track.left() + half;
   painter.setPen(Qt::NoPen);
   painter.setBrush(on ? (dimmed_ ? colors.secondary : colors.onAccent) : colors.secondary);
-  painter.drawEllipse(QPointF(x, track.center().y()), 4, 4);
+  painter.drawEllipse(QPointF(x, track.center().y()), scaled(4.0), scaled(4.0));
 }
 
 void Toggle::keyPressEvent(QKeyEvent* event) {

@@ -43,17 +43,17 @@ void ErrorBars::setError(const PixelError& error) {
 }
 
 QSize ErrorBars::sizeHint() const {
-  return {120, kBarRow * static_cast<int>(bars_.size()) + kUnit};
+  return {120, scaled(kBarRow) * static_cast<int>(bars_.size()) + kUnit};
 }
 
 void ErrorBars::paintEvent(QPaintEvent*) {
   double largest = 0.0;
   for (const Bar& bar : bars_) largest = std::max(largest, std::fabs(bar.value));
   QPainter painter(this);
-  QRect line(5 * kUnit, 0, width() - 7 * kUnit, kBarRow);
+  QRect line(5 * kUnit, 0, width() - 7 * kUnit, scaled(kBarRow));
   for (const Bar& bar : bars_) {
     paintBar(painter, bar, line, largest);
-    line.translate(0, kBarRow);
+    line.translate(0, scaled(kBarRow));
   }
 }
 
@@ -67,8 +67,8 @@ void ErrorBars::paintBar(QPainter& painter, const Bar& bar, const QRect& line, d
                    words.elidedText(bar.label, Qt::ElideRight, label - kUnit));
   painter.setFont(numberFont());
   painter.drawText(line, Qt::AlignVCenter | Qt::AlignRight, bar.text);
-  const QRectF room(line.left() + label, line.top() + (line.height() - kBarHigh) / 2.0,
-                    std::max(0, line.width() - label - value), kBarHigh);
+  const QRectF room(line.left() + label, line.top() + (line.height() - scaled(kBarHigh)) / 2.0,
+                    std::max(0, line.width() - label - value), scaled(kBarHigh));
   const double middle = room.center().x();
   const double length = largest > 0.0 ? bar.value / largest * room.width() / 2.0 : 0.0;
   painter.fillRect(QRectF(std::min(middle, middle + length), room.top(), std::fabs(length), room.height()),

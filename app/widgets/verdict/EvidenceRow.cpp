@@ -33,7 +33,7 @@ void EvidenceRow::setRow(const VerdictRow& row) {
 }
 
 QSize EvidenceRow::sizeHint() const {
-  return {120, kRowHeight};
+  return {120, rowHeight()};
 }
 
 void EvidenceRow::paintEvent(QPaintEvent*) {

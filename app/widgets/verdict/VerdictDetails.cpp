@@ -16,7 +16,7 @@
 
 namespace taa::app {
 
-VerdictDetails::VerdictDetails(QWidget* parent) : FittingArea(2 * kRowHeight, 0, parent) {
+VerdictDetails::VerdictDetails(QWidget* parent) : FittingArea(2 * rowHeight(), 0, parent) {
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 2 * kUnit);

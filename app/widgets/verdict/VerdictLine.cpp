@@ -17,7 +17,7 @@ constexpr int kProgressHigh = 2; ///< px
 
 VerdictLine::VerdictLine(QWidget* parent) : QWidget(parent), sentence_(new QLabel), work_(new QLabel) {
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(2 * kUnit + kShape + 2 * kUnit, 0, 2 * kUnit, kUnit);
+  column->setContentsMargins(2 * kUnit + scaled(kShape) + 2 * kUnit, 0, 2 * kUnit, kUnit);
   column->setSpacing(0);
   sentence_->setFont(titleFont());
   sentence_->setWordWrap(true);
@@ -72,10 +72,10 @@ void VerdictLine::paintEvent(QPaintEvent*) {
     const bool isRight = tone_ == VerdictTone::Right;
     const QColor color = isRight ? colors.right : colors.wrong;
     painter.fillRect(0, 0, kStroke, sentence_->geometry().bottom() + 1, color);
-    const int top = sentence_->y() + (QFontMetrics(sentence_->font()).height() - kShape) / 2;
+    const int top = sentence_->y() + (QFontMetrics(sentence_->font()).height() - scaled(kShape)) / 2;
     painter.drawPixmap(2 * kUnit, top,
-                       iconPixmap(isRight ? QStringLiteral("right") : QStringLiteral("wrong"), color, kShape,
-                                  devicePixelRatioF()));
+                       iconPixmap(isRight ? QStringLiteral("right") : QStringLiteral("wrong"), color,
+                                  scaled(kShape), devicePixelRatioF()));
   }
   if (work_->text().isEmpty()) return;
   const QRectF bar(work_->x(), height() - kProgressHigh, work_->width(), kProgressHigh);

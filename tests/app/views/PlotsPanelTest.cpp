@@ -122,7 +122,7 @@ TEST_F(Plots, AreFilledInInIdleTimeUntilSomebodyStopsThem) {
 
 TEST_F(Plots, CostNothingWhileTheyAreHidden) {
   EXPECT_TRUE(renderer->tracing);
-  key(Qt::Key_F11);
+  key(Qt::Key_F11, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_FALSE(renderer->tracing);
   key(Qt::Key_F7, Qt::ShiftModifier);
   EXPECT_TRUE(renderer->tracing) << "weights are measured at the probe, too";

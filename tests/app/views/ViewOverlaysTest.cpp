@@ -139,7 +139,7 @@ TEST_F(ViewOverlays, ALegendFoldsWhereItWouldCoverALowPicture) {
   EXPECT_TRUE(isWhole(viewport()->shownLegend()));
   viewport()->resize(300, 160);
   const ShownLegend folded = viewport()->shownLegend();
-  EXPECT_EQ(folded.place.height(), kLegendHeight);
+  EXPECT_EQ(folded.place.height(), legendHeight());
   EXPECT_TRUE(folded.flow.plainText().contains("Motion")) << "scale and unit are always there";
   EXPECT_FALSE(isWhole(folded));
   ASSERT_TRUE(folded.place.contains(folded.sign));
@@ -147,7 +147,7 @@ TEST_F(ViewOverlays, ALegendFoldsWhereItWouldCoverALowPicture) {
   const ShownLegend open = viewport()->shownLegend();
   EXPECT_TRUE(isWhole(open));
   EXPECT_TRUE(open.place.contains(folded.place)) << "it grows from where it was";
-  EXPECT_GT(open.place.height(), 2 * kLegendHeight);
+  EXPECT_GT(open.place.height(), 2 * legendHeight());
   QTest::mouseMove(viewport(), {150, open.place.top() + 2});
   EXPECT_TRUE(isWhole(viewport()->shownLegend())) << "the mouse reads it";
   QTest::mouseMove(viewport(), {150, open.place.top() - 4});
@@ -156,7 +156,7 @@ TEST_F(ViewOverlays, ALegendFoldsWhereItWouldCoverALowPicture) {
   EXPECT_TRUE(isWhole(viewport()->shownLegend()));
   viewport()->resize(300, 160);
   EXPECT_TRUE(viewport()->shownLegend().sign.isEmpty());
-  EXPECT_GT(viewport()->shownLegend().place.height(), 2 * kLegendHeight) << "also where the picture is low";
+  EXPECT_GT(viewport()->shownLegend().place.height(), 2 * legendHeight()) << "also where the picture is low";
 }
 
 TEST_F(ViewOverlays, ALegendWrapsInsteadOfLeavingOut) {
@@ -166,12 +166,12 @@ TEST_F(ViewOverlays, ALegendWrapsInsteadOfLeavingOut) {
   addRowLegend(flow, side, darkColors());
   EXPECT_EQ(flow.lines(1000), 1);
   EXPECT_GE(flow.lines(250), 2);
-  QImage image(250, flow.lines(250) * kLegendHeight, QImage::Format_RGB32);
+  QImage image(250, flow.lines(250) * legendHeight(), QImage::Format_RGB32);
   image.fill(Qt::black);
   QPainter painter(&image);
   flow.paint(painter, {0, 0}, 250, darkColors());
   painter.end();
-  const QImage last = image.copy(0, image.height() - kLegendHeight, 250, kLegendHeight);
+  const QImage last = image.copy(0, image.height() - legendHeight(), 250, legendHeight());
   std::set<QRgb> colors;
   for (int y = 0; y < last.height(); ++y)
     for (int x = 0; x < last.width(); ++x) colors.insert(last.pixel(x, y));

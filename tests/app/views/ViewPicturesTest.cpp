@@ -53,8 +53,8 @@ TEST_F(ViewPictures, TheLegendOfAPictureLiesBelowWhatTheScreenShows) {
   const QImage file = viewport()->picture(true);
   const QImage screen = viewport()->grab().toImage().convertToFormat(QImage::Format_RGBA8888);
   const int strips = file.height() - screen.height();
-  ASSERT_GE(strips, 3 * kLegendHeight) << "arrows, reasons, the row";
-  EXPECT_EQ(strips % kLegendHeight, 0);
+  ASSERT_GE(strips, 3 * legendHeight()) << "arrows, reasons, the row";
+  EXPECT_EQ(strips % legendHeight(), 0);
   const QRect seen(0, 0, screen.width(), screen.height() - strips);
   EXPECT_EQ(file.copy(seen), screen.copy(seen)) << "the divider and the names of both sides, too";
   const QRect strip(0, screen.height(), screen.width(), strips);

@@ -104,10 +104,11 @@ const std::vector<std::vector<std::string>>& floors() {
       {"app/views"},
       {"app/panels", "app/dialogs", "app/importing", "app/doctor"},
       {"app/learn"},
-      {"app/commands"},
+      {"app/commands", "app/figures"},
+      {"app/room"},
       {"app/menus"},
       {"app/menus/faults"},
-      {"app/window/verdict"},
+      {"app/window/verdict", "app/window/figures"},
       {"app/window"},
       {"app"},
   };

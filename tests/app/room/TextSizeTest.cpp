@@ -1,0 +1,105 @@
+// The size of text: keys, what grows with it, that it is remembered, and that nothing is lost on the way
+// back.
+#include "app/style/TextSize.h"
+#include "app/commands/ThemeSetting.h"
+#include "app/panels/StatusLine.h"
+#include "app/style/Theme.h"
+#include "app/views/ViewArea.h"
+#include "app/views/ViewHeader.h"
+#include "tests/app/WindowFixture.h"
+
+#include <QAbstractScrollArea>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include <map>
+#include <tuple>
+
+using namespace taa::app;
+using namespace taa::app::test;
+
+namespace {
+
+using Limits = std::tuple<double, QSize, QSize>;
+
+std::map<const QWidget*, Limits> limitsOf(const QWidget& window) {
+  std::map<const QWidget*, Limits> limits;
+  for (const QWidget* widget : window.findChildren<QWidget*>())
+    if (!widget->objectName().startsWith(QLatin1String("qt_"))) // Qt's own parts of a widget are its own
+      limits[widget] = {widget->font().pointSizeF(), widget->minimumSize(), widget->maximumSize()};
+  return limits;
+}
+
+bool isScrolled(const QWidget* widget) {
+  for (const QWidget* at = widget->parentWidget(); at; at = at->parentWidget())
+    if (qobject_cast<const QAbstractScrollArea*>(at)) return true;
+  return false;
+}
+
+} // namespace
+
+class TextSizeTest : public FakeWindow {
+ protected:
+  void larger() { key(Qt::Key_Plus, Qt::ControlModifier); }
+  void smaller() { key(Qt::Key_Minus, Qt::ControlModifier); }
+  void TearDown() override { window.setTextPercent(100); }
+};
+
+TEST_F(TextSizeTest, KeysGoFromOneHundredToTwoHundredPercentAndNoFurther) {
+  for (const int percent : {125, 150, 175, 200, 200}) {
+    larger();
+    EXPECT_EQ(textPercent(), percent);
+  }
+  EXPECT_DOUBLE_EQ(QApplication::font().pointSizeF(), 20.0);
+  EXPECT_DOUBLE_EQ(secondaryFont().pointSizeF(), 18.0);
+  EXPECT_EQ(rowHeight(), 44);
+  EXPECT_EQ(window.statusLine()->height(), 48);
+  EXPECT_EQ(window.views()->view(0)->header()->height(), 56);
+  for (const int percent : {175, 150, 125, 100, 100}) {
+    smaller();
+    EXPECT_EQ(textPercent(), percent);
+  }
+}
+
+TEST_F(TextSizeTest, ThereAndBackEverythingIsAsItWas) {
+  const auto before = limitsOf(window);
+  for (int step = 0; step < 4; ++step) larger();
+  EXPECT_NE(limitsOf(window), before);
+  for (int step = 0; step < 4; ++step) smaller();
+  const auto after = limitsOf(window);
+  for (const auto& [widget, limits] : before) {
+    const auto found = after.find(widget);
+    ASSERT_NE(found, after.end());
+    EXPECT_EQ(found->second, limits) << widget->metaObject()->className() << ' '
+                                     << widget->objectName().toStdString();
+  }
+}
+
+TEST_F(TextSizeTest, AtTwoHundredPercentAWindowOf1280By800HoldsAllThatItShows) {
+  window.setTextPercent(200);
+  settle();
+  ASSERT_EQ(window.size(), QSize(1280, 800)) << "it fits";
+  for (const QWidget* widget : window.findChildren<QWidget*>()) {
+    if (!widget->isVisible() || widget->isWindow() || isScrolled(widget)) continue;
+    const QRect place(widget->mapTo(&window, QPoint()), widget->size());
+    EXPECT_TRUE(window.rect().contains(place))
+        << widget->metaObject()->className() << ' ' << widget->objectName().toStdString();
+    const auto* button = qobject_cast<const QPushButton*>(widget);
+    if (!button) continue;
+    EXPECT_GE(button->width(), button->fontMetrics().horizontalAdvance(button->text()))
+        << button->text().toStdString();
+  }
+}
+
+TEST_F(TextSizeTest, IsRememberedWhereItIsSet) {
+  const QTemporaryDir folder;
+  QSettings settings(folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat);
+  ThemeSetting first(&settings, nullptr);
+  first.setTextPercent(150);
+  first.showTextPercent(175);
+  first.showTextPercent(100);
+  ThemeSetting second(&settings, nullptr);
+  second.restoreTextSize();
+  EXPECT_EQ(textPercent(), 150) << "not what was only shown";
+}
