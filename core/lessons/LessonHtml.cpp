@@ -307,7 +307,8 @@ std::string contentsHtml(const std::vector<Lesson>& lessons, const std::vector<s
       htmlText(say<"From a picture without anti-aliasing to the state of the art and its failures. All "
                    "pictures here were drawn by the program that the lessons are part of.">());
   if (!links.manual.empty())
-    body += " " + linkHtml(links.manual + "README." + links.manualEnding, htmlText(say<"The manual">())) + ".";
+    body +=
+        " " + linkHtml(links.manual + "README." + links.manualEnding, htmlText(say<"The manual">())) + ".";
   body += "</p>\n<ol class=\"course\">\n";
   for (std::size_t index = 0; index < lessons.size(); ++index) {
     const Lesson& lesson = lessons[index];
