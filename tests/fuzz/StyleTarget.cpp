@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
   ViewStyle style, styleAgain;
   Settings settings, settingsAgain;
   std::istringstream lines(fuzz::textOf(bytes, count));
-  constexpr int kMaxLines = 6; // a refusal looks for the nearest of all names
+  constexpr int kMaxLines = 3; // a refusal looks for the nearest of all names
   std::string line;
   for (int read = 0; read < kMaxLines && std::getline(lines, line); ++read) {
     fuzz::readsOrRefuses("", [&] { applyStyle(style, line); });

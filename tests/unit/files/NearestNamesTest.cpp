@@ -21,7 +21,7 @@ TEST(NearestNames, OfEquallyNearOnesTheFirstIsFirst) {
   EXPECT_EQ(nearestNames("ad", names, 2), names);
 }
 
-// 100 letters of 4 million are compared, or this would take minutes.
+// 48 letters of 4 million are compared, or this would take minutes.
 TEST(NearestNames, OfALongNameTheBeginningCounts) {
   const std::vector<std::string_view> names(50, "motion.direction");
   EXPECT_EQ(nearestNames(std::string(4'000'000, 'x'), names, 1).size(), 1u);
