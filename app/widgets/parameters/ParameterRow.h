@@ -1,6 +1,7 @@
 // One row of the parameter table as a control: label, dot when changed, and the editor its kind asks for.
 #pragma once
 
+#include "app/style/Theme.h"
 #include "core/settings/Parameters.h"
 
 #include <QString>
