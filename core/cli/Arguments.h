@@ -81,8 +81,12 @@ struct ProbeArguments {
   std::string pixel;
   int frame = -1; ///< −1: that of the session
   bool json = false;
-  bool whatIf = false; ///< also the pixel under other choices
-  std::string compare; ///< the other side; empty: none
+  bool whatIf = false;                    ///< also the pixel under other choices
+  std::string compare;                    ///< the other side; empty: none
+  std::string region;                     ///< X,Y,WxH instead of a pixel; empty: none
+  std::string find;                       ///< "rejected", "clipped" or "nan" instead of a pixel; empty: none
+  std::vector<std::string> emit;          ///< of a region; empty: all of the frame's own resolve
+  int referenceSamples = kVerdictSamples; ///< of rows of the reference that are named
 };
 
 struct LineageArguments {

@@ -5,10 +5,13 @@
 #include "core/cli/Shot.h"
 #include "core/cli/Table.h"
 #include "core/inspect/ShownPicture.h"
+#include "core/inspect/verdicts/WorstOfShot.h"
 #include "core/io/FrameJson.h"
+#include "core/picture/RegionSpreadText.h"
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -63,6 +66,98 @@ void addOtherSide(Inspector& inspector, const Comparison& comparison, const glm:
   probed.compared = inspector.probes().compared(pixel, source, lane);
 }
 
+gl::Rect regionOf(const ProbeArguments& arguments) {
+  const std::optional<gl::Rect> region = parseRegion(arguments.region);
+  if (!region)
+    throw UsageError("--region " + arguments.region +
+                     ": expected X,Y,WxH, for example 40,20,64x36; 0,0 is the top left");
+  return *region;
+}
+
+/// What is asked for in place of a pixel is one thing, and what belongs to a pixel is said of one.
+void checkPlace(const ProbeArguments& arguments) {
+  const int places = (arguments.pixel.empty() ? 0 : 1) + (arguments.find.empty() ? 0 : 1) +
+                     (arguments.region.empty() ? 0 : 1);
+  if (places != 1) throw UsageError("one of --pixel, --find and --region is required");
+  if (!arguments.region.empty() && (arguments.whatIf || !arguments.compare.empty()))
+    throw UsageError("--what-if and --compare are of a pixel, not of a region");
+  if (arguments.region.empty() && !arguments.emit.empty())
+    throw UsageError("--emit is of a region: probe prints all rows of a pixel");
+}
+
+glm::ivec2 foundPixel(Inspector& inspector, const std::string& find) {
+  const WorstStep step = find == "rejected"  ? WorstStep::Rejected
+                         : find == "clipped" ? WorstStep::Clipped
+                                             : WorstStep::NoNumber;
+  return inspector.worst().next(IntermediateId::resolved, 0, {}, step).worst.pixel;
+}
+
+/// Of the rows that are asked for, those that are made.
+std::vector<IntermediateId> rowsOf(const ProbeArguments& arguments) {
+  if (!arguments.emit.empty()) return parseEmit(arguments.emit);
+  std::vector<IntermediateId> rows;
+  for (const Intermediate& row : kIntermediates)
+    if (!isOfReference(row.id)) rows.push_back(row.id);
+  return rows;
+}
+
+std::vector<IntermediateId> resolvedRows(const ProbeArguments& arguments) {
+  std::vector<IntermediateId> rows = rowsOf(arguments);
+  std::erase_if(rows, isOfReference);
+  return rows;
+}
+
+void printSpreads(std::ostream& out, const std::vector<RegionSpread>& spreads,
+                  const std::vector<IntermediateId>& rows, const SpaceSettings& space) {
+  std::vector<std::vector<std::string>> lines{spreadHeader()};
+  for (std::size_t index = 0; index < rows.size(); ++index) {
+    const Intermediate& row = intermediate(rows[index]);
+    if (!spreads[index].categories.empty()) {
+      lines.push_back({std::string(row.name) + "  " + categoriesText(spreads[index], row)});
+      continue;
+    }
+    for (std::vector<std::string> line : spreadLines(spreads[index], row, space)) {
+      line[0] = std::string(row.name) + (line[0].empty() ? "" : " ") + line[0];
+      lines.push_back(std::move(line));
+    }
+    if (const std::string histogram = histogramText(spreads[index]); !histogram.empty())
+      lines.push_back({"  " + histogram});
+  }
+  printTable(out, lines);
+}
+
+void runRegion(const ProbeArguments& arguments, const ShotPlan& plan, Inspector& inspector, std::ostream& out,
+               const Progress& progress) {
+  const gl::Rect asked = regionOf(arguments);
+  requirePixel(inspector, {asked.x, asked.y});
+  const InspectedShot& shot = inspector.shot();
+  const gl::Rect region = *insidePicture(asked, shot.width(), shot.height());
+  const std::vector<IntermediateId> rows = rowsOf(arguments);
+  nlohmann::ordered_json json = shotJson(inspector);
+  json["frame"] = shot.frame();
+  json["region"] = {region.x, region.y, region.width, region.height};
+  for (int lane = 0; lane < shot.laneCount(); ++lane) {
+    const LaneChoice& choice = plan.lanes.at(static_cast<std::size_t>(lane));
+    inspector.reference().makeRows(rows, arguments.referenceSamples, progress, lane);
+    const SpaceSettings& space = shot.usedSettings(lane).space;
+    std::vector<RegionSpread> spreads;
+    for (const IntermediateId id : rows)
+      spreads.push_back(
+          regionSpread(inspector.views().image(id, lane, region), {}, intermediate(id), region));
+    nlohmann::ordered_json laneOut = laneJson(inspector, choice, lane);
+    for (std::size_t index = 0; index < rows.size(); ++index)
+      laneOut["rows"][std::string(intermediate(rows[index]).name)] =
+          spreadJson(spreads[index], intermediate(rows[index]), space);
+    json["lanes"].push_back(std::move(laneOut));
+    if (arguments.json) continue;
+    if (lane > 0) out << '\n';
+    if (!choice.name.empty()) out << "LANE " << choice.name << ": " << choice.preset << '\n';
+    out << "region " << regionText(region) << " of frame " << shot.frame() << '\n';
+    printSpreads(out, spreads, rows, space);
+  }
+  if (arguments.json) out << json.dump(2) << '\n';
+}
+
 } // namespace
 
 void runProbe(const ProbeArguments& arguments, std::ostream& out, const Progress& progress) {
@@ -70,14 +165,23 @@ void runProbe(const ProbeArguments& arguments, std::ostream& out, const Progress
   const Comparison comparison = comparisonOf(arguments, plan);
   const auto laneCount = static_cast<int>(plan.lanes.size());
   if (comparison.kind == OtherKind::Preset) plan.lanes.push_back(laneOfPreset("other", comparison.preset));
-  const glm::ivec2 pixel = parsePixel(arguments.pixel);
+  checkPlace(arguments);
+  if (!arguments.pixel.empty())
+    parsePixel(arguments.pixel); // what is wrong is said before anything is opened
+  if (!arguments.region.empty()) regionOf(arguments);
+  parseEmit(arguments.emit);
+  checkReferenceSamples(arguments.referenceSamples);
   const int frame = arguments.frame >= 0 ? arguments.frame : plan.frame;
   if (frame < 0) throw UsageError("--frame is required: the number of a frame, from 0");
   Inspector inspector;
   openShot(inspector, arguments.shot, plan, progress);
   requireFrame(inspector, frame);
-  requirePixel(inspector, pixel);
+  if (!arguments.pixel.empty()) requirePixel(inspector, parsePixel(arguments.pixel));
+  if (!arguments.region.empty()) inspector.views().watch(resolvedRows(arguments)); // exposed in one run
   inspector.shot().seek(frame, progress);
+  if (!arguments.region.empty()) return runRegion(arguments, plan, inspector, out, progress);
+  const glm::ivec2 pixel =
+      arguments.find.empty() ? parsePixel(arguments.pixel) : foundPixel(inspector, arguments.find);
 
   ProbeReport report{shotFacts(inspector), pixel, {}, comparison};
   for (int lane = 0; lane < laneCount; ++lane) {

@@ -147,11 +147,29 @@ void addRender(CLI::App& app, RenderArguments& render, const taa::Progress& prog
 }
 
 void addProbe(CLI::App& app, ProbeArguments& probe, const taa::Progress& progress) {
-  CLI::App* command = app.add_subcommand("probe", "Print every intermediate at one pixel of one frame");
+  CLI::App* command = app.add_subcommand(
+      "probe",
+      "Print every intermediate at one pixel of one frame, or how their values are spread over a region");
   addShotOptions(*command, probe.shot);
   command->add_option("--frame", probe.frame, "Number of the frame, from 0; else the session's")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--pixel", probe.pixel, "X,Y; 0,0 is the top left")->required();
+  command->add_option("--pixel", probe.pixel, "X,Y; 0,0 is the top left");
+  command
+      ->add_option("--find", probe.find,
+                   "In place of --pixel: the worst pixel whose history is rejected, the one whose history is "
+                   "moved farthest (clipped), or the first one that is NaN or infinite in the output (nan)")
+      ->check(CLI::IsMember({"rejected", "clipped", "nan"}));
+  command->add_option("--region", probe.region,
+                      "X,Y,WxH in place of --pixel: least and greatest value, mean, deviation, percentiles "
+                      "and histogram of each row there, and how many are NaN, infinite or absent");
+  command
+      ->add_option("--emit", probe.emit,
+                   "Of a region: intermediates, with commas between (see list intermediates), or all; else "
+                   "those of the frame's own resolve")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  addReferenceSamples(*command, probe.referenceSamples,
+                      "of the reference, where --emit names rows of it, 4 to 1024");
   command->add_flag("--json", probe.json, "Print JSON");
   command->add_flag("--what-if", probe.whatIf,
                     "Also print the pixel under every rectification, box, history filter and preset");

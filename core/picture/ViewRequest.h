@@ -5,6 +5,7 @@
 #include "core/gl/Texture.h"
 #include "core/measure/Metrics.h"
 #include "core/measure/compare/FrameBefore.h"
+#include "core/picture/RegionSpread.h"
 #include "core/picture/Visualizer.h"
 #include "core/taa/rows/Intermediates.h"
 
@@ -38,6 +39,7 @@ struct ViewRequest {
   std::optional<OtherSide> other{};
   bool asDifference =
       false; ///< the picture is what it is more than the other side, which has as many channels
+  std::optional<gl::Rect> measured{}; ///< also say how the values of these pixels are spread
   bool operator==(const ViewRequest&) const = default;
 };
 
@@ -78,6 +80,9 @@ struct ViewResult {
   std::optional<int> overTimeSamples{};
   /// Of a row of the reference that a metric is the number of (metricOfMap()): that, where it is known.
   std::optional<double> number{};
+  /// Of what was to be measured, as far as it lies in the picture; nothing where it does not, or the row is
+  /// not made.
+  std::optional<RegionSpread> spread{};
   int frame = 0;
   bool exact = true;
   ReasonCounts reasons{};          ///< where they are shown

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace taa {
@@ -85,6 +86,28 @@ ReasonCounts ShownViews::reasonsOf(const PictureSource& source, IntermediateId i
   return counts;
 }
 
+// Of a difference: of the signed row that it is.
+std::optional<RegionSpread> ShownViews::spreadOf(const PictureSource& source,
+                                                 const std::optional<PictureSource>& minus,
+                                                 const ViewRequest& view) {
+  Views& views = desk_.inspector.views();
+  const InspectedShot& shot = desk_.inspector.shot();
+  if (!view.measured || !views.isCached(source)) return {};
+  const std::optional<gl::Rect> region = insidePicture(*view.measured, shot.width(), shot.height());
+  if (!region) return {};
+  const std::tuple now(desk_.version(), desk_.comparisonVersion, desk_.referenceVersion);
+  if (spreads_.version != now) spreads_ = {now, {}};
+  for (const Spreads::Known& known : spreads_.known)
+    if (known.source == source && known.minus == minus && known.spread.region == *region) return known.spread;
+  constexpr std::size_t kMaxKnown = 16; // a drag asks for one after the other
+  if (spreads_.known.size() == kMaxKnown) spreads_.known.erase(spreads_.known.begin());
+  const PartialImage values = views.values(source, minus, *region);
+  Intermediate row = intermediate(source.id);
+  if (minus) row.visual = Visual::Signed;
+  spreads_.known.push_back({source, minus, regionSpread(values.values, values.absence, row, *region)});
+  return spreads_.known.back().spread;
+}
+
 ViewResult ShownViews::draw(int index, const PictureSource& source,
                             const std::optional<PictureSource>& other) {
   const ViewRequest& view = wanted_.views[static_cast<std::size_t>(index)];
@@ -105,6 +128,7 @@ ViewResult ShownViews::draw(int index, const PictureSource& source,
     result.values = std::move(values.values);
     result.absence = std::move(values.absence);
   }
+  result.spread = spreadOf(source, minus, view);
   result.reasons = reasonsOf(source, view.id, view.style);
   if (other) drawOther(result, *other);
   return result;

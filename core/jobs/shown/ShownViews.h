@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -30,17 +31,30 @@ class ShownViews {
     std::pair<std::uint64_t, std::uint64_t> version; ///< of the frame on show and those beside it
     std::vector<std::pair<PictureSource, ReasonCounts>> counts;
   };
+  /// What regions hold, of the pictures that there are now: panning and zooming ask again and again.
+  struct Spreads {
+    std::tuple<std::uint64_t, std::uint64_t, std::uint64_t> version; ///< as of Delivered
+    struct Known {
+      PictureSource source;
+      std::optional<PictureSource> minus;
+      RegionSpread spread;
+    };
+    std::vector<Known> known;
+  };
   void deliverView(int index);
   ViewResult draw(int index, const PictureSource& source, const std::optional<PictureSource>& other);
   void drawOther(ViewResult& result, const PictureSource& other);
   void addReference(ViewResult& result);
   void addNumber(ViewResult& result);
+  std::optional<RegionSpread> spreadOf(const PictureSource& source, const std::optional<PictureSource>& minus,
+                                       const ViewRequest& view);
   ReasonCounts reasonsOf(const PictureSource& source, IntermediateId id, const ViewStyle& style);
 
   Desk& desk_;
   Wanted& wanted_;
   std::vector<Delivered> delivered_;
   Reasons reasons_;
+  Spreads spreads_;
 };
 
 } // namespace taa

@@ -132,7 +132,8 @@ TEST(Batch, ExplainsEveryCommand) {
 
 TEST(Batch, NamesWhatThereIsWhenTheCallerIsWrong) {
   expectUsageError({}, {"subcommand", "taa-batch --help"});
-  expectUsageError({"probe", "builtin:fan"}, {"--pixel is required", "taa-batch probe --help"});
+  expectUsageError({"probe", "builtin:fan"},
+                   {"one of --pixel, --find and --region", "taa-batch probe --help"});
   expectUsageError({"list", "scenes", "--nope\x1b[31m\ntaa-batch: well"}, {"--nope?[31m taa-batch: well"});
   expectUsageError({"paint"}, {"paint", "render"});
   expectUsageError({"list", "lights"}, {"intermediates", "presets"});
@@ -150,6 +151,15 @@ TEST(Batch, NamesWhatThereIsWhenTheCallerIsWrong) {
   expectUsageError({"render", "builtin:fan", "--out", "/nowhere", "--frames", "7..3"}, {"7..3"});
   expectUsageError({"probe", "builtin:fan", "--frame", "0", "--pixel", "middle"}, {"middle", "412,207"});
   expectUsageError({"probe", "builtin:fan", "--frame", "-1", "--pixel", "0,0"}, {"--frame"});
+}
+
+TEST(Batch, RefusesWhatContradictsARegion) {
+  const std::vector<std::string> call = {"probe", "builtin:fan", "--frame", "0"};
+  expectUsageError(joined(call, {"--region", "1,2"}), {"1,2", "40,20,64x36"});
+  expectUsageError(joined(call, {"--region", "1,2,3x4", "--pixel", "1,2"}), {"one of --pixel"});
+  expectUsageError(joined(call, {"--region", "1,2,3x4", "--what-if"}), {"--what-if", "region"});
+  expectUsageError(joined(call, {"--pixel", "1,2", "--emit", "alpha"}), {"--emit", "region"});
+  expectUsageError(joined(call, {"--find", "ghosts"}), {"ghosts", "rejected"});
 }
 
 TEST(Batch, RefusesASixthLane) {
@@ -187,6 +197,24 @@ TEST_F(BatchTest, SaysThatTheCallAsksForWhatIsNotThere) {
     expectUsageError({command, source, "--size", "16x16", "--frame", "0", "--pixel", "16,0"},
                      {"16,0", "outside the picture"});
   EXPECT_FALSE(fs::exists(folder)) << "nothing is made before it is known that it can be filled";
+}
+
+TEST_F(BatchTest, SaysHowTheValuesOfARegionAreSpread) {
+  const std::vector<std::string> shot = {"builtin:fan", "--size", "64x36", "--frame", "3", "--json"};
+  const ProcessResult region =
+      batch(joined(joined({"probe"}, shot), {"--region", "10,8,1x1", "--emit", "alpha,color,rejectReason"}));
+  ASSERT_EQ(region.exitCode, 0) << region.err;
+  const json rows = json::parse(region.out)["lanes"][0]["rows"];
+  const json pixel = json::parse(batch(joined(joined({"probe"}, shot), {"--pixel", "10,8"})).out)["lanes"][0];
+  EXPECT_EQ(rows.size(), 3u);
+  const json& alpha = rows["alpha"]["channels"][0];
+  for (const char* figure : {"min", "max"})
+    EXPECT_EQ(alpha[figure], pixel["values"]["alpha"]["V"]) << "of one pixel";
+  EXPECT_EQ(alpha["count"], 1);
+  EXPECT_EQ(alpha["deviation"], 0.0);
+  EXPECT_EQ(rows["color"]["channels"][2]["name"], "B");
+  EXPECT_EQ(rows["color"]["channels"][2]["percentiles"]["50"], pixel["values"]["color"]["B"]);
+  EXPECT_EQ(rows["rejectReason"]["categories"].size(), 1u);
 }
 
 TEST_F(BatchTest, SaysThatTheFolderCannotBeMade) {
