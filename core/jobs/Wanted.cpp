@@ -38,7 +38,7 @@ bool Wanted::needsReferenceOf(int lane) const {
     return isShown(view) && (needsIt(view) || (view.other && needsIt(*view.other)));
   };
   const auto isFoundByIt = [&](const request::FindWorst& asked) {
-    const IntermediateId row = WorstOfShot::rowOf(asked.row);
+    const IntermediateId row = WorstOfShot::rowOf(asked.row, asked.step);
     return asked.lane == lane && needsReference(row) && !isOverTime(row);
   };
   const bool isProbed = lane == 0 && probes.reference && probes.active >= 0;

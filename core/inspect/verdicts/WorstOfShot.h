@@ -25,21 +25,26 @@ struct WorstQuestion {
 
 /// Where the next one is looked for.
 enum class WorstStep {
-  Pixel,   ///< of the same row, or category of it
-  Category ///< of the next category of the row that something is wrong with
+  Pixel,    ///< of the same row, or category of it
+  Category, ///< of the next category of the row that something is wrong with
+  // Whatever the error is
+  Rejected, ///< pixels whose history was rejected, those of the largest error first where that is known
+  Clipped,  ///< pixels whose history was moved by rectification, the farthest first
+  NoNumber  ///< pixels of the row that are NaN or infinite in a channel
 };
 
 /// One of those that a key goes through.
 struct FoundWorst {
   WorstQuestion question; ///< row and category that it is of
   WorstPixel worst;
-  int number = 1, count = 1; ///< the worst is 1
+  WorstStep step = WorstStep::Pixel; ///< how it was looked for
+  int number = 1, count = 1;         ///< the worst is 1
 };
 
 class WorstOfShot {
  public:
   /// The row by which the worst pixels of a view that shows `shown` are found.
-  static IntermediateId rowOf(IntermediateId shown);
+  static IntermediateId rowOf(IntermediateId shown, WorstStep step = WorstStep::Pixel);
 
   /// Of rows that views show.
   WorstOfShot(Views& views, ReferenceOfShot& reference);
@@ -50,11 +55,15 @@ class WorstOfShot {
   /// The one after the pixel `after`, the worst where that is none of them or the last. Of errors and what is
   /// made of them; of a row of categories that of `after`, unless nothing is wrong with it: then of the first
   /// in which something is, ghosts let through before others. Of any other row that of the absolute error.
-  /// Throws Error where the row is not made, or nothing is wrong anywhere, or it has no categories to go to.
+  /// Throws Error where the row is not made, or nothing is wrong anywhere, or it has no categories to go to;
+  /// of Rejected, Clipped and NoNumber where there is no such pixel.
   FoundWorst next(IntermediateId shown, int lane, const std::optional<glm::ivec2>& after,
                   WorstStep step = WorstStep::Pixel);
 
  private:
+  std::vector<WorstPixel> searched(IntermediateId shown, int lane, WorstStep step);
+  /// Absolute, 0 without a reference; one channel, of the size of `like`.
+  Image errorOf(const Image& like, int lane);
   WorstQuestion questionOf(IntermediateId shown, int lane, const std::optional<glm::ivec2>& after,
                            WorstStep step);
 

@@ -10,7 +10,7 @@ namespace taa {
 // Somebody makes the row, or draws the reference that it is made of, for as long as it is wanted.
 bool ShownWorst::isUnderWay() const {
   const int lane = wanted_.worst->lane;
-  const IntermediateId row = WorstOfShot::rowOf(wanted_.worst->row);
+  const IntermediateId row = WorstOfShot::rowOf(wanted_.worst->row, wanted_.worst->step);
   ReferenceOfShot& reference = desk_.inspector.reference();
   if (!needsReference(row)) return false;
   if (isOverTime(row))

@@ -51,6 +51,41 @@ TEST_F(WorstOfShotTest, OfARejectReasonAreThoseItRejects) {
   }
 }
 
+TEST_F(WorstOfShotTest, RejectedAndClippedPixelsAreGoneThroughAndWhatThereIsNotIsSaid) {
+  const auto inspector = opened();
+  inspector->shot().seek(5);
+  const Image reasons = inspector->views().image(IntermediateId::rejectReason);
+  const Image clips = inspector->views().image(IntermediateId::clipAmount);
+  const auto next = [&](taa::WorstStep step, std::optional<glm::ivec2> after = {}) {
+    return inspector->worst().next(IntermediateId::resolved, 0, after, step);
+  };
+  const taa::FoundWorst rejected = next(taa::WorstStep::Rejected);
+  EXPECT_GT(*reasons.at(rejected.worst.pixel.x, rejected.worst.pixel.y), 0.0f);
+  const taa::FoundWorst clipped = next(taa::WorstStep::Clipped);
+  EXPECT_EQ(*clips.at(clipped.worst.pixel.x, clipped.worst.pixel.y), *std::ranges::max_element(clips.pixels));
+  ASSERT_GT(clipped.count, 1);
+  const taa::FoundWorst second = next(taa::WorstStep::Clipped, clipped.worst.pixel);
+  EXPECT_EQ(second.number, 2);
+  EXPECT_LE(second.worst.badness, clipped.worst.badness);
+  try {
+    next(taa::WorstStep::NoNumber);
+    FAIL() << "a sound frame has numbers alone";
+  } catch (const taa::Error& error) {
+    EXPECT_STREQ(error.what(), "no pixel of Resolved is NaN or infinite in this frame");
+  }
+}
+
+TEST_F(WorstOfShotTest, NaNIsFoundWhereItIs) {
+  taa::Settings settings;
+  taa::applyAssignment(settings, "fault.nan=on");
+  const auto inspector = opened({settings});
+  inspector->shot().seek(5);
+  const taa::FoundWorst found =
+      inspector->worst().next(IntermediateId::resolved, 0, {}, taa::WorstStep::NoNumber);
+  const glm::ivec2 pixel = found.worst.pixel;
+  EXPECT_TRUE(std::isnan(*inspector->views().image(IntermediateId::resolved).at(pixel.x, pixel.y)));
+}
+
 TEST_F(WorstOfShotTest, TheNextOneIsOfTheSameCategory) {
   const auto inspector = opened();
   inspector->shot().seek(5);
