@@ -366,10 +366,15 @@ const Parameter kParameters[] = {
     {"weight.source", "α from", Stage::BlendWeight, K::Choice, Effect::Program, "", 0, 8, kAlphaSources,
      "Where the weight of the current frame comes from.", "", "manual §13", Uses(), FIELD(weight.source)},
     {"weight.alpha", "α", Stage::BlendWeight, K::Number, Effect::Uniform, "", 0, 1, kNoChoices,
-     "Weight of the current frame. 0.1 averages about 19 frames.", "N∞ = (2 − α)/α",
-     "manual 13.1, Yang et al. 2020", Uses(), FIELD(weight.alpha)},
+     "How much of the new frame goes into the picture; the rest is history. 1 takes the new frame alone, as "
+     "without TAA; 0.1 takes a tenth of it and averages about 19 frames: smoother, and slower to forget what "
+     "has changed.",
+     "result = α·current + (1 − α)·history; averages N∞ = (2 − α)/α frames", "manual 13.1, Yang et al. 2020",
+     Uses(), FIELD(weight.alpha)},
     {"weight.minimum", "Least α", Stage::BlendWeight, K::Number, Effect::Uniform, "", 0, 1, kNoChoices,
-     "Least that damping and 1/(N+1) leave of α; a source that is smaller by itself stays. 0 never forgets.",
+     "The least of the new frame that is mixed in, however long the history is, so that what has changed is "
+     "forgotten at last: the least that damping and 1/(N+1) leave of α. A source that is smaller by itself "
+     "stays. 0 never forgets.",
      "α = max(α base · damping, α min)", "manual 13.3, §13", Uses(), FIELD(weight.minimum)},
     {"weight.sourceMax", "Max α of source", Stage::BlendWeight, K::Number, Effect::Uniform, "", 0, 1,
      kNoChoices, "α where current and history differ most in luma; the most α that confidence leaves.",

@@ -5,6 +5,7 @@
 #include "app/widgets/SearchField.h"
 #include "app/widgets/SectionHeader.h"
 #include "app/widgets/parameters/ChoiceButton.h"
+#include "app/widgets/parameters/ChoiceWords.h"
 #include "app/widgets/parameters/NumberField.h"
 #include "app/widgets/parameters/ParameterLabel.h"
 #include "app/widgets/parameters/ParameterRow.h"
@@ -104,12 +105,52 @@ TEST_F(ParameterPanel, RowsWithoutEffectAreDimmed) {
 TEST_F(ParameterPanel, ToolTipsTellSentenceFormulaSourceRangeAndDefault) {
   const Parameter& gamma = parameter("neighborhood.gamma");
   const QString tip = parameterToolTip(gamma);
-  for (const std::string_view part : {gamma.tooltip, gamma.formula, gamma.source})
-    EXPECT_TRUE(
-        tip.contains(QString::fromUtf8(part.data(), static_cast<qsizetype>(part.size())).toHtmlEscaped()))
-        << part;
+  for (const std::string_view part : {gamma.tooltip, gamma.formula, gamma.source}) {
+    const QString text = QString::fromUtf8(part.data(), static_cast<qsizetype>(part.size()));
+    EXPECT_TRUE(tip.contains(withoutManual(text).toHtmlEscaped())) << part;
+  }
+  EXPECT_FALSE(tip.contains("manual")) << tip.toStdString();
   EXPECT_TRUE(tip.contains("range 0 to 4")) << tip.toStdString();
   EXPECT_TRUE(tip.contains("default 1")) << tip.toStdString();
+}
+
+TEST(ChoiceWords, LeaveOutTheRowsOfTheManualAndKeepOtherSources) {
+  EXPECT_EQ(withoutManual("Nearest point of the box (manual 11.1)."), "Nearest point of the box.");
+  EXPECT_EQ(withoutManual("Cut off there (manual 9.6, 15.5, Donut)."), "Cut off there (Donut).");
+  EXPECT_EQ(withoutManual("Never brighter than white (manual §26, D7)."), "Never brighter than white.");
+  EXPECT_EQ(withoutManual("manual 13.1, Yang et al. 2020"), "Yang et al. 2020");
+  EXPECT_EQ(withoutManual("Lightens; 3D and so on."), "Lightens; 3D and so on.");
+  EXPECT_EQ(briefly("Clip towards the middle (manual 11.2, Playdead)."), "Clip towards the middle");
+  for (const Parameter& row : parameters())
+    for (const Choice& choice : row.choices) {
+      const QString text =
+          QString::fromUtf8(choice.explanation.data(), static_cast<qsizetype>(choice.explanation.size()));
+      EXPECT_FALSE(withoutManual(text).contains("manual")) << choice.explanation;
+      EXPECT_FALSE(withoutManual(text).contains("()")) << choice.explanation;
+      EXPECT_LE(briefly(text).size(), 76) << choice.explanation;
+      EXPECT_FALSE(briefly(text).isEmpty()) << choice.explanation;
+    }
+}
+
+TEST_F(ParameterPanel, ALongListOfChoicesSaysWhatEachIsAndHasThoseWithADefectInAGroup) {
+  window.pipeline()->setAllExpanded(true);
+  ParameterRow* row = rowOf(window.pipeline(), "space.color");
+  auto* button = qobject_cast<ChoiceButton*>(row->editor());
+  ASSERT_TRUE(button);
+  button->click();
+  auto* menu = button->findChild<QMenu*>(QString(), Qt::FindDirectChildrenOnly);
+  ASSERT_TRUE(menu);
+  QStringList texts;
+  for (const QAction* action : menu->actions()) texts << action->text();
+  EXPECT_TRUE(texts[0].startsWith("RGB\tBox in red, green, blue")) << texts[0].toStdString();
+  EXPECT_EQ(texts.last().toStdString(), "As shipped, with the defect");
+  QMenu* shipped = menu->actions().last()->menu();
+  ASSERT_TRUE(shipped);
+  ASSERT_EQ(shipped->actions().size(), 1);
+  shipped->actions()[0]->trigger();
+  settle();
+  EXPECT_EQ(renderer->status.settings.space.color, ColorSpace::YCoCgAsPrinted);
+  menu->close();
 }
 
 TEST_F(ParameterPanel, NumbersAreDraggedSteppedAndScrolled) {

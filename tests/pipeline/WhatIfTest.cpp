@@ -106,5 +106,5 @@ TEST_F(WhatIfTest, IsPrintedByTheCommandLine) {
     }
   const std::string text = test::runProcess(command).out;
   EXPECT_NE(text.find("What if"), std::string::npos);
-  EXPECT_NE(text.find("* To filtered"), std::string::npos) << text;
+  EXPECT_NE(text.find("* Clip to filtered"), std::string::npos) << text;
 }

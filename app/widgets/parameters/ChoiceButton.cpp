@@ -99,6 +99,27 @@ QMenu* ChoiceButton::partOf(QMenu* menu, const Part& part) {
   return submenu;
 }
 
+void ChoiceButton::setLast(const QString& title, const std::vector<bool>& last) {
+  lastTitle_ = title;
+  last_ = last;
+}
+
+bool ChoiceButton::isLast(int index) const {
+  return static_cast<std::size_t>(index) < last_.size() && last_[static_cast<std::size_t>(index)];
+}
+
+// The line stands where other menus have their keys, in a column of its own.
+void ChoiceButton::addChoice(QMenu* menu, int index) {
+  const QString line = index < lines_.size() ? QLatin1Char('\t') + lines_[index] : QString();
+  QAction* action = menu->addAction(labels_[index] + line, this, [this, index] { choose(index); });
+  connect(action, &QAction::hovered, this, [this, index] {
+    if (index != current_) Q_EMIT considered(index);
+  });
+  action->setCheckable(true);
+  action->setChecked(index == current_);
+  if (index < explanations_.size()) action->setToolTip(explanations_[index]);
+}
+
 void ChoiceButton::openMenu() {
   if (labels_.isEmpty()) {
     Q_EMIT requested();
@@ -111,14 +132,11 @@ void ChoiceButton::openMenu() {
   for (int index = 0; index < labels_.size(); ++index) {
     for (const Part& part : parts_)
       if (part.first == index) at = partOf(menu, part);
-    QAction* action = at->addAction(labels_[index], this, [this, index] { choose(index); });
-    connect(action, &QAction::hovered, this, [this, index] {
-      if (index != current_) Q_EMIT considered(index);
-    });
-    action->setCheckable(true);
-    action->setChecked(index == current_);
-    if (index < explanations_.size()) action->setToolTip(explanations_[index]);
+    if (!isLast(index)) addChoice(at, index);
   }
+  if (!last_.empty()) at = partOf(menu, {0, lastTitle_});
+  for (int index = 0; index < labels_.size(); ++index)
+    if (isLast(index)) addChoice(at, index);
   menu->popup(mapToGlobal(QPoint(0, height())));
 }
 

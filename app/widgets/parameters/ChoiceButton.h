@@ -4,6 +4,7 @@
 #include <QAbstractButton>
 #include <QStringList>
 
+#include <cstddef>
 #include <vector>
 
 class QMenu;
@@ -23,6 +24,10 @@ class ChoiceButton : public QAbstractButton {
     QString title;
   };
   void setParts(const std::vector<Part>& ascending) { parts_ = ascending; }
+  /// The choices that are set are offered after all others, in a submenu of this title.
+  void setLast(const QString& title, const std::vector<bool>& last);
+  /// One line for each label that stands beside it in the menu, too; the explanation is its tool tip.
+  void setLines(const QStringList& lines) { lines_ = lines; }
   int current() const { return current_; }
   /// Shows a choice; emits nothing. −1: none.
   void setCurrent(int index);
@@ -47,13 +52,17 @@ class ChoiceButton : public QAbstractButton {
 
  private:
   void openMenu();
+  void addChoice(QMenu* menu, int index);
+  bool isLast(int index) const;
   static QMenu* partOf(QMenu* menu, const Part& part);
   void choose(int index);
   QString caption() const;
 
-  QStringList labels_, explanations_;
+  QStringList labels_, explanations_, lines_;
   QString caption_;
   std::vector<Part> parts_;
+  QString lastTitle_;
+  std::vector<bool> last_;
   int current_ = -1;
   bool flat_ = false, plain_ = false, dimmed_ = false;
 };

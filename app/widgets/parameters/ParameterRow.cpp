@@ -3,6 +3,7 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/widgets/parameters/ChoiceButton.h"
+#include "app/widgets/parameters/ChoiceWords.h"
 #include "app/widgets/parameters/NumberField.h"
 #include "app/widgets/parameters/ParameterLabel.h"
 #include "app/widgets/parameters/SegmentedButtons.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace taa::app {
 
@@ -27,7 +29,8 @@ QString escaped(std::string_view view) {
 } // namespace
 
 QString parameterToolTip(const Parameter& row) {
-  QString tip = QStringLiteral("<b>%1</b><br>%2").arg(escaped(row.label), escaped(row.tooltip));
+  QString tip = QStringLiteral("<b>%1</b><br>%2")
+                    .arg(escaped(row.label), withoutManual(tableText(row.tooltip)).toHtmlEscaped());
   if (!row.formula.empty()) tip += QStringLiteral("<br><br><code>%1</code>").arg(escaped(row.formula));
   QStringList facts;
   const QString unit = row.unit.empty() ? QString() : QStringLiteral(" ") + escaped(row.unit);
@@ -35,7 +38,8 @@ QString parameterToolTip(const Parameter& row) {
     facts << ParameterRow::tr("range %1 to %2%3").arg(row.minimum).arg(row.maximum).arg(unit);
   facts << ParameterRow::tr("default %1%2")
                .arg(QString::fromStdString(valueText(row, row.defaultValue())), unit);
-  if (!row.source.empty()) facts << escaped(row.source);
+  if (const QString source = withoutManual(tableText(row.source)); !source.isEmpty())
+    facts << source.toHtmlEscaped();
   tip += QStringLiteral("<br><br>%1<br><code>%2</code>")
              .arg(facts.join(QStringLiteral(" · ")), qtext(row.path).toHtmlEscaped());
   return tip;
@@ -77,11 +81,16 @@ void ParameterRow::makeEditor() {
     editor_ = field;
     return;
   }
-  QStringList labels, explanations;
+  QStringList labels, explanations, lines;
+  std::vector<bool> shipped;
   for (const Choice& choice : row_.choices) {
+    const QString explanation = tableText(choice.explanation);
     labels << tableText(choice.label);
-    explanations << tableText(choice.explanation);
+    explanations << withoutManual(explanation);
+    lines << briefly(explanation);
+    shipped.push_back(isAsShipped(choice));
   }
+  const bool isAnyShipped = std::ranges::find(shipped, true) != shipped.end();
   const auto wire = [&](auto* control) {
     connect(control, &std::remove_pointer_t<decltype(control)>::chosen, this,
             [this](int index) { edit(index); });
@@ -91,13 +100,15 @@ void ParameterRow::makeEditor() {
     dim_ = [control](bool dimmed) { control->setDimmed(dimmed); };
     editor_ = control;
   };
-  if (labels.size() <= 4) {
+  if (labels.size() <= 4 && !isAnyShipped) {
     auto* buttons = new SegmentedButtons(labels, this);
     buttons->setExplanations(explanations);
     wire(buttons);
   } else {
     auto* button = new ChoiceButton(this);
     button->setChoices(labels, explanations);
+    button->setLines(lines);
+    if (isAnyShipped) button->setLast(tr("As shipped, with the defect"), shipped);
     wire(button);
   }
 }
