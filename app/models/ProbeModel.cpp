@@ -7,6 +7,7 @@
 
 #include "core/report/ProbeReport.h"
 #include "core/story/ProbeHeadline.h"
+#include "core/story/RowsOff.h"
 #include "core/taa/rows/ChannelNames.h"
 #include "core/taa/twin/Known.h"
 
@@ -15,6 +16,7 @@
 #include <QSize>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -48,7 +50,82 @@ ProbeModel::ProbeModel(QObject* parent)
   }
 }
 
+const ProbeModel::Branch& ProbeModel::branchOf(const QModelIndex& index) const {
+  const auto branch =
+      index.internalId() == 0 ? static_cast<std::size_t>(index.row()) : index.internalId() - 1;
+  return branches_[branch];
+}
+
+// By the settings alone: while time goes on the table keeps its lines.
+void ProbeModel::setOff(const Settings& settings) {
+  bool isChanged = false;
+  for (std::size_t place = 0; place < branches_.size(); ++place) {
+    Branch& branch = branches_[place];
+    std::vector<IntermediateId> off;
+    std::ranges::copy_if(branch.rows, std::back_inserter(off),
+                         [&](IntermediateId id) { return isRowOff(id, settings); });
+    if (off == branch.off) continue;
+    isChanged = true;
+    const QModelIndex parent = index(static_cast<int>(place), 0);
+    const auto line = static_cast<int>(branch.rows.size());
+    const bool hasLine = !branch.off.empty(), getsLine = !off.empty();
+    if (getsLine && !hasLine) beginInsertRows(parent, line, line);
+    if (!getsLine && hasLine) beginRemoveRows(parent, line, line);
+    branch.off = std::move(off);
+    if (getsLine && !hasLine) endInsertRows();
+    if (!getsLine && hasLine) endRemoveRows();
+    if (getsLine) Q_EMIT dataChanged(foldOf(parent), foldOf(parent));
+  }
+  if (isChanged) Q_EMIT foldsChanged();
+}
+
+bool ProbeModel::isOff(const QModelIndex& index) const {
+  const auto id = idOf(index);
+  return id && std::ranges::find(branchOf(index).off, *id) != branchOf(index).off.end();
+}
+
+bool ProbeModel::isFold(const QModelIndex& index) const {
+  return index.isValid() && index.internalId() != 0 && !idOf(index);
+}
+
+QModelIndex ProbeModel::foldOf(const QModelIndex& branch) const {
+  const Branch& of = branchOf(branch);
+  return of.off.empty() ? QModelIndex() : index(static_cast<int>(of.rows.size()), Name, branch);
+}
+
+bool ProbeModel::isUnfolded(const QModelIndex& branch) const {
+  return branchOf(branch).isUnfolded;
+}
+
+void ProbeModel::setUnfolded(const QModelIndex& branch, bool unfolded) {
+  Branch& of = branches_[static_cast<std::size_t>(branch.row())];
+  if (of.isUnfolded == unfolded) return;
+  of.isUnfolded = unfolded;
+  if (const QModelIndex line = foldOf(branch); line.isValid()) Q_EMIT dataChanged(line, line);
+  Q_EMIT foldsChanged();
+}
+
+void ProbeModel::setOutline(const std::shared_ptr<const SceneOutline>& outline) {
+  if (outline == outline_) return;
+  outline_ = outline;
+  for (const IntermediateId id : {IntermediateId::objectId, IntermediateId::historyObjectId})
+    Q_EMIT dataChanged(indexOf(id, Meaning), indexOf(id, Meaning));
+}
+
+QString ProbeModel::objectName(int object) const {
+  const int node = outline_ ? outline_->nodeOf(object) : -1;
+  return node < 0 ? QString() : qtext(outline_->nodes[static_cast<std::size_t>(node)].key);
+}
+
+// Of a row that is the number of an object; empty for others.
+QString ProbeModel::objectMeaning(const Intermediate& row) const {
+  if (row.id != IntermediateId::objectId && row.id != IntermediateId::historyObjectId) return {};
+  return twin::isKnown(*record_, row.id) ? objectName(static_cast<int>(twin::at(*record_, row.id).x))
+                                         : QString();
+}
+
 void ProbeModel::setPixel(const ProbeResult& result) {
+  setOff(result.settings);
   setRecord(result.around.at(kProbedMiddle));
   pixel_ = result;
 }
@@ -74,13 +151,16 @@ void ProbeModel::setRecord(const std::optional<twin::PixelRecord>& record) {
   pixel_.reset();
   for (int row = 0; row < rowCount(); ++row) {
     const QModelIndex branch = index(row, 0);
-    Q_EMIT dataChanged(index(0, Value, branch), index(rowCount(branch) - 1, Meaning, branch));
+    const auto last = static_cast<int>(branches_[static_cast<std::size_t>(row)].rows.size()) - 1;
+    Q_EMIT dataChanged(index(0, Value, branch), index(last, Meaning, branch));
   }
 }
 
 std::optional<IntermediateId> ProbeModel::idOf(const QModelIndex& index) const {
   if (!index.isValid() || index.internalId() == 0) return {};
-  return branches_[index.internalId() - 1].rows[static_cast<std::size_t>(index.row())];
+  const std::vector<IntermediateId>& rows = branches_[index.internalId() - 1].rows;
+  const auto row = static_cast<std::size_t>(index.row());
+  return row < rows.size() ? std::optional(rows[row]) : std::nullopt;
 }
 
 QModelIndex ProbeModel::indexOf(IntermediateId id, int column) const {
@@ -104,7 +184,8 @@ QModelIndex ProbeModel::parent(const QModelIndex& child) const {
 int ProbeModel::rowCount(const QModelIndex& parent) const {
   if (!parent.isValid()) return static_cast<int>(branches_.size());
   if (parent.internalId() != 0 || parent.column() != 0) return 0;
-  return static_cast<int>(branches_[static_cast<std::size_t>(parent.row())].rows.size());
+  const Branch& branch = branches_[static_cast<std::size_t>(parent.row())];
+  return static_cast<int>(branch.rows.size()) + (branch.off.empty() ? 0 : 1);
 }
 
 QVariant ProbeModel::stageData(const Branch& branch, int column, int role) const {
@@ -118,12 +199,29 @@ QVariant ProbeModel::stageData(const Branch& branch, int column, int role) const
   return {};
 }
 
+QVariant ProbeModel::foldData(const Branch& branch, int column, int role) const {
+  if (role == Qt::FontRole) return secondaryFont();
+  if (role == Qt::SizeHintRole) return QSize(1, lineHeight_ + kUnit);
+  if (column != Name ||
+      (role != Qt::DisplayRole && role != Qt::ToolTipRole && role != Qt::AccessibleTextRole))
+    return {};
+  QStringList names;
+  for (const IntermediateId id : branch.off) names << tableText(intermediate(id).label);
+  if (role == Qt::ToolTipRole)
+    return tr("The settings switch these off: %1. A click or Enter unfolds them or folds them away.")
+        .arg(names.join(QStringLiteral(", ")));
+  return (branch.isUnfolded ? tr("▾ Off: %1") : tr("▸ Off: %1")).arg(names.join(QStringLiteral(", ")));
+}
+
 QString ProbeModel::cell(const Intermediate& row, int column) const {
   if (column == Name) return tableText(row.label);
   if (column == Unit) return tableText(row.unit);
   if (!record_) return {};
   const Settings& settings = pixel_ ? pixel_->settings : Settings{};
-  if (column == Meaning) return qtext(meaningOf(row.id, *record_, settings));
+  if (column == Meaning) {
+    const QString object = objectMeaning(row);
+    return object.isEmpty() ? qtext(meaningOf(row.id, *record_, settings)) : object;
+  }
   if (!twin::isKnown(*record_, row.id)) return QStringLiteral("—");
   return cellText(row, twin::at(*record_, row.id), settings.space);
 }
@@ -149,6 +247,7 @@ QVariant ProbeModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   if (index.internalId() == 0)
     return stageData(branches_[static_cast<std::size_t>(index.row())], index.column(), role);
+  if (isFold(index)) return foldData(branchOf(index), index.column(), role);
   const Intermediate& row = intermediate(*idOf(index));
   switch (role) {
   case Qt::SizeHintRole:

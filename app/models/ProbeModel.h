@@ -1,8 +1,10 @@
-// Everything at one pixel as a table: a branch for each stage, a row for each intermediate.
+// Everything at one pixel as a table: a branch for each stage, a row for each intermediate, and below them a
+// line that names those that are switched off, where there are any.
 #pragma once
 
 #include "core/inspect/Comparison.h"
 #include "core/requests/Results.h"
+#include "core/scene/SceneOutline.h"
 #include "core/settings/Settings.h"
 #include "core/story/ProbeStory.h"
 #include "core/taa/rows/Intermediates.h"
@@ -10,6 +12,7 @@
 
 #include <QAbstractItemModel>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -31,7 +34,20 @@ class ProbeModel : public QAbstractItemModel {
   void setRecord(const std::optional<twin::PixelRecord>& record);
   /// The rows that the verdict on the pixel was made from; their names are bold.
   void setDecided(const std::vector<IntermediateId>& rows);
-  /// The intermediate of a row; nothing for a stage.
+  /// Names of objects, for the rows that are numbers of them; null: none are known.
+  void setOutline(const std::shared_ptr<const SceneOutline>& outline);
+  /// The name of an object; empty for the sky and where it is not known.
+  QString objectName(int object) const;
+  /// Of a row: whether the settings switch off what it tells of.
+  bool isOff(const QModelIndex& index) const;
+  /// Whether this is the line that stands for the rows of its stage that are off.
+  bool isFold(const QModelIndex& index) const;
+  /// That line of a stage; invalid where nothing of it is off.
+  QModelIndex foldOf(const QModelIndex& branch) const;
+  /// What the line says before its names.
+  void setUnfolded(const QModelIndex& branch, bool unfolded);
+  bool isUnfolded(const QModelIndex& branch) const;
+  /// The intermediate of a row; nothing for a stage and the line of rows that are off.
   std::optional<IntermediateId> idOf(const QModelIndex& index) const;
   /// The stage of a top-level row.
   Stage stageOf(const QModelIndex& index) const {
@@ -46,11 +62,21 @@ class ProbeModel : public QAbstractItemModel {
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
+ Q_SIGNALS:
+  /// Other rows are off now, or the line that stands for them says something else.
+  void foldsChanged();
+
  private:
   struct Branch {
     Stage stage;
     std::vector<IntermediateId> rows;
+    std::vector<IntermediateId> off{}; ///< those of them that are switched off
+    bool isUnfolded = false;
   };
+  const Branch& branchOf(const QModelIndex& index) const;
+  void setOff(const Settings& settings);
+  QVariant foldData(const Branch& branch, int column, int role) const;
+  QString objectMeaning(const Intermediate& row) const;
   QVariant stageData(const Branch& branch, int column, int role) const;
   QString cell(const Intermediate& row, int column) const;
   QString toolTip(const Intermediate& row) const;
@@ -60,6 +86,7 @@ class ProbeModel : public QAbstractItemModel {
   /// pixel, which took it longer than everything else that a new pixel changes.
   int lineHeight_;
   std::vector<IntermediateId> decided_;
+  std::shared_ptr<const SceneOutline> outline_;
   std::optional<twin::PixelRecord> record_;
   std::optional<ProbeResult> pixel_; ///< whose record that is
 };

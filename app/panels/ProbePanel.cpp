@@ -23,6 +23,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QJsonArray>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QScrollBar>
 #include <QStackedWidget>
@@ -128,6 +129,7 @@ QWidget* ProbePanel::makeConclusions() {
   auto* area = new FittingArea(3 * rowHeight());
   area->setWidget(content);
   content->setAutoFillBackground(false);
+  conclusions_ = content;
   return area;
 }
 
@@ -224,11 +226,59 @@ void ProbePanel::makeTable() {
   table_->header()->setMinimumSectionSize(24);
   table_->expandAll();
   for (int row = 0; row < model_->rowCount(); ++row) table_->setFirstColumnSpanned(row, {}, true);
+  connect(model_, &ProbeModel::foldsChanged, this, &ProbePanel::showFolds);
+  connect(table_, &QTreeView::clicked, this, &ProbePanel::toggleFold);
+  table_->installEventFilter(this);
   connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           &ProbePanel::describeCurrentRow);
   connect(table_, &QTreeView::activated, this, [this](const QModelIndex& index) {
     if (const auto id = model_->idOf(index)) Q_EMIT intermediateChosen(*id);
   });
+}
+
+void ProbePanel::showFolds() {
+  for (int place = 0; place < model_->rowCount(); ++place) {
+    const QModelIndex branch = model_->index(place, 0);
+    const bool isUnfolded = model_->isUnfolded(branch);
+    for (int row = 0; row < model_->rowCount(branch); ++row) {
+      const QModelIndex index = model_->index(row, 0, branch);
+      table_->setRowHidden(row, branch, model_->isOff(index) && !isUnfolded);
+      table_->setFirstColumnSpanned(row, branch, model_->isFold(index));
+    }
+  }
+}
+
+void ProbePanel::toggleFold(const QModelIndex& line) {
+  const QModelIndex first = line.siblingAtColumn(ProbeModel::Name);
+  if (model_->isFold(first)) model_->setUnfolded(first.parent(), !model_->isUnfolded(first.parent()));
+}
+
+bool ProbePanel::eventFilter(QObject* object, QEvent* event) {
+  if (object != table_ || event->type() != QEvent::KeyPress || !model_->isFold(table_->currentIndex()))
+    return QWidget::eventFilter(object, event);
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  if (key != Qt::Key_Return && key != Qt::Key_Enter && key != Qt::Key_Space)
+    return QWidget::eventFilter(object, event);
+  toggleFold(table_->currentIndex());
+  return true;
+}
+
+void ProbePanel::setOutline(const std::shared_ptr<const SceneOutline>& outline) {
+  model_->setOutline(outline);
+  if (result_) place_->setText(placeText(*result_));
+}
+
+void ProbePanel::setPlaying(bool playing) {
+  if (playing == isPlaying_) return;
+  isPlaying_ = playing;
+  conclusions_->setMinimumHeight(playing ? conclusions_->height() : 0);
+}
+
+QString ProbePanel::placeText(const ProbeResult& result) const {
+  const QString place = tr("(%1, %2)  frame %3").arg(result.x).arg(result.y).arg(result.frame);
+  const QString object = model_->objectName(
+      static_cast<int>(twin::at(result.around[kProbedMiddle], IntermediateId::objectId).x));
+  return object.isEmpty() ? place : QStringLiteral("%1  %2").arg(place, object);
 }
 
 void ProbePanel::fitColumns() {
@@ -284,7 +334,7 @@ void ProbePanel::setResult(const ProbeResult& result) {
   if (result.around.size() <= kProbedMiddle) return showLost(result);
   result_ = result;
   const PixelRecord& record = result.around[kProbedMiddle];
-  place_->setText(tr("(%1, %2)  frame %3").arg(result.x).arg(result.y).arg(result.frame));
+  place_->setText(placeText(result));
   QStringList lines;
   for (const std::string& line : probeHeadline(record, result.settings, result.info)) lines << qtext(line);
   if (result.spot.state == ProbeState::Hidden)
@@ -295,6 +345,15 @@ void ProbePanel::setResult(const ProbeResult& result) {
   colorSpace_->setResult(result);
   whatIf_->setResult(result);
   describeCurrentRow();
+  if (isPlaying_)
+    conclusions_->setMinimumHeight(std::max(conclusions_->minimumHeight(), conclusionsHeight()));
+}
+
+// At the width that it has.
+int ProbePanel::conclusionsHeight() const {
+  const int wide = conclusions_->width();
+  return conclusions_->hasHeightForWidth() ? conclusions_->heightForWidth(wide)
+                                           : conclusions_->sizeHint().height();
 }
 
 void ProbePanel::showColors() {
@@ -354,14 +413,17 @@ QString ProbePanel::summary() const {
 }
 
 QJsonObject ProbePanel::state() const {
-  QJsonArray folded;
-  for (int row = 0; row < model_->rowCount(); ++row)
-    if (const QModelIndex branch = model_->index(row, 0); !table_->isExpanded(branch))
-      folded << qtext(stageInfo(model_->stageOf(branch)).id);
+  QJsonArray folded, unfolded;
+  for (int row = 0; row < model_->rowCount(); ++row) {
+    const QModelIndex branch = model_->index(row, 0);
+    if (!table_->isExpanded(branch)) folded << qtext(stageInfo(model_->stageOf(branch)).id);
+    if (model_->isUnfolded(branch)) unfolded << qtext(stageInfo(model_->stageOf(branch)).id);
+  }
   const auto selected = model_->idOf(table_->currentIndex());
   const Turn& turn = colorSpace_->view()->turn();
   return {{QStringLiteral("tab"), QLatin1String(kTabs[static_cast<std::size_t>(tab())])},
           {QStringLiteral("folded"), folded},
+          {QStringLiteral("showsOff"), unfolded},
           {QStringLiteral("evidence"), verdictDetails_->isUnfolded()},
           {QStringLiteral("row"), selected ? qtext(intermediate(*selected).name) : QString()},
           {QStringLiteral("scroll"), table_->verticalScrollBar()->value()},
@@ -373,9 +435,11 @@ QJsonObject ProbePanel::state() const {
 void ProbePanel::setState(const QJsonObject& state) {
   setTab(static_cast<ProbeTab>(placeOf(kTabs, state.value(QLatin1String("tab"))).value_or(0)));
   const QJsonArray folded = state.value(QLatin1String("folded")).toArray();
+  const QJsonArray unfolded = state.value(QLatin1String("showsOff")).toArray();
   for (int row = 0; row < model_->rowCount(); ++row) {
     const QModelIndex branch = model_->index(row, 0);
     table_->setExpanded(branch, !folded.contains(qtext(stageInfo(model_->stageOf(branch)).id)));
+    model_->setUnfolded(branch, unfolded.contains(qtext(stageInfo(model_->stageOf(branch)).id)));
   }
   verdictDetails_->setUnfolded(state.value(QLatin1String("evidence")).toBool());
   const auto row = findIntermediate(state.value(QLatin1String("row")).toString().toStdString());

@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,10 @@ class QLabel;
 class QStackedWidget;
 class QTabBar;
 class QTreeView;
+
+namespace taa {
+struct SceneOutline;
+}
 
 namespace taa::app {
 
@@ -38,6 +43,10 @@ class ProbePanel : public QWidget {
   void setPixel(std::optional<glm::ivec2> pixel);
   void setProbes(const std::vector<Probe>& probes, int active);
   void setResult(const ProbeResult& result);
+  /// Names the objects that rows are numbers of.
+  void setOutline(const std::shared_ptr<const SceneOutline>& outline);
+  /// While time goes on nothing moves: what is said above the values takes the room that it took at most.
+  void setPlaying(bool playing);
   /// What the results' other sides are of.
   void setComparison(const Comparison& comparison) { comparison_ = comparison; }
   const Comparison& comparison() const { return comparison_; }
@@ -74,8 +83,13 @@ class ProbePanel : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent*) override;
+  bool eventFilter(QObject* object, QEvent* event) override;
 
  private:
+  QString placeText(const ProbeResult& result) const;
+  void showFolds();
+  int conclusionsHeight() const; ///< what is said above the values, px
+  void toggleFold(const QModelIndex& line);
   QWidget* makeTop();
   void makePages();
   QWidget* makeValues();
@@ -95,7 +109,8 @@ class ProbePanel : public QWidget {
   VerdictLine* verdict_ = nullptr;
   VerdictDetails* verdictDetails_ = nullptr;
   QLabel *place_ = nullptr, *summary_ = nullptr, *invitation_ = nullptr, *description_ = nullptr;
-  QWidget* content_ = nullptr;
+  QWidget *content_ = nullptr, *conclusions_ = nullptr;
+  bool isPlaying_ = false;
   QTabBar* tabs_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   ColorSpacePage* colorSpace_ = nullptr;

@@ -27,7 +27,8 @@ class FittingArea : public QScrollArea {
     const int wide = viewport()->width();
     if (alwaysPx_ > 0) return {wide, alwaysPx_};
     const QWidget* shown = widget();
-    return {wide, shown->hasHeightForWidth() ? shown->heightForWidth(wide) : shown->sizeHint().height()};
+    const int high = shown->hasHeightForWidth() ? shown->heightForWidth(wide) : shown->sizeHint().height();
+    return {wide, std::max(high, shown->minimumHeight())};
   }
   QSize minimumSizeHint() const override { return {120, std::min(sizeHint().height(), minPx_)}; }
 

@@ -57,6 +57,8 @@ void ProbeFeed::connectWhatIf() {
   });
   connect(&session_, &Session::statusChanged, this, [this, page] {
     page->setPlaying(session_.status().playing);
+    panel_.setPlaying(session_.status().playing);
+    panel_.setOutline(session_.status().outline);
     if (page->hasNumbers()) page->setShot(session_.file());
   });
 }

@@ -5,6 +5,7 @@
 #include "app/style/Numbers.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewPanel.h"
+#include "core/scene/SceneOutline.h"
 #include "core/story/ProbeHeadline.h"
 #include "tests/app/WindowFixture.h"
 
@@ -14,6 +15,7 @@
 #include <QTreeView>
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -182,6 +184,57 @@ TEST_F(ProbeTable, GoesToTheNextWorstPixelByAKey) {
   key(Qt::Key_W, Qt::AltModifier);
   ASSERT_EQ(renderer->worstAsked.size(), 3u);
   EXPECT_EQ(renderer->worstAsked[2].step, WorstStep::Category);
+}
+
+TEST_F(ProbeTable, GoesToRejectedClippedAndNaNPixelsByKeys) {
+  key(Qt::Key_J, Qt::AltModifier);
+  key(Qt::Key_J, Qt::AltModifier | Qt::ShiftModifier);
+  EXPECT_EQ(window.statusLine()->hover().toStdString(), "Clipped pixel 2 of 5, moved 50 % of the way");
+  key(Qt::Key_X, Qt::AltModifier);
+  ASSERT_EQ(renderer->worstAsked.size(), 3u);
+  EXPECT_EQ(renderer->worstAsked[0].step, WorstStep::Rejected);
+  EXPECT_EQ(renderer->worstAsked[1].step, WorstStep::Clipped);
+  EXPECT_EQ(renderer->worstAsked[2].step, WorstStep::NoNumber);
+  EXPECT_EQ(session.probes().pixel(), glm::ivec2(3, 2));
+}
+
+TEST_F(ProbeTable, RowsThatAreOffAreFoldedUnderALineThatUnfoldsThem) {
+  session.probes().setPixel(glm::ivec2(3, 2));
+  settle();
+  QTreeView* table = window.probe()->table();
+  const ProbeModel* model = window.probe()->model();
+  const QModelIndex lock = model->indexOf(IntermediateId::lock);
+  const QModelIndex line = model->foldOf(lock.parent());
+  ASSERT_TRUE(line.isValid());
+  EXPECT_TRUE(table->isRowHidden(lock.row(), lock.parent())) << "balanced has no locks";
+  EXPECT_FALSE(table->isRowHidden(line.row(), line.parent()));
+  EXPECT_TRUE(model->data(line, Qt::DisplayRole).toString().contains("Lock life"));
+  table->scrollTo(line);
+  QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(line).center());
+  EXPECT_FALSE(table->isRowHidden(lock.row(), lock.parent()));
+  table->setCurrentIndex(line);
+  QTest::keyClick(table, Qt::Key_Return);
+  EXPECT_TRUE(table->isRowHidden(lock.row(), lock.parent()));
+  session.presets().setParameter("rectify.locks", 1);
+  settle();
+  EXPECT_FALSE(table->isRowHidden(lock.row(), lock.parent())) << "they are on";
+}
+
+TEST(ProbeModel, ObjectsHaveTheirNames) {
+  auto outline = std::make_shared<SceneOutline>();
+  outline->nodes.resize(2);
+  outline->nodes[1].key = "ball";
+  outline->nodes[1].firstObject = 1;
+  outline->nodes[1].objectCount = 2;
+  outline->drawing = {1};
+  ProbeModel model;
+  model.setOutline(outline);
+  twin::PixelRecord record{};
+  twin::at(record, IntermediateId::objectId).x = 2.0f;
+  model.setRecord(record);
+  EXPECT_EQ(cell(&model, IntermediateId::objectId, ProbeModel::Meaning), "ball");
+  EXPECT_EQ(cell(&model, IntermediateId::historyObjectId, ProbeModel::Meaning), "not kept") << "the sky's";
+  EXPECT_EQ(model.objectName(3), "") << "there is no third";
 }
 
 // In a panel as wide as a window of 1600 pixels and more opens it, names and units are there to their last
