@@ -46,8 +46,15 @@ Exports::Exports(Session& session, ViewArea& views, const QString& cameraFolder,
     : QObject(window), session_(session), views_(views), cameraFolder_(cameraFolder), window_(window) {
   connect(&session_, &Session::exported, this, [this](const ExportResult& result) {
     const QString name = QFileInfo(QString::fromStdString(result.target)).filePath();
-    if (result.frames > 0)
-      Q_EMIT said(tr("Exported. Frames: %1, the first into %2.").arg(result.frames).arg(name));
+    const bool isOneFile = name.endsWith(QLatin1String(".gif")) || name.endsWith(QLatin1String(".json"));
+    if (result.frames == 1)
+      Q_EMIT said(tr("Exported one frame into %1.").arg(name));
+    else if (result.frames > 1 && isOneFile)
+      Q_EMIT said(tr("Exported %1 frames into %2.").arg(result.frames).arg(name));
+    else if (result.frames > 1)
+      Q_EMIT said(tr("Exported %1 frames, each into a file of its own; the first file is %2.")
+                      .arg(result.frames)
+                      .arg(name));
     else
       Q_EMIT said(tr("The export ended early; none of its files were left."));
   });

@@ -2,9 +2,14 @@
 
 #include "app/panels/TimelinePanel.h"
 #include "app/session/Session.h"
+#include "app/views/MeasuredRegion.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "app/widgets/Prompt.h"
+
+#include "core/picture/RegionSpreadText.h"
+
+#include <optional>
 
 namespace taa::app {
 
@@ -22,6 +27,29 @@ void GoToPrompts::askForPixel() {
         session_.probes().setPixel(glm::ivec2(x, y));
         if (session_.probes().pixel()) views_.active()->viewport()->reveal(*session_.probes().pixel());
         return true;
+      },
+      window_);
+  prompt->open();
+}
+
+void GoToPrompts::askForRegion() {
+  MeasuredRegion* measured = views_.active()->measured();
+  const std::optional<gl::Rect>& now = measured->region();
+  auto* prompt = new Prompt(
+      tr("Statistics of a region (x, y, width × height, or nothing for none)"),
+      now ? QStringLiteral("%1, %2, %3×%4").arg(now->x).arg(now->y).arg(now->width).arg(now->height)
+          : QString(),
+      [this, measured](const QString& text) {
+        if (text.trimmed().isEmpty()) {
+          measured->set({});
+          return true;
+        }
+        const Status& status = session_.status();
+        const std::optional<gl::Rect> asked = parseRegion(text.toStdString());
+        const std::optional<gl::Rect> region =
+            asked ? insidePicture(*asked, status.width, status.height) : std::nullopt;
+        if (region) measured->set(region);
+        return region.has_value();
       },
       window_);
   prompt->open();

@@ -18,6 +18,8 @@ class GoToPrompts : public QObject {
   GoToPrompts(Session& session, ViewArea& views, TimelinePanel& timeline, QWidget* window);
 
   void askForPixel();
+  /// Of the active view, to describe its values; nothing typed removes it.
+  void askForRegion();
   void askForFrame();
   void askForLength();
   void askForSize();

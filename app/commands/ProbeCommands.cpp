@@ -2,6 +2,7 @@
 
 #include "app/panels/ProbePanel.h"
 #include "app/session/Session.h"
+#include "app/style/Numbers.h"
 #include "app/style/Text.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
@@ -28,10 +29,28 @@ ProbeCommands::ProbeCommands(Session& session, ViewArea& views, ProbePanel& pane
 void ProbeCommands::showWorst(const FoundWorst& found) {
   session_.probes().setPixel(found.worst.pixel);
   views_.active()->viewport()->reveal(found.worst.pixel);
+  Q_EMIT foundWorst(foundText(found));
+}
+
+QString ProbeCommands::foundText(const FoundWorst& found) {
   const WorstQuestion& of = found.question;
   QString what = tableText(intermediate(of.row).label);
+  switch (found.step) {
+  case WorstStep::Rejected:
+    return tr("Rejected pixel %1 of %2").arg(found.number).arg(found.count);
+  case WorstStep::Clipped:
+    return tr("Clipped pixel %1 of %2, moved %3 of the way")
+        .arg(found.number)
+        .arg(found.count)
+        .arg(percentText(100.0 * static_cast<double>(found.worst.badness)));
+  case WorstStep::NoNumber:
+    return tr("NaN or infinite pixel %1 of %2 of %3").arg(found.number).arg(found.count).arg(what);
+  case WorstStep::Pixel:
+  case WorstStep::Category:
+    break;
+  }
   if (of.category) what = tr("%1: %2").arg(what, tableText(categoryText(of.row, *of.category)));
-  Q_EMIT foundWorst(tr("Worst pixel %1 of %2 by %3").arg(found.number).arg(found.count).arg(what));
+  return tr("Worst pixel %1 of %2 by %3").arg(found.number).arg(found.count).arg(what);
 }
 
 void ProbeCommands::goToNextWorst(WorstStep step) {

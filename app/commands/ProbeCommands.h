@@ -37,6 +37,7 @@ class ProbeCommands : public QObject {
 
  private:
   void showWorst(const FoundWorst& found);
+  static QString foundText(const FoundWorst& found);
 
   Session& session_;
   ViewArea& views_;

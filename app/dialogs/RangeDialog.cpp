@@ -76,8 +76,9 @@ void RangeDialog::makeFields() {
   for (QSpinBox* field : {first_, last_}) field->setRange(0, std::max(0, status.frameCount - 1));
   first_->setAccessibleName(tr("First frame"));
   last_->setAccessibleName(tr("Last frame"));
-  first_->setValue(status.info.frame);
-  last_->setValue(status.info.frame + 31);
+  const auto repeated = status.playback.range; // what one looks at again and again, else a second's half
+  first_->setValue(repeated ? repeated->first : status.info.frame);
+  last_->setValue(repeated ? repeated->second : status.info.frame + 31);
   rate_->setRange(1.0, 50.0);
   rate_->setDecimals(1);
   rate_->setValue(std::min(50.0, status.framesPerSecond));

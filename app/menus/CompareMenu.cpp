@@ -96,7 +96,7 @@ OverlayMenu::OverlayMenu(Commands& commands, ViewArea& views, QWidget* parent)
   const char* const keysOf[] = {"Shift+X", "J", "Ctrl+K", "Shift+A", "Shift+G", "Shift+L"};
   for (int index = 0; index < kOverlayCount; ++index) {
     const auto overlay = static_cast<Overlay>(index);
-    QAction* action = addCheck(ViewPanel::overlayText(overlay), QKeySequence(QLatin1String(keysOf[index])),
+    QAction* action = addCheck(overlayText(overlay), QKeySequence(QLatin1String(keysOf[index])),
                                [&views, overlay](bool on) { views.active()->setOverlay(overlay, on); });
     onRefresh([&views, action, overlay] { action->setChecked(views.active()->shows(overlay)); });
   }

@@ -7,6 +7,7 @@
 #include "app/session/SceneChoices.h"
 #include "app/session/VerdictChoices.h"
 #include "app/style/Icons.h"
+#include "app/views/MeasuredRegion.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "app/views/plots/ColorSpacePage.h"
@@ -31,6 +32,8 @@ ProbeMenu::ProbeMenu(Commands& commands, const Targets& on, QWidget* parent)
   addProbes(on);
   addSeparator();
   addWorst(on.probe);
+  addSeparator();
+  addRegion(on);
   addSeparator();
   addVerdicts(on);
   addRemedies(on.verdicts);
@@ -84,6 +87,35 @@ void ProbeMenu::addWorst(ProbeCommands& probe) {
       [&probe] { probe.goToNextWorst(WorstStep::Category); })
       ->setToolTip(tr("Of the classes of the verdict or the reject reasons that the active view shows, those "
                       "that are in it"));
+  add(tr("Go to the next re&jected pixel"), keys({"Alt+J"}),
+      [&probe] { probe.goToNextWorst(WorstStep::Rejected); })
+      ->setToolTip(tr("Where validation rejected history: the largest error first where the reference is "
+                      "drawn, else from above"));
+  add(tr("Go to the next clipped pixel"), keys({"Alt+Shift+J"}), [&probe] {
+    probe.goToNextWorst(WorstStep::Clipped);
+  })->setToolTip(tr("Where rectification moved history, the farthest first"));
+  add(tr("Go to the next NaN or infinite pixel"), keys({"Alt+X"}), [&probe] {
+    probe.goToNextWorst(WorstStep::NoNumber);
+  })->setToolTip(tr("Of what the active view shows"));
+}
+
+void ProbeMenu::addRegion(const Targets& on) {
+  ViewArea& views = on.views;
+  add(tr("Statistics of a re&gion…"), keys({"Ctrl+Alt+G"}), [&prompts = on.prompts] {
+    prompts.askForRegion();
+  })->setToolTip(tr("Or drag with Ctrl held over a picture; a click with Ctrl held removes it"));
+  add(tr("Statistics of what is visi&ble, or none"), keys({"Shift+H"}), [&views] {
+    MeasuredRegion* measured = views.active()->measured();
+    if (measured->region())
+      measured->set({});
+    else
+      measured->setToVisible();
+  });
+  QAction* copies =
+      add(tr("Copy the stat&istics"), keys({"Ctrl+Alt+I"}), [&views] { views.active()->measured()->copy(); });
+  onRefresh([&views, copies] {
+    allow(copies, views.active()->measured()->region() ? QString() : tr("No region is measured"));
+  });
 }
 
 void ProbeMenu::addVerdicts(const Targets& on) {

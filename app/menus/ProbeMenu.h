@@ -31,6 +31,7 @@ class ProbeMenu : public CommandMenu {
   void addPlaces(const Targets& on);
   void addProbes(const Targets& on);
   void addWorst(ProbeCommands& probe);
+  void addRegion(const Targets& on);
   void addVerdicts(const Targets& on);
   void addRemedies(VerdictChoices& verdicts);
   void addPages(ProbePanel& panel);

@@ -47,6 +47,8 @@ ChangeName changeOf(const QJsonObject& before, const QJsonObject& after, const Q
   const std::string view = "view." + letter.toStdString();
   if (differ(before, after, "divider"))
     return {StateWatch::tr("move of the divider of view %1").arg(letter), view + ".divider"};
+  if (differ(before, after, "region"))
+    return {StateWatch::tr("change of the measured region of view %1").arg(letter), view + ".region"};
   if (differ(before, after, "overlays") || differ(before, after, "histogram"))
     return {StateWatch::tr("change of what lies over view %1").arg(letter), {}};
   return {StateWatch::tr("change of the look of view %1").arg(letter), view + ".look"};

@@ -149,13 +149,13 @@ void PixelOverlay::paintFrame(QPainter& painter, const gl::Rect& box) const {
   }
 }
 
-void PixelOverlay::paintRegion(QPainter& painter, const gl::Rect& box) const {
+void PixelOverlay::paintRegion(QPainter& painter, const gl::Rect& box, const QColor& color) const {
   const ScreenRect first = pixelRect({box.x, box.y});
   const QRectF rect(first.x, first.y, box.width * texel_, box.height * texel_);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(Qt::black, 3.0, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
   painter.drawRect(rect);
-  painter.setPen(QPen(darkColors().caution, 1.5, Qt::DashLine, Qt::FlatCap, Qt::MiterJoin));
+  painter.setPen(QPen(color, 1.5, Qt::DashLine, Qt::FlatCap, Qt::MiterJoin));
   painter.drawRect(rect);
 }
 

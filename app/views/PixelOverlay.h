@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+class QColor;
 class QPainter;
 
 namespace taa::app {
@@ -35,8 +36,8 @@ class PixelOverlay {
   void paintPath(QPainter& painter, const std::vector<PathPlace>& path) const;
   /// The corners of a box of pixels.
   void paintFrame(QPainter& painter, const gl::Rect& box) const;
-  /// A dashed line around a box of pixels.
-  void paintRegion(QPainter& painter, const gl::Rect& box) const;
+  /// A dashed line of a color around a box of pixels.
+  void paintRegion(QPainter& painter, const gl::Rect& box, const QColor& color) const;
   /// Logical rectangle of a pixel.
   ScreenRect pixelRect(glm::ivec2 pixel) const;
 

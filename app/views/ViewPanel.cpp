@@ -1,6 +1,8 @@
 #include "app/views/ViewPanel.h"
 
+#include "app/style/Text.h"
 #include "app/style/Theme.h"
+#include "app/views/MeasuredRegion.h"
 #include "app/views/ViewCameraJson.h"
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
@@ -28,7 +30,8 @@ double pictureColumn(const ViewTransform& transform, int screen) {
 ViewPanel::ViewPanel(int index, IntermediateId id, QWidget* parent)
     : QWidget(parent), index_(index), source_(id),
       header_(new ViewHeader(QChar(static_cast<char16_t>('A' + index)))), viewport_(new Viewport),
-      histogram_(new RangeHistogram(viewport_)), finder_(new ValueFinder(this)) {
+      histogram_(new RangeHistogram(viewport_)), finder_(new ValueFinder(this)),
+      measured_(new MeasuredRegion(*viewport_, this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -65,6 +68,10 @@ void ViewPanel::connectParts() {
   });
   // The values under the mouse are asked for only while there is one.
   connect(viewport_, &Viewport::hoverChanged, this, &ViewPanel::requestChanged);
+  connect(measured_, &MeasuredRegion::changed, this, [this] {
+    Q_EMIT contentChanged();
+    Q_EMIT requestChanged();
+  });
 }
 
 void ViewPanel::refresh() {
@@ -105,6 +112,14 @@ void ViewPanel::setStyle(const ViewStyle& style) {
 void ViewPanel::setResult(const std::shared_ptr<const ViewResult>& result) {
   viewport_->setResult(result);
   measure();
+  if (!result) return;
+  const bool isOfThis = result->request.id == id() && result->request.asDifference == isDifference();
+  const QString label = tableText(source_.row().label);
+  const MeasuredContent content{.row = source_.row(),
+                                .space = source_.space(),
+                                .label = isDifference() ? tr("%1, difference").arg(label) : label,
+                                .frame = result->frame};
+  measured_->setResult(*result, isOfThis ? std::optional(content) : std::nullopt);
 }
 
 // Asks how the values at hand are spread, for who wants to know.
@@ -250,6 +265,7 @@ ViewRequest ViewPanel::request(const QStringList& presets) const {
                        viewport_->hovered().has_value();
   request.other = source_.otherSide(presets);
   request.asDifference = request.other && isDifference();
+  if (isShown) request.measured = measured_->region();
   return request;
 }
 
@@ -303,24 +319,6 @@ void ViewPanel::setOverlay(Overlay overlay, bool on) {
   if (shows(overlay) == on) return;
   source_.setOverlay(overlay, on);
   change();
-}
-
-QString ViewPanel::overlayText(Overlay overlay) {
-  switch (overlay) {
-  case Overlay::Clipped:
-    return tr("Hatch what lies outside the range");
-  case Overlay::Rejected:
-    return tr("Tint by the reason of rejection");
-  case Overlay::Outlines:
-    return tr("Outline objects");
-  case Overlay::Arrows:
-    return tr("Arrows over vectors");
-  case Overlay::Grid:
-    return tr("Grid between large pixels");
-  case Overlay::WholeLegend:
-    return tr("Whole legend also where the picture is low");
-  }
-  return {};
 }
 
 void ViewPanel::openOverlayMenu() {
@@ -378,6 +376,7 @@ QJsonObject ViewPanel::state() const {
   state[QStringLiteral("alwaysFits")] = alwaysAuto_;
   state[QStringLiteral("divider")] = viewport_->divider();
   state[QStringLiteral("histogram")] = showsHistogram();
+  if (measured_->region()) state[QStringLiteral("region")] = measured_->state();
   state[QStringLiteral("camera")] = cameraJson(viewport_->camera());
   return state;
 }
@@ -386,6 +385,7 @@ void ViewPanel::setState(const QJsonObject& state) {
   source_.setState(state);
   wantsRange_ = false;
   alwaysAuto_ = state.value(QLatin1String("alwaysFits")).toBool();
+  measured_->setState(state.value(QLatin1String("region")).toArray());
   viewport_->setDivider(state.value(QLatin1String("divider")).toDouble(0.5));
   viewport_->setCamera(cameraFromJson(state.value(QLatin1String("camera")).toObject()));
   change();

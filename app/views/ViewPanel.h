@@ -22,6 +22,7 @@ class QMenu;
 
 namespace taa::app {
 
+class MeasuredRegion;
 class RangeHistogram;
 class ValueFinder;
 class ViewHeader;
@@ -81,10 +82,12 @@ class ViewPanel : public QWidget {
   /// Whether values at hand are still being counted.
   bool isMeasuring() const;
 
+  /// The region whose statistics stand over the picture.
+  MeasuredRegion* measured() const { return measured_; }
+
   // Overlays
   bool shows(Overlay overlay) const { return source_.shows(overlay); }
   void setOverlay(Overlay overlay, bool on);
-  static QString overlayText(Overlay overlay);
 
   // Keys
   void changeExposure(float stops);
@@ -123,6 +126,7 @@ class ViewPanel : public QWidget {
   Viewport* viewport_;
   RangeHistogram* histogram_;
   ValueFinder* finder_;
+  MeasuredRegion* measured_;
 };
 
 } // namespace taa::app

@@ -9,11 +9,17 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
+#include <glm/common.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace taa::app {
+
+namespace {
+constexpr int kLegendWidth = 320; ///< of a picture for a file at least, where the view is as wide: logical px
+} // namespace
 
 Viewport::Viewport(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
@@ -74,6 +80,12 @@ void Viewport::setRegions(const std::vector<gl::Rect>& boxes) {
   update();
 }
 
+void Viewport::setMeasured(const std::optional<gl::Rect>& region) {
+  if (region == measured_) return;
+  measured_ = region;
+  update();
+}
+
 void Viewport::setCamera(const ViewCamera& camera) {
   if (camera == camera_) return;
   camera_ = camera;
@@ -116,10 +128,11 @@ void Viewport::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), themeColors(this).surround);
   for (const SidePart& side : parts(shown())) paintSide(painter, side);
-  paintOver(painter, shown());
+  paintOver(painter, shown(), rect());
   const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
   if (framed_) overlay.paintFrame(painter, *framed_);
-  for (const gl::Rect& box : regions_) overlay.paintRegion(painter, box);
+  for (const gl::Rect& box : regions_) overlay.paintRegion(painter, box, darkColors().caution);
+  if (measured_) overlay.paintRegion(painter, *measured_, darkColors().accent);
   paintLegend(painter);
 }
 
@@ -146,6 +159,10 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
       Q_EMIT otherProbed(pixel);
     else
       Q_EMIT probed(pixel);
+  } else if (!dragsDivider_ && drag_ == Qt::LeftButton && size_.x > 0 &&
+             event->modifiers().testFlag(Qt::ControlModifier)) {
+    regionFrom_ = viewGeometry().nearestPixel(transform(), deviceFrom(cursor_));
+    Q_EMIT regionDragged({});
   } else if (!dragsDivider_ && (drag_ == Qt::LeftButton || drag_ == Qt::MiddleButton))
     setCursor(Qt::ClosedHandCursor);
 }
@@ -155,6 +172,8 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   cursor_ = event->position();
   if (drag_ == Qt::RightButton && size_.x > 0)
     Q_EMIT probed(viewGeometry().nearestPixel(transform(), deviceFrom(cursor_)));
+  else if (regionFrom_)
+    dragRegion(viewGeometry().nearestPixel(transform(), deviceFrom(cursor_)));
   else if (dragsDivider_)
     setDivider(wipeShare(cursor_.x(), width()));
   else if (drag_ == Qt::LeftButton || drag_ == Qt::MiddleButton)
@@ -164,17 +183,25 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   setHovered(viewGeometry().pixelAt(transform(), deviceFrom(cursor_)));
 }
 
+// A press that stays on its pixel is a click.
+void Viewport::dragRegion(glm::ivec2 pixel) {
+  if (measured_ || pixel != *regionFrom_) Q_EMIT regionDragged(regionBetween(*regionFrom_, pixel));
+}
+
 void Viewport::mouseReleaseEvent(QMouseEvent*) {
   drag_ = Qt::NoButton;
   dragsDivider_ = false;
+  regionFrom_.reset();
   setCursor(isOnDivider(cursor_) ? Qt::SplitHCursor : Qt::CrossCursor);
 }
 
-// Probe and divider are the undo stack's.
+// Probe, divider and region are the undo stack's.
 void Viewport::cancelDrag() {
-  if (!dragsDivider_ && (drag_ == Qt::LeftButton || drag_ == Qt::MiddleButton)) moveCamera(pressCamera_);
+  if (!dragsDivider_ && !regionFrom_ && (drag_ == Qt::LeftButton || drag_ == Qt::MiddleButton))
+    moveCamera(pressCamera_);
   drag_ = Qt::NoButton;
   dragsDivider_ = false;
+  regionFrom_.reset();
   setCursor(Qt::CrossCursor);
 }
 
@@ -292,25 +319,25 @@ void Viewport::paintGridAndValues(QPainter& painter, const SidePart& side) const
   painter.setClipping(false);
 }
 
-void Viewport::paintLabels(QPainter& painter, Showing showing) const {
+void Viewport::paintLabels(QPainter& painter, Showing showing, const QRect& area) const {
   if (!otherContent()) return;
   const ThemeColors& colors = themeColors(this);
   if (showing == Showing::Wipe) {
     paintWipe(painter, rect(), wipePosition(divider_, width()));
-    const QRect half(0, 0, width() / 2, height());
+    const QRect half(area.left(), area.top(), area.width() / 2, area.height());
     paintSideLabel(painter, half, label(false), false, colors);
-    paintSideLabel(painter, half.translated(width() - half.width(), 0), label(true), true, colors);
+    paintSideLabel(painter, half.translated(area.width() - half.width(), 0), label(true), true, colors);
   } else if (showing == Showing::Difference) {
-    paintSideLabel(painter, rect(), tr("%1  −  %2").arg(label(false), label(true)), false, colors);
+    paintSideLabel(painter, area, tr("%1  −  %2").arg(label(false), label(true)), false, colors);
   } else {
     const bool isOther = showing == Showing::Other;
-    paintSideLabel(painter, rect(), label(isOther), isOther, colors);
+    paintSideLabel(painter, area, label(isOther), isOther, colors);
   }
 }
 
-void Viewport::paintOver(QPainter& painter, Showing showing) const {
+void Viewport::paintOver(QPainter& painter, Showing showing, const QRect& area) const {
   for (const SidePart& side : parts(showing)) paintGridAndValues(painter, side);
-  paintLabels(painter, showing);
+  paintLabels(painter, showing, area);
   const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
   overlay.paintPath(painter, path_);
   for (const ProbeMark& mark : marks_) overlay.paintProbe(painter, mark);
@@ -375,23 +402,42 @@ int Viewport::dividerColumn() const {
 
 QRect Viewport::pictureRect() const {
   if (size_.x == 0) return {};
-  const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
-  const ScreenRect first = overlay.pixelRect({0, 0}), last = overlay.pixelRect(size_ - 1);
-  const QRectF whole(QPointF(first.x, first.y), QPointF(last.x + last.width, last.y + last.height));
-  return whole.toRect() & rect();
+  const QRect part = shownPart();
+  const double ratio = devicePixelRatioF();
+  return QRectF(part.x() / ratio, part.y() / ratio, part.width() / ratio, part.height() / ratio).toRect();
+}
+
+// All of the viewport where nothing of the picture is in it.
+QRect Viewport::shownPart() const {
+  const ViewGeometry view = viewGeometry();
+  const ViewTransform now = transform();
+  // The corner lies on a whole pixel of the screen, but for the rounding of single floats.
+  constexpr double kRounding = 0.01;
+  const glm::dvec2 low = glm::floor(screenFromPicture(now, {0.0, 0.0}) + kRounding);
+  const glm::dvec2 high = glm::ceil(screenFromPicture(now, glm::dvec2(size_)) - kRounding);
+  const QRect whole(0, 0, view.viewport.x, view.viewport.y);
+  const QRect part = whole & QRect(QPoint(static_cast<int>(low.x), static_cast<int>(low.y)),
+                                   QPoint(static_cast<int>(high.x) - 1, static_cast<int>(high.y) - 1));
+  return part.isEmpty() ? whole : part;
 }
 
 QImage Viewport::picture(bool withLegend) const {
   const Picture sides = sides_.picture(dividerColumn());
   if (sides.width == 0) return {};
-  const QImage shown(sides.rgba.data(), sides.width, sides.height, 4 * sides.width, QImage::Format_RGBA8888);
-  if (!withLegend) return shown.copy();
+  const QRect part = shownPart();
+  const QImage shown =
+      QImage(sides.rgba.data(), sides.width, sides.height, 4 * sides.width, QImage::Format_RGBA8888)
+          .copy(part);
+  if (!withLegend) return shown;
   const double ratio = devicePixelRatioF();
   const Showing now = sides_.showing();
   const LegendFlow flow = legend(now);
-  const int strips = flow.lines(width()) * legendHeight();
+  const QRectF area(part.x() / ratio, part.y() / ratio, part.width() / ratio, part.height() / ratio);
+  const int wide = std::max(static_cast<int>(std::ceil(area.width())), std::min(kLegendWidth, width()));
+  const int strips = flow.lines(wide) * legendHeight();
   // Of the format that the window is painted in: texts are then mixed with the picture to the same bits.
-  QImage image(sides.width, sides.height + static_cast<int>(std::lround(strips * ratio)),
+  QImage image(std::max(part.width(), static_cast<int>(std::lround(wide * ratio))),
+               part.height() + static_cast<int>(std::lround(strips * ratio)),
                QImage::Format_ARGB32_Premultiplied);
   image.fill(themeColors(this).panel);
   QPainter painter(&image);
@@ -401,11 +447,12 @@ QImage Viewport::picture(bool withLegend) const {
   image.setDevicePixelRatio(ratio);
   painter.begin(&image);
   painter.setRenderHint(QPainter::TextAntialiasing);
-  const int height = static_cast<int>(sides.height / ratio);
-  painter.setClipRect(QRectF(0, 0, sides.width / ratio, sides.height / ratio));
-  paintOver(painter, now);
+  painter.setClipRect(QRectF(0, 0, area.width(), area.height()));
+  painter.translate(-area.topLeft());
+  paintOver(painter, now, area.toAlignedRect());
+  painter.translate(area.topLeft());
   painter.setClipping(false);
-  flow.paint(painter, {0, height}, static_cast<int>(std::ceil(sides.width / ratio)), themeColors(this));
+  flow.paint(painter, {0, static_cast<int>(area.height())}, wide, themeColors(this));
   painter.end();
   return image.convertToFormat(QImage::Format_RGBA8888);
 }

@@ -57,6 +57,8 @@ class Viewport : public QWidget, public Draggable {
   /// Draws an outline around each of these boxes of pixels.
   void setRegions(const std::vector<gl::Rect>& boxes);
   const std::vector<gl::Rect>& regions() const { return regions_; }
+  /// Draws an outline around the region whose values are described.
+  void setMeasured(const std::optional<gl::Rect>& region);
   void setCamera(const ViewCamera& camera);
 
   const ViewCamera& camera() const { return camera_; }
@@ -78,8 +80,9 @@ class Viewport : public QWidget, public Draggable {
   int dividerColumn() const;
   /// What is on the screen now, peeking included.
   Showing shown() const { return sides_.shown(); }
-  /// What it shows, pixel for pixel of the screen, without what is only held for a moment; `withLegend`: with
-  /// all that lies over it, and below it what that means. Null while a part of it is on its way.
+  /// What it shows of the picture, pixel for pixel of the screen, without what is only held for a moment and
+  /// without what is around the picture; `withLegend`: with all that lies over it, and below it what that
+  /// means. Null while a part of it is on its way.
   QImage picture(bool withLegend) const;
   /// What of it is covered by the picture, logical px.
   QRect pictureRect() const;
@@ -106,6 +109,8 @@ class Viewport : public QWidget, public Draggable {
   void probeMoved(int dx, int dy);
   void activated();
   void dividerMoved();
+  /// With Ctrl held; a click removes it.
+  void regionDragged(const std::optional<gl::Rect>& region);
 
  protected:
   void paintEvent(QPaintEvent*) override;
@@ -132,9 +137,12 @@ class Viewport : public QWidget, public Draggable {
   std::vector<SidePart> parts(Showing showing) const;
   void paintSide(QPainter& painter, const SidePart& side) const;
   void paintGridAndValues(QPainter& painter, const SidePart& side) const;
-  void paintLabels(QPainter& painter, Showing showing) const;
+  /// The labels of the sides lie in the upper corners of `area`.
+  void paintLabels(QPainter& painter, Showing showing, const QRect& area) const;
   /// All that lies over the pictures but the legend.
-  void paintOver(QPainter& painter, Showing showing) const;
+  void paintOver(QPainter& painter, Showing showing, const QRect& area) const;
+  void dragRegion(glm::ivec2 pixel);
+  QRect shownPart() const; ///< of the picture, device px
   LegendFlow legend(Showing showing, bool isFolded = false) const;
   int legendTop(int height) const;
   void paintLegend(QPainter& painter) const;
@@ -151,6 +159,8 @@ class Viewport : public QWidget, public Draggable {
   std::optional<glm::ivec2> hovered_;
   std::optional<gl::Rect> framed_;
   std::vector<gl::Rect> regions_;
+  std::optional<gl::Rect> measured_;
+  std::optional<glm::ivec2> regionFrom_; ///< where the drag of a region began
   QPointF cursor_;
   Qt::MouseButton drag_ = Qt::NoButton;
 };

@@ -77,6 +77,11 @@ gl::Rect ViewGeometry::visiblePixels(const ViewTransform& transform) const {
   return {from.x, from.y, extent.x, extent.y};
 }
 
+gl::Rect regionBetween(glm::ivec2 one, glm::ivec2 other) {
+  const glm::ivec2 low = glm::min(one, other), extent = glm::max(one, other) - low + 1;
+  return {low.x, low.y, extent.x, extent.y};
+}
+
 glm::dvec2 pictureFromScreen(const ViewTransform& transform, glm::dvec2 screen) {
   return glm::dvec2(transform.origin) + screen / static_cast<double>(transform.zoom);
 }

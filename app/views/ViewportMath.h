@@ -56,6 +56,9 @@ struct ViewGeometry {
   gl::Rect visiblePixels(const ViewTransform& transform) const;
 };
 
+/// The least box that holds both pixels.
+gl::Rect regionBetween(glm::ivec2 one, glm::ivec2 other);
+
 glm::dvec2 pictureFromScreen(const ViewTransform& transform, glm::dvec2 screen);
 glm::dvec2 screenFromPicture(const ViewTransform& transform, glm::dvec2 position);
 

@@ -199,6 +199,8 @@ void FakeRenderer::take(const request::FindWorst& asked) {
   WorstDelivery worst;
   worst.frame = status.info.frame;
   worst.found.question = {.row = IntermediateId::verdictMap, .category = 2};
+  worst.found.step = asked.step;
+  worst.found.worst.badness = 0.5f;
   worst.found.worst.pixel = {static_cast<int>(worstAsked.size()), 2};
   worst.found.number = static_cast<int>(worstAsked.size());
   worst.found.count = 5;
@@ -386,6 +388,14 @@ ViewResult FakeRenderer::draw(int view) const {
   if (request.withValues) {
     result.region = {0, 0, status.width, status.height};
     result.values = valuesOf(request.id, request.lane, result.frame);
+  }
+  if (request.measured) {
+    const gl::Rect& of = *request.measured;
+    Image values(of.width, of.height, intermediate(request.id).channels);
+    for (int y = 0; y < of.height; ++y)
+      for (int x = 0; x < of.width; ++x)
+        std::fill_n(values.at(x, y), values.channels, valueAt(of.x + x, of.y + y, result.frame));
+    result.spread = regionSpread(values, {}, intermediate(request.id), of);
   }
   if (request.style.markRejected) result.reasons = {1000, 0, 0, 0, 300};
   // As the real one: no other frame while it plays, and no reference of one.

@@ -221,8 +221,9 @@ TEST_F(Window, KeysChangeHowThePictureLooks) {
   key(Qt::Key_R);
   EXPECT_EQ(renderer->views[0].style, defaultStyle(intermediate(IntermediateId::resolved)));
   key(Qt::Key_N);
-  EXPECT_EQ(view->style().low, test::FakeRenderer::valueAt(0, 0, 0));
-  EXPECT_EQ(view->style().high, test::FakeRenderer::valueAt(63, 35, 0));
+  // The 1 % and 99 % of 2304 pixels with three equal channels: the 24th and the 2281st.
+  EXPECT_EQ(view->style().low, test::FakeRenderer::valueAt(23, 0, 0));
+  EXPECT_EQ(view->style().high, test::FakeRenderer::valueAt(40, 35, 0));
   key(Qt::Key_X);
   EXPECT_FALSE(renderer->views[0].style.markInvalid);
   key(Qt::Key_2, Qt::AltModifier);

@@ -25,13 +25,14 @@ RangeHistogram::RangeHistogram(QWidget* parent) : QWidget(parent) {
   setCursor(Qt::SizeHorCursor);
   setAccessibleName(tr("Histogram of the visible values and the range they are drawn in"));
   setToolTip(
-      tr("Visible values, counted on a logarithmic scale. Drag an end of the range; Left and Right move "
+      tr("Visible values; heights are logarithms of how many there are, and so is the axis where values are "
+         "spread wide. Drag an end of the range; Left and Right move "
          "the low end, with Shift the high end."));
 }
 
 void RangeHistogram::setDistribution(const Distribution& found) {
   if (drags_) return;
-  scale_ = found.scale;
+  axis_ = found.axis;
   counts_ = found.counts;
   update();
 }
@@ -43,13 +44,11 @@ void RangeHistogram::setRange(ValueRange range) {
 }
 
 double RangeHistogram::position(double value) const {
-  const double span = static_cast<double>(scale_.high) - static_cast<double>(scale_.low);
-  return kSide + (value - static_cast<double>(scale_.low)) / span * (width() - 2 * kSide);
+  return kSide + axis_.placeOf(value) * (width() - 2 * kSide);
 }
 
 double RangeHistogram::valueAt(double x) const {
-  const double span = static_cast<double>(scale_.high) - static_cast<double>(scale_.low);
-  return static_cast<double>(scale_.low) + (x - kSide) / (width() - 2 * kSide) * span;
+  return axis_.valueAt((x - kSide) / (width() - 2 * kSide));
 }
 
 void RangeHistogram::moveEnd(bool high, double value) {
@@ -61,6 +60,11 @@ void RangeHistogram::moveEnd(bool high, double value) {
 QString RangeHistogram::rangeText() const {
   return QStringLiteral("▲ %1  △ %2")
       .arg(shortText(static_cast<double>(range_.low)), shortText(static_cast<double>(range_.high)));
+}
+
+QString RangeHistogram::leftText() const {
+  const QString low = shortText(static_cast<double>(axis_.low));
+  return axis_.isLogarithmic ? QStringLiteral("≤ ") + low : low;
 }
 
 void RangeHistogram::mousePressEvent(QMouseEvent* event) {
@@ -84,8 +88,8 @@ void RangeHistogram::keyPressEvent(QKeyEvent* event) {
   const int direction = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
   if (direction == 0) return QWidget::keyPressEvent(event);
   const bool high = event->modifiers().testFlag(Qt::ShiftModifier);
-  const double step = (static_cast<double>(scale_.high) - static_cast<double>(scale_.low)) / 100;
-  moveEnd(high, static_cast<double>(high ? range_.high : range_.low) + direction * step);
+  const double place = axis_.placeOf(static_cast<double>(high ? range_.high : range_.low));
+  moveEnd(high, axis_.valueAt(place + direction / 100.0));
 }
 
 void RangeHistogram::paintEvent(QPaintEvent*) {
@@ -135,8 +139,10 @@ void RangeHistogram::paintRange(QPainter& painter, const ThemeColors& colors) co
   // Below the ends of the axis what they are; the range between them, since its ends may lie close together.
   const QRect texts(kSide, foot + 5, width() - 2 * kSide, scaled(kFoot) - 5);
   painter.setPen(colors.secondary);
-  painter.drawText(texts, Qt::AlignVCenter | Qt::AlignLeft, shortText(static_cast<double>(scale_.low)));
-  painter.drawText(texts, Qt::AlignVCenter | Qt::AlignRight, shortText(static_cast<double>(scale_.high)));
+  painter.drawText(texts, Qt::AlignVCenter | Qt::AlignLeft, leftText());
+  painter.drawText(texts, Qt::AlignVCenter | Qt::AlignRight, shortText(axis_.valueAt(1.0)));
+  if (axis_.isLogarithmic)
+    painter.drawText(rect().adjusted(kSide, 2, -kSide, 0), Qt::AlignTop | Qt::AlignRight, tr("logarithmic"));
   painter.setPen(colors.text);
   painter.drawText(texts, Qt::AlignCenter, rangeText());
 }

@@ -28,13 +28,14 @@ class RangeHistogram : public QWidget {
   void setDistribution(const Distribution& found);
   void setRange(ValueRange range);
   ValueRange range() const { return range_; }
-  /// Values from the left end to the right one.
-  ValueRange scale() const { return scale_; }
+  const HistogramAxis& axis() const { return axis_; }
   const std::vector<int>& counts() const { return counts_; }
-  /// Where a value lies, logical px.
+  /// Where a value lies, logical px; what is not above the left end of a logarithmic axis lies at it.
   double position(double value) const;
   /// The ends of the range beside the signs of their handles.
   QString rangeText() const;
+  /// What stands at the left end of the axis.
+  QString leftText() const;
   QSize sizeHint() const override { return minimumSize(); }
 
  Q_SIGNALS:
@@ -53,7 +54,8 @@ class RangeHistogram : public QWidget {
   void paintColumns(QPainter& painter, const ThemeColors& colors) const;
   void paintRange(QPainter& painter, const ThemeColors& colors) const;
 
-  ValueRange range_, scale_;
+  ValueRange range_;
+  HistogramAxis axis_;
   std::vector<int> counts_;
   bool movesHigh_ = false, drags_ = false;
 };

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace taa::app {
 
@@ -43,43 +45,30 @@ int shownChannels(const Intermediate& row, const ViewStyle& style) {
   return count;
 }
 
-namespace {
-
-/// Calls `take` with each value of the shown channels that means something.
-template <typename Take>
-void forEachValue(const Image& values, const Intermediate& row, const ViewStyle& style, Take take) {
+std::vector<float> shownValues(const Image& values, const Intermediate& row, const ViewStyle& style) {
   std::vector<std::size_t> shown;
   for (int channel = 0; channel < std::min(values.channels, row.channels); ++channel)
     if (row.channels == 1 || isShown(style, channel)) shown.push_back(static_cast<std::size_t>(channel));
   const float end = row.visual == Visual::Vector ? kNoPreviousPosition : INFINITY;
   const auto stride = static_cast<std::size_t>(values.channels);
+  std::vector<float> found;
+  found.reserve(stride > 0 ? values.pixels.size() / stride * shown.size() : 0);
   for (std::size_t pixel = 0; pixel < values.pixels.size(); pixel += stride)
     for (const std::size_t channel : shown) {
       const float value = values.pixels[pixel + channel];
-      if (value > -INFINITY && value < end) take(value); // false of NaN
+      if (value > -INFINITY && value < end) found.push_back(value); // false of NaN
     }
+  return found;
 }
 
-} // namespace
-
-std::vector<int> histogram(const Image& values, const Intermediate& row, const ViewStyle& style,
-                           ValueRange scale, int bins) {
-  std::vector<int> counts(static_cast<std::size_t>(bins), 0);
-  forEachValue(values, row, style, [&](float value) {
-    const float place = (value - scale.low) / (scale.high - scale.low) * static_cast<float>(bins);
-    if (place < 0.0f || place > static_cast<float>(bins)) return;
-    ++counts[std::min(static_cast<std::size_t>(place), counts.size() - 1)];
-  });
-  return counts;
-}
-
-std::optional<ValueRange> autoRange(const Image& values, const Intermediate& row, const ViewStyle& style) {
-  float low = INFINITY, high = -INFINITY;
-  forEachValue(values, row, style, [&](float value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  });
-  if (low > high) return {};
+std::optional<ValueRange> autoRange(std::vector<float> values, const Intermediate& row) {
+  if (values.empty()) return {};
+  float low = percentile(values, 1), high = percentile(values, 99);
+  if (low == high) {
+    const auto [least, greatest] = std::ranges::minmax(values);
+    low = least;
+    high = greatest;
+  }
   if (row.visual == Visual::Vector || row.visual == Visual::Signed) {
     high = std::max(std::abs(low), std::abs(high));
     low = -high;
@@ -88,17 +77,15 @@ std::optional<ValueRange> autoRange(const Image& values, const Intermediate& row
   return ValueRange{low, high};
 }
 
-// With a little room beside it to move the ends outwards.
 Distribution distributionOf(const Image& values, const Intermediate& row, const ViewStyle& style,
                             const std::optional<ValueRange>& range, int bins) {
-  Distribution found{.values = autoRange(values, row, style), .scale = {}, .counts = {}};
-  const ValueRange inner = found.values.value_or(range.value_or(ValueRange{}));
-  const ValueRange also = range.value_or(inner);
-  const float low = std::min({inner.low, also.low, also.high});
-  const float high = std::max({inner.high, also.low, also.high});
-  const float room = 0.05f * std::max(high - low, 1e-6f);
-  found.scale = {low - room, high + room};
-  if (bins > 0) found.counts = histogram(values, row, style, found.scale, bins);
+  const std::vector<float> shown = shownValues(values, row, style);
+  Distribution found{.values = autoRange(shown, row), .axis = {}, .counts = {}};
+  const std::optional<ValueRange> also = range ? range : found.values;
+  std::optional<std::pair<float, float>> ends;
+  if (also) ends = {also->low, also->high};
+  found.axis = axisOf(shown, row, ends);
+  if (bins > 0) found.counts = countedOn(found.axis, shown, bins);
   return found;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Image.h"
+#include "core/picture/RegionSpread.h"
 #include "core/picture/Visualizer.h"
 
 #include <optional>
@@ -26,23 +27,22 @@ int shownChannels(const Intermediate& row, const ViewStyle& style);
 bool isShown(const ViewStyle& style, int channel);
 void setShown(ViewStyle& style, int channel, bool shown);
 
-/// Least and greatest of the shown channels; symmetric for signed rows. NaN, Inf and "no previous position"
-/// do not count. Nothing when no value is left.
-std::optional<ValueRange> autoRange(const Image& values, const Intermediate& row, const ViewStyle& style);
+/// The values of the shown channels; NaN, Inf and "no previous position" do not count.
+std::vector<float> shownValues(const Image& values, const Intermediate& row, const ViewStyle& style);
 
-/// How many values of the shown channels lie in each of `bins` equal parts of `scale`; those that autoRange()
-/// leaves out do not count.
-std::vector<int> histogram(const Image& values, const Intermediate& row, const ViewStyle& style,
-                           ValueRange scale, int bins);
+/// From the first to the 99th percentile of the values, so that a few of them leave the others their
+/// contrast; symmetric for signed rows. From the least to the greatest where those two are the same. Nothing
+/// without a value.
+std::optional<ValueRange> autoRange(std::vector<float> values, const Intermediate& row);
 
 /// How visible values are spread.
 struct Distribution {
   std::optional<ValueRange> values; ///< as autoRange() has it
-  ValueRange scale;                 ///< from the begin of the first bin to the end of the last one
+  HistogramAxis axis;
   std::vector<int> counts;
 };
 
-/// Of all values, exactly. The scale has room for them and for `range` where that is given. Without bins
+/// Of all values, exactly. The axis has room for them and for `range` where that is given. Without bins
 /// nothing is counted.
 Distribution distributionOf(const Image& values, const Intermediate& row, const ViewStyle& style,
                             const std::optional<ValueRange>& range, int bins);

@@ -44,8 +44,7 @@ FigureContent viewContent(const Viewport& viewport) {
   const QRect shown = viewport.pictureRect();
   if (whole.isNull() || shown.isEmpty()) return {};
   const double ratio = whole.devicePixelRatio();
-  const QRect part(QPointF(shown.topLeft() * ratio).toPoint(), (QSizeF(shown.size()) * ratio).toSize());
-  const QImage picture = whole.copy(part);
+  const QImage picture = whole.copy(QRect({}, (QSizeF(shown.size()) * ratio).toSize())); // above its legend
   const LegendFlow legend = viewport.legendBelow();
   const int width = std::max(shown.width(), 80 * kUnit);
   const QSize size(width, shown.height() + legend.lines(width) * legendHeight());

@@ -355,6 +355,16 @@ TEST_F(SessionFiles, ARangeIsAskedForAndItsEndIsSaid) {
   EXPECT_TRUE(own->messages()->text().contains("out.gif"));
 }
 
+TEST_F(SessionFiles, ARangeStartsFromThePartThatIsRepeated) {
+  session.setPlayback({.framesPerSecond = 0.0, .speed = 1.0, .range = std::pair(11, 17)});
+  settle();
+  QTest::keyClick(own.get(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+  auto* dialog = own->findChild<RangeDialog*>();
+  ASSERT_TRUE(dialog);
+  EXPECT_EQ(dialog->request().first, 11);
+  EXPECT_EQ(dialog->request().last, 17);
+}
+
 // What the view shows as a difference is offered as values.
 TEST_F(SessionFiles, ARangeOfValuesMayBeTheDifferenceThatTheViewShows) {
   QTest::keyClick(own.get(), Qt::Key_D, Qt::ShiftModifier);

@@ -1,14 +1,20 @@
 // What lies over, below and above the picture of a view: overlays, legends, histogram, header.
+#include "app/views/MeasuredRegion.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
 #include "app/views/legend/RangeHistogram.h"
+#include "app/views/legend/RegionCard.h"
 #include "app/widgets/ChannelButtons.h"
 #include "app/widgets/Chooser.h"
 #include "app/widgets/IconButton.h"
+#include "app/widgets/Prompt.h"
 #include "app/widgets/parameters/NumberField.h"
 #include "tests/app/views/ViewsFixture.h"
 
+#include <QApplication>
+#include <QClipboard>
+#include <QLineEdit>
 #include <QPainter>
 
 #include <set>
@@ -88,6 +94,53 @@ TEST_F(ViewOverlays, TheHistogramCountsWhatIsVisibleAndItsHandlesSetTheRange) {
   key(Qt::Key_H);
   EXPECT_FALSE(asked().withValues);
   EXPECT_TRUE(histogram->isHidden());
+}
+
+TEST_F(ViewOverlays, ADragWithCtrlDescribesTheValuesOfARegion) {
+  RegionCard* card = view()->measured()->card();
+  EXPECT_FALSE(asked().measured || card->isVisible());
+  const ViewCamera before = viewport()->camera();
+  const auto drag = [&](glm::ivec2 from, glm::ivec2 to) {
+    QTest::mousePress(viewport(), Qt::LeftButton, Qt::ControlModifier, placeOf(from));
+    QTest::mouseMove(viewport(), placeOf(to));
+    QTest::mouseRelease(viewport(), Qt::LeftButton, Qt::ControlModifier, placeOf(to));
+    settle();
+  };
+  drag({12, 9}, {10, 7});
+  EXPECT_EQ(asked().measured, (gl::Rect{10, 7, 3, 3}));
+  EXPECT_EQ(viewport()->camera(), before) << "nothing is panned";
+  ASSERT_TRUE(card->isVisible());
+  // x + 100 y over 10 to 12 and 7 to 9.
+  const auto says = [&](const char* line) { return card->text().simplified().contains(QLatin1String(line)); };
+  for (const char* line : {"min 710 710 710", "median 811 811 811", "max 912 912 912", "NaN 0 0 0"})
+    EXPECT_TRUE(says(line)) << line << " in\n" << card->text().toStdString();
+  session.seek(5);
+  settle();
+  EXPECT_TRUE(says("min 715 715 715")) << "it follows the frame";
+  window.setFocus();
+  key(Qt::Key_I, Qt::ControlModifier | Qt::AltModifier);
+  EXPECT_TRUE(QApplication::clipboard()->text().startsWith("resolved 10,7 3x3\n"))
+      << "exact, as taa-batch has it";
+  drag({3, 3}, {3, 3});
+  EXPECT_FALSE(asked().measured || card->isVisible()) << "a click removes it";
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(asked().measured, (gl::Rect{10, 7, 3, 3}));
+}
+
+TEST_F(ViewOverlays, ARegionIsTypedAndRemovedByKeys) {
+  key(Qt::Key_G, Qt::ControlModifier | Qt::AltModifier);
+  auto* prompt = window.findChild<Prompt*>();
+  ASSERT_TRUE(prompt);
+  auto* field = prompt->findChild<QLineEdit*>();
+  field->clear();
+  QTest::keyClicks(field, "60, 30, 40x40");
+  QTest::keyClick(field, Qt::Key_Return);
+  settle();
+  EXPECT_EQ(asked().measured, (gl::Rect{60, 30, 4, 6})) << "as far as there is a picture";
+  key(Qt::Key_H, Qt::ShiftModifier);
+  EXPECT_FALSE(asked().measured);
+  key(Qt::Key_H, Qt::ShiftModifier);
+  EXPECT_EQ(asked().measured, (gl::Rect{0, 0, 64, 36})) << "all that is visible";
 }
 
 TEST_F(ViewOverlays, AReasonIsNamedWithItsNumberAndShareWhereItIsThere) {

@@ -5,7 +5,9 @@
 #include "app/views/Wipe.h"
 #include "tests/app/views/ViewsFixture.h"
 
+#include <cmath>
 #include <memory>
+#include <optional>
 
 using namespace taa;
 using namespace taa::app;
@@ -20,6 +22,7 @@ class ViewPictures : public test::FakeViews {};
 
 TEST_F(ViewPictures, APictureForAFileIsWhatBothSidesShow) {
   compareWith(kSharp);
+  viewport()->setCamera({false, 40.0, {32.0, 18.0}}); // nothing but picture is in view
   viewport()->setDivider(0.25);
   settle();
   const auto grayOf = [&](const QImage& image, int x) { return qRed(image.pixel(x, middleY())); };
@@ -49,6 +52,7 @@ TEST_F(ViewPictures, TheLegendOfAPictureLiesBelowWhatTheScreenShows) {
   view()->setIntermediate(IntermediateId::motion);
   view()->setOverlay(Overlay::Arrows, true);
   view()->setOverlay(Overlay::Rejected, true);
+  viewport()->setCamera({false, 40.0, {32.0, 18.0}});
   compareWith(kSharp);
   const QImage file = viewport()->picture(true);
   const QImage screen = viewport()->grab().toImage().convertToFormat(QImage::Format_RGBA8888);
@@ -60,6 +64,25 @@ TEST_F(ViewPictures, TheLegendOfAPictureLiesBelowWhatTheScreenShows) {
   const QRect strip(0, screen.height(), screen.width(), strips);
   // On the screen the strip lets the picture through.
   EXPECT_NE(file.copy(strip), file.copy(strip.translated(0, -strips)));
+}
+
+TEST_F(ViewPictures, APictureForAFileEndsWhereThePictureDoes) {
+  session.probes().setPixel(std::nullopt);
+  settle();
+  const ViewTransform now = viewport()->transform();
+  const auto wholePixels = [&](float texels) { // less what single floats round
+    return static_cast<int>(std::ceil(texels * now.zoom - 0.01f));
+  };
+  const QSize part(wholePixels(64), wholePixels(36));
+  ASSERT_LT(part.height(), viewport()->height()) << "fitted, a view has more room than the picture needs";
+  const QImage plain = viewport()->picture(false);
+  EXPECT_EQ(plain.size(), part);
+  EXPECT_EQ(qRed(plain.pixel(0, 0)), FakeRenderer::kGray);
+  EXPECT_EQ(qRed(plain.pixel(part.width() - 1, part.height() - 1)), FakeRenderer::kGray);
+  const QImage figure = viewport()->picture(true);
+  const int strips = figure.height() - part.height();
+  EXPECT_GT(strips, 0);
+  EXPECT_EQ(figure.copy(0, 0, part.width(), part.height()), plain) << "the legend follows below it";
 }
 
 TEST_F(ViewPictures, PicturesOfARangeAreAskedForWithBothSides) {
