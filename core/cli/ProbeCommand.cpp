@@ -152,7 +152,7 @@ void runRegion(const ProbeArguments& arguments, const ShotPlan& plan, Inspector&
     if (arguments.json) continue;
     if (lane > 0) out << '\n';
     if (!choice.name.empty()) out << "LANE " << choice.name << ": " << choice.preset << '\n';
-    out << "region " << regionText(region) << " of frame " << shot.frame() << '\n';
+    out << "region " << regionPlaceText(region) << " of frame " << shot.frame() << '\n';
     printSpreads(out, spreads, rows, space);
   }
   if (arguments.json) out << json.dump(2) << '\n';

@@ -130,9 +130,8 @@ class SpreadMaker {
 ChannelSpread SpreadMaker::made() {
   spread_.count = static_cast<int>(finite_.size());
   if (finite_.empty()) return spread_;
-  const auto [min, max] = std::ranges::minmax(finite_);
-  spread_.min = min;
-  spread_.max = max;
+  spread_.min = *std::ranges::min_element(finite_);
+  spread_.max = *std::ranges::max_element(finite_);
   double sum = 0.0, squares = 0.0;
   for (const float value : finite_) sum += static_cast<double>(value);
   spread_.mean = sum / spread_.count;

@@ -12,7 +12,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 namespace taa {
 
@@ -59,7 +61,7 @@ std::string inAlignedColumns(const std::vector<std::vector<std::string>>& lines)
 
 } // namespace
 
-std::string regionText(const gl::Rect& region) {
+std::string regionPlaceText(const gl::Rect& region) {
   return std::to_string(region.x) + "," + std::to_string(region.y) + " " + std::to_string(region.width) +
          "x" + std::to_string(region.height);
 }
@@ -147,7 +149,7 @@ std::string categoriesText(const RegionSpread& spread, const Intermediate& row) 
 }
 
 std::string spreadText(const RegionSpread& spread, const Intermediate& row, const SpaceSettings& space) {
-  std::string text = std::string(row.name) + " " + regionText(spread.region) + "\n";
+  std::string text = std::string(row.name) + " " + regionPlaceText(spread.region) + "\n";
   if (!spread.categories.empty()) return text + categoriesText(spread, row) + "\n";
   std::vector<std::vector<std::string>> lines = spreadLines(spread, row, space);
   lines.insert(lines.begin(), spreadHeader());

@@ -6,13 +6,14 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace taa {
 
 /// "12,8 40x30".
-std::string regionText(const gl::Rect& region);
+std::string regionPlaceText(const gl::Rect& region);
 /// "12,8,40x30", "12 8 40 30" and the like; nothing where that is no region of at least a pixel.
 std::optional<gl::Rect> parseRegion(const std::string& text);
 

@@ -65,9 +65,8 @@ std::optional<ValueRange> autoRange(std::vector<float> values, const Intermediat
   if (values.empty()) return {};
   float low = percentile(values, 1), high = percentile(values, 99);
   if (low == high) {
-    const auto [least, greatest] = std::ranges::minmax(values);
-    low = least;
-    high = greatest;
+    low = *std::ranges::min_element(values);
+    high = *std::ranges::max_element(values);
   }
   if (row.visual == Visual::Vector || row.visual == Visual::Signed) {
     high = std::max(std::abs(low), std::abs(high));

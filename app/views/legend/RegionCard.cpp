@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace taa::app {
@@ -25,10 +26,10 @@ namespace taa::app {
 /// As the histogram of a range, without its handles.
 class RegionBars : public QWidget {
  public:
-  static constexpr int kBarsHeight = 44, kBarWidth = 3, kBarsFoot = 16;
+  static constexpr int kBarsHeight = 44, kRegionBarWidth = 3, kBarsFoot = 16;
 
   RegionBars() {
-    setFixedSize(kRegionBins * kBarWidth, kBarsHeight + kBarsFoot);
+    setFixedSize(kRegionBins * kRegionBarWidth, kBarsHeight + kBarsFoot);
     setAccessibleName(RegionCard::tr("Histogram of the region"));
   }
 
@@ -52,7 +53,7 @@ class RegionBars : public QWidget {
       if (counts_[bin] == 0) continue;
       const int tall =
           std::max(1, static_cast<int>(std::lround(std::log1p(counts_[bin]) / most * kBarsHeight)));
-      painter.fillRect(static_cast<int>(bin) * kBarWidth, kBarsHeight - tall, kBarWidth, tall,
+      painter.fillRect(static_cast<int>(bin) * kRegionBarWidth, kBarsHeight - tall, kRegionBarWidth, tall,
                        colors.secondary);
     }
     painter.fillRect(0, kBarsHeight, width(), 1, colors.line);
