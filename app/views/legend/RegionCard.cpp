@@ -29,7 +29,7 @@ class RegionBars : public QWidget {
   static constexpr int kBarsHeight = 44, kRegionBarWidth = 3, kBarsFoot = 16;
 
   RegionBars() {
-    setFixedSize(kRegionBins * kRegionBarWidth, kBarsHeight + kBarsFoot);
+    setFixedSize(scaled(kRegionBins * kRegionBarWidth), scaled(kBarsHeight + kBarsFoot));
     setAccessibleName(RegionCard::tr("Histogram of the region"));
   }
 
@@ -48,23 +48,23 @@ class RegionBars : public QWidget {
     if (counts_.empty()) return;
     const ThemeColors& colors = themeColors(this);
     QPainter painter(this);
-    const double most = std::log1p(*std::ranges::max_element(counts_));
+    const int foot = height() - scaled(kBarsFoot);
+    const double most = std::log1p(*std::ranges::max_element(counts_)), column = 1.0 * width() / kRegionBins;
     for (std::size_t bin = 0; bin < counts_.size(); ++bin) {
       if (counts_[bin] == 0) continue;
-      const int tall =
-          std::max(1, static_cast<int>(std::lround(std::log1p(counts_[bin]) / most * kBarsHeight)));
-      painter.fillRect(static_cast<int>(bin) * kRegionBarWidth, kBarsHeight - tall, kRegionBarWidth, tall,
+      const double tall = std::max(1.0, std::round(std::log1p(counts_[bin]) / most * foot));
+      painter.fillRect(QRectF(static_cast<double>(bin) * column, foot - tall, column, tall),
                        colors.secondary);
     }
-    painter.fillRect(0, kBarsHeight, width(), 1, colors.line);
+    painter.fillRect(0, foot, width(), 1, colors.line);
     painter.setFont(numberFont());
     painter.setPen(colors.secondary);
-    const QRect foot(0, kBarsHeight, width(), kBarsFoot);
+    const QRect texts(0, foot, width(), height() - foot);
     const QString low = shortText(static_cast<double>(axis_.low));
-    painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter,
+    painter.drawText(texts, Qt::AlignLeft | Qt::AlignVCenter,
                      axis_.isLogarithmic ? QStringLiteral("≤ ") + low : low);
-    painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, shortText(axis_.valueAt(1.0)));
-    if (axis_.isLogarithmic) painter.drawText(foot, Qt::AlignCenter, RegionCard::tr("logarithmic"));
+    painter.drawText(texts, Qt::AlignRight | Qt::AlignVCenter, shortText(axis_.valueAt(1.0)));
+    if (axis_.isLogarithmic) painter.drawText(texts, Qt::AlignCenter, RegionCard::tr("logarithmic"));
   }
 
  private:
