@@ -91,6 +91,11 @@ Image EvidenceFrames::wholeReference(int frame) {
   return references_.foundOrDrawn(*state().frames, keyOf(frame), samples_, references_, progress_).mean();
 }
 
+Image EvidenceFrames::wholeSteps(int frame) {
+  const gl::PassGroup group(pass_group::kReference);
+  return drawSteps(*state().frames, state().request(0), frame, seen_);
+}
+
 const twin::Texels& EvidenceFrames::reference(int frame) {
   const auto known = means_.find(frame);
   if (known != means_.end()) return known->second;
@@ -106,9 +111,9 @@ const twin::Texels& EvidenceFrames::steps(int frame) {
   if (known != steps_.end()) return known->second;
   const bool isStart = startsHistory(state(), frame);
   if (isWhole_) {
+    if (!isStart) return steps_[frame] = wholeSteps(frame);
     const gl::PassGroup group(pass_group::kReference);
     const FrameRequest request = state().request(0);
-    if (!isStart) return steps_[frame] = drawSteps(*state().frames, request, frame, seen_);
     return steps_[frame] = firstSteps(drawSurfaces(*state().frames, request, frame),
                                       {0, 0, state().width, state().height});
   }

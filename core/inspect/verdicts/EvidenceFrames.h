@@ -37,6 +37,8 @@ class EvidenceFrames : public EvidenceSource {
   void expect(int frame, const std::vector<gl::Rect>& parts) override;
   /// All of a reference.
   Image wholeReference(int frame);
+  /// All of the steps to a frame that does not start history. Cheapest in rising order.
+  Image wholeSteps(int frame);
 
   /// The way back of the surface that a pixel shows, latest first: `frames` at most, as long as it was seen.
   /// Their records are made when the frame is read for whatever else.
@@ -46,6 +48,7 @@ class EvidenceFrames : public EvidenceSource {
   const Settings& settings() const { return frames_.settings(); }
   const ShotState& state() const { return frames_.state(); }
   int lane() const { return lane_; }
+  int samples() const { return samples_; } ///< of each reference
 
  private:
   /// A moment's pixel, and its record once its frame was read.
@@ -69,7 +72,7 @@ class EvidenceFrames : public EvidenceSource {
   std::map<int, twin::Texels> means_, steps_;
   std::map<int, Awaited> awaited_;                 // by frame
   std::pair<int, std::vector<gl::Rect>> expected_; // of a frame, the latest
-  DrawnSurfaces seen_;                             // of captures
+  DrawnSurfaces seen_;                             // of whole frames
   SurfaceParts surfaces_;
   FrameInputs drawn_; // the latest of references and surfaces
 };

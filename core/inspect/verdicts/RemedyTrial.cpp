@@ -1,5 +1,6 @@
 #include "core/inspect/verdicts/RemedyTrial.h"
 
+#include "core/measure/Flicker.h"
 #include "core/measure/Metrics.h"
 #include "core/measure/compare/GhostEnergy.h"
 #include "core/measure/compare/Sharpness.h"
@@ -72,7 +73,7 @@ struct SquareSums {
     if (errorCount > 0) measure.error = std::sqrt(errors / errorCount);
     measure.latest = std::sqrt(latest);
     if (changeCount == 0) return measure;
-    measure.flicker = std::sqrt(changes / changeCount);
+    measure.errorChange = std::sqrt(changes / changeCount);
     measure.ghost = std::sqrt(ghosts / changeCount);
     return measure;
   }
@@ -80,7 +81,7 @@ struct SquareSums {
 
 /// What a frame is held against, whatever the settings.
 struct Truth {
-  Image shown;             ///< the reference as a screen is sent it
+  FlickerFrame frame{};    ///< reference and steps; what a lane shows while that is measured
   Image historyPositionPx; ///< where each pixel's own motion vector points, far off where it has none
 };
 
@@ -88,26 +89,34 @@ struct Truth {
 class PictureSums {
  public:
   void add(const Image& color, const Truth& should) {
-    Image shown = shownColors(color), errors = shownErrors(shown, should.shown);
+    const Image& reference = should.frame.reference;
+    Image shown = shownColors(color), errors = shownErrors(shown, reference);
     sums_.add(meanOfSquares(errors));
-    if (shown_) {
-      const Image ghosts = ghostMap({shown, should.shown, *shown_, should.historyPositionPx});
+    if (!shown_.empty()) {
+      const Image ghosts = ghostMap({shown, reference, shown_.back(), should.historyPositionPx});
       sums_.add(meanOfSquares(shownErrors(errors, errors_)), meanOfSquares(ghosts));
     }
-    shown_ = std::move(shown);
+    shown_.push_back(std::move(shown));
     errors_ = std::move(errors);
   }
-  /// `reference`: of the last frame, as shown.
-  RemedyMeasure measure(const Image& reference) const {
+  /// `should`: of all frames that were added.
+  RemedyMeasure measure(std::vector<Truth>& should) {
     RemedyMeasure measure = sums_.measure();
-    measure.sharpness = sharpness(*shown_, reference).value_or(1.0);
+    measure.sharpness = sharpness(shown_.back(), should.back().frame.reference).value_or(1.0);
+    std::vector<const FlickerFrame*> newestFirst;
+    for (std::size_t at = should.size(); at-- > 0;) {
+      should[at].frame.shown = std::move(shown_[at]);
+      newestFirst.push_back(&should[at].frame);
+    }
+    const FlickerMaps maps = flickerMaps(newestFirst);
+    measure.flicker = meanOverTime(maps.flicker, maps.frames).value_or(0.0);
     return measure;
   }
 
  private:
   SquareSums sums_;
-  std::optional<Image> shown_; // of the frame before
-  Image errors_;
+  std::vector<Image> shown_;
+  Image errors_; // of the last frame that was added
 };
 
 } // namespace
@@ -167,14 +176,18 @@ std::vector<WholeMeasure> RemedyTrial::ofWhole(const std::vector<Settings>& lane
   kept.front().keepAll(player_.checkpoints().at(static_cast<std::size_t>(evidence_.lane())));
   std::vector<PictureSums> pictures(lanes.size());
   std::vector<std::map<int, glm::dvec3>> colors(lanes.size());
-  Truth should;
-  for (int frame = std::max(first_, last_ - kMeasuredFrames + 1); frame <= last_; ++frame) {
+  const int first = std::max(first_, last_ - kMeasuredFrames + 1);
+  std::vector<Truth> should;
+  for (int frame = first; frame <= last_; ++frame) {
     ShownFrame made = player_.makeInBackground(frame, lanes, kept, progress_);
-    const FrameInputs& inputs = player_.maker().inputs(evidence_.state(), made, 0);
-    should = {shownColors(evidence_.wholeReference(frame)), historyPositions(inputs)};
+    Truth& truth = should.emplace_back();
+    truth.historyPositionPx = historyPositions(player_.maker().inputs(evidence_.state(), made, 0));
+    truth.frame.reference = shownColors(evidence_.wholeReference(frame));
+    truth.frame.referenceSamples = evidence_.samples();
+    if (frame > first) truth.frame.steps = evidence_.wholeSteps(frame);
     for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
       const Image color = made.lanes[lane].current->color.download();
-      pictures[lane].add(color, should);
+      pictures[lane].add(color, truth);
       if (const auto at = wanted_.find(frame); at != wanted_.end())
         colors[lane][frame] = pixelColorAt(color, at->second);
     }
@@ -182,7 +195,7 @@ std::vector<WholeMeasure> RemedyTrial::ofWhole(const std::vector<Settings>& lane
   }
   std::vector<WholeMeasure> measures;
   for (std::size_t lane = 0; lane < lanes.size(); ++lane)
-    measures.push_back({ofColors(colors[lane]), pictures[lane].measure(should.shown)});
+    measures.push_back({ofColors(colors[lane]), pictures[lane].measure(should)});
   return measures;
 }
 

@@ -48,26 +48,28 @@ ordered_json rowJson(const VerdictRow& row) {
   return json;
 }
 
-ordered_json measureJson(const RemedyMeasure& measure, bool isPicture) {
-  ordered_json json{{"error", numberJson(measure.error)}, {"flicker", numberJson(measure.flicker)}};
-  if (isPicture) json["ghost"] = numberJson(measure.ghost);
-  if (isPicture) json["sharpness"] = numberJson(measure.sharpness);
-  return json;
+ordered_json pixelMeasureJson(const RemedyMeasure& pixel) {
+  return {{"error", numberJson(pixel.error)}, {"errorChange", numberJson(pixel.errorChange)}};
+}
+
+ordered_json pictureMeasureJson(const std::optional<RemedyMeasure>& picture) {
+  if (!picture) return {};
+  return {{"error", numberJson(picture->error)},
+          {"flicker", numberJson(picture->flicker)},
+          {"ghost", numberJson(picture->ghost)},
+          {"sharpness", numberJson(picture->sharpness)}};
 }
 
 ordered_json remediesJson(const RemedyAnswer& remedies) {
-  const auto pictureJson = [](const std::optional<RemedyMeasure>& picture) {
-    return picture ? measureJson(*picture, true) : ordered_json();
-  };
   ordered_json json{{"firstFrame", remedies.first},
                     {"tried", remedies.tried},
-                    {"pixel", measureJson(remedies.pixel, false)},
-                    {"picture", pictureJson(remedies.picture)},
+                    {"pixel", pixelMeasureJson(remedies.pixel)},
+                    {"picture", pictureMeasureJson(remedies.picture)},
                     {"best", ordered_json::array()}};
   for (const TriedRemedy& tried : remedies.best)
     json["best"].push_back({{"changes", tried.remedy.changes},
-                            {"pixel", measureJson(tried.pixel, false)},
-                            {"picture", pictureJson(tried.picture)}});
+                            {"pixel", pixelMeasureJson(tried.pixel)},
+                            {"picture", pictureMeasureJson(tried.picture)}});
   return json;
 }
 
@@ -113,7 +115,7 @@ std::string changesText(const std::vector<std::string>& changes) {
 
 std::string measureText(const RemedyMeasure& pixel, const std::optional<RemedyMeasure>& picture) {
   const std::string text =
-      "pixel: error " + shortNumber(pixel.error) + ", flicker " + shortNumber(pixel.flicker);
+      "pixel: error " + shortNumber(pixel.error) + ", its change " + shortNumber(pixel.errorChange);
   if (!picture) return text;
   return text + "; picture: error " + shortNumber(picture->error) + ", flicker " +
          shortNumber(picture->flicker) + ", ghost " + shortNumber(picture->ghost) + ", sharpness " +

@@ -15,7 +15,7 @@ namespace {
 
 /// As one number what a viewer is off by, still or not: the frame itself counts as much as the last four.
 double harm(const RemedyMeasure& measure) {
-  return std::hypot(std::sqrt(0.5) * measure.error, std::sqrt(0.5) * measure.latest, measure.flicker);
+  return std::hypot(std::sqrt(0.5) * measure.error, std::sqrt(0.5) * measure.latest, measure.errorChange);
 }
 
 bool isPartOf(const Remedy& part, const Remedy& whole) {
@@ -108,16 +108,27 @@ void addTogether(RemedyList& list, const RemedyCase& of, const std::vector<Tried
   }
 }
 
-/// The simplest of those that lie next to the nearest one: by less than a step of 255, or than a tenth of the
-/// harm there was. `better`: nearest first.
-std::vector<TriedRemedy>::const_iterator simplestOfBest(const std::vector<TriedRemedy>& better,
-                                                        const RemedyMeasure& before) {
+/// What the whole picture is off by, still or not; nothing is known of it: 0.
+double pictureHarm(const TriedRemedy& tried) {
+  return tried.picture ? std::hypot(tried.picture->error, tried.picture->flicker) : 0.0;
+}
+
+/// The one that costs the picture least of those that lie next to the nearest one: by less than a step of
+/// 255, or than a tenth of the harm there was. Of those that cost it the same, to a fiftieth of a step, the
+/// simplest. `better`: nearest first.
+const TriedRemedy& cheapestOfBest(const std::vector<TriedRemedy>& better, const RemedyMeasure& before) {
+  constexpr double kSameCost = 0.02 / 255.0;
   const double limit = harm(better.front().pixel) + std::min(1.0 / 255.0, 0.1 * harm(before));
   const auto end = std::find_if(better.begin() + 1, better.end(),
                                 [&](const TriedRemedy& one) { return harm(one.pixel) >= limit; });
-  return std::min_element(better.begin(), end, [](const TriedRemedy& a, const TriedRemedy& b) {
-    return a.remedy.changes.size() < b.remedy.changes.size();
-  });
+  double least = pictureHarm(better.front());
+  for (auto one = better.begin(); one != end; ++one) least = std::min(least, pictureHarm(*one));
+  const TriedRemedy* simplest = nullptr;
+  for (auto one = better.begin(); one != end; ++one)
+    if (pictureHarm(*one) <= least + kSameCost &&
+        (!simplest || one->remedy.changes.size() < simplest->remedy.changes.size()))
+      simplest = &*one;
+  return *simplest;
 }
 
 } // namespace
@@ -152,7 +163,7 @@ std::vector<TriedRemedy> bestRemedies(const std::vector<TriedRemedy>& tried, con
   // A fault that was injected is the cause, whatever else hides it.
   const auto cause = std::ranges::find_if(better, takesFaultsOut, &TriedRemedy::remedy);
   if (cause != better.end()) tell(*cause);
-  while (best.size() < count && !better.empty()) tell(*simplestOfBest(better, before));
+  while (best.size() < count && !better.empty()) tell(cheapestOfBest(better, before));
   return best;
 }
 

@@ -19,13 +19,15 @@ struct Remedy {
 
 /// Of a pixel over its last moments, or of the whole picture, against the reference, as shown (0 to 1).
 struct RemedyMeasure {
-  double error = 0.0;   ///< root of the mean squared error
-  double latest = 0.0;  ///< the same of the last frame alone
-  double flicker = 0.0; ///< root of the mean squared change of the error from frame to frame
+  double error = 0.0;       ///< root of the mean squared error
+  double latest = 0.0;      ///< the same of the last frame alone
+  double errorChange = 0.0; ///< root of the mean squared change of the error from frame to frame
+  /// The metric (core/measure/Flicker.h) over these frames; of a picture only, as what follows.
+  double flicker = 0.0;
   /// Root of the mean squared ghost (core/measure/compare/GhostEnergy.h), looked for where the motion vectors
-  /// point, the same for all settings; of a picture only.
+  /// point, the same for all settings.
   double ghost = 0.0;
-  double sharpness = 1.0; ///< core/measure/compare/Sharpness.h, of the last frame of a picture
+  double sharpness = 1.0; ///< core/measure/compare/Sharpness.h, of the last frame
 };
 
 struct TriedRemedy {
@@ -50,9 +52,10 @@ inline constexpr int kRemedyRounds = 4;
 std::vector<Remedy> remedyRound(int round, const RemedyCase& of, const std::vector<TriedRemedy>& tried);
 
 /// The best `count` of those that bring the pixel clearly nearer to the truth than `before`, by its errors
-/// and flicker together, and nearer in the last frame. Of two that nobody could tell apart the simpler one
-/// comes first; one that has all changes of one that is told, and more, is left out. One that takes out what
-/// was injected comes before all.
+/// and their change together, and nearer in the last frame. Of those that nobody could tell apart the one
+/// that costs the picture least comes first, by its error and flicker together; where that is the same or
+/// not measured the simplest. One that has all changes of one that is told, and more, is left out. One that
+/// takes out what was injected comes before all.
 std::vector<TriedRemedy> bestRemedies(const std::vector<TriedRemedy>& tried, const RemedyMeasure& before,
                                       std::size_t count);
 

@@ -17,7 +17,7 @@ inline TriedRemedy fakeRemedy(std::initializer_list<const char*> changes, double
     tried.remedy.changes.emplace_back(change);
     applyAssignment(tried.remedy.settings, change);
   }
-  tried.pixel = {.error = error / 255.0, .flicker = 0.0, .sharpness = 1.0};
+  tried.pixel = {.error = error / 255.0, .sharpness = 1.0};
   tried.picture = {.error = 3.0 / 255.0, .flicker = 1.5 / 255.0, .ghost = 0.5 / 255.0, .sharpness = 0.95};
   return tried;
 }
@@ -41,7 +41,7 @@ inline VerdictDelivery fakeVerdict() {
   answer.error.reference = glm::dvec3(0.5);
   RemedyAnswer& remedies = delivery.remedies.emplace();
   remedies.tried = 9;
-  remedies.pixel = {.error = 40.0 / 255.0, .flicker = 0.0, .sharpness = 1.0};
+  remedies.pixel = {.error = 40.0 / 255.0, .sharpness = 1.0};
   remedies.picture = {.error = 4.0 / 255.0, .flicker = 1.0 / 255.0, .ghost = 2.0 / 255.0, .sharpness = 0.9};
   remedies.best = {fakeRemedy({"validate.object=on", "rectify.method=clamp"}, 5.0),
                    fakeRemedy({"rectify.method=clamp"}, 10.0)};

@@ -1,6 +1,7 @@
 // What is said of remedies: the figures of the present settings are those of the metrics, and those of a
 // remedy what the program shows with it.
 #include "core/inspect/overtime/MetricCursor.h"
+#include "core/inspect/verdicts/RemedyTrial.h"
 #include "core/settings/Faults.h"
 #include "tests/support/SmallInspector.h"
 
@@ -47,7 +48,7 @@ taa::Image errorsOnShow(taa::Inspector& inspector) {
 /// Against the reference: the picture of the last four frames and between them, its sharpness in the last
 /// one, and a pixel of that.
 struct Shown {
-  double picture = 0.0, flicker = 0.0, ghost = 0.0, sharpness = 0.0, pixel = 0.0;
+  double picture = 0.0, errorChange = 0.0, flicker = 0.0, ghost = 0.0, sharpness = 0.0, pixel = 0.0;
 };
 
 Shown shownWith(const taa::Settings& settings, const taa::VerdictQuestion& question) {
@@ -56,13 +57,15 @@ Shown shownWith(const taa::Settings& settings, const taa::VerdictQuestion& quest
     inspector.shot().setSize(kWidth, kHeight);
     inspector.shot().setSettings(settings);
     inspector.shot().open("builtin:fan");
+    inspector.overTime().setFrames(taa::kMeasuredFrames);
     MeanSquare errors, changes, ghosts;
     Shown shown;
     taa::Image before;
     taa::MetricCursor cursor;
     for (int frame = question.frame - 3; frame <= question.frame; ++frame) {
       const taa::FrameMetrics metrics = inspector.metrics().measureFrame(
-          frame, {Metric::Rmse, Metric::GhostEnergy, Metric::Sharpness}, taa::kVerdictSamples, cursor);
+          frame, {Metric::Rmse, Metric::GhostEnergy, Metric::Sharpness, Metric::Flicker},
+          taa::kVerdictSamples, cursor);
       inspector.shot().seek(frame);
       const taa::Image now = errorsOnShow(inspector);
       for (std::size_t at = 0; at < before.pixels.size(); ++at)
@@ -70,10 +73,11 @@ Shown shownWith(const taa::Settings& settings, const taa::VerdictQuestion& quest
       if (frame > question.frame - 3) ghosts.add(*metrics.at(Metric::GhostEnergy));
       errors.add(*metrics.at(Metric::Rmse));
       shown.sharpness = *metrics.at(Metric::Sharpness);
+      shown.flicker = metrics.at(Metric::Flicker).value_or(0.0);
       before = now;
     }
     shown.picture = errors.root();
-    shown.flicker = changes.root();
+    shown.errorChange = changes.root();
     shown.ghost = ghosts.root();
     const taa::PixelError error = inspector.verdicts().of(question).error;
     const glm::dvec3 off = taa::shownValue(error.resolved) - taa::shownValue(error.reference);
@@ -97,11 +101,14 @@ TEST_F(RemediesOnScenesTest, MeasureThePictureAsTheMetricsDo) {
   const auto inspector = opened();
   inspector->shot().setSettings(settings);
   inspector->shot().seek(kFrame);
+  inspector->overTime().setFrames(taa::kMeasuredFrames);
   MeanSquare errors, ghosts;
+  double flicker = 0.0;
   taa::MetricCursor cursor;
   for (int frame = kFrame - 3; frame <= kFrame; ++frame) {
     const taa::FrameMetrics metrics = inspector->metrics().measureFrame(
-        frame, {Metric::Rmse, Metric::GhostEnergy}, taa::kVerdictSamples, cursor);
+        frame, {Metric::Rmse, Metric::GhostEnergy, Metric::Flicker}, taa::kVerdictSamples, cursor);
+    flicker = metrics.at(Metric::Flicker).value_or(0.0);
     errors.add(*metrics.at(Metric::Rmse));
     if (frame > kFrame - 3) ghosts.add(*metrics.at(Metric::GhostEnergy));
   }
@@ -112,6 +119,8 @@ TEST_F(RemediesOnScenesTest, MeasureThePictureAsTheMetricsDo) {
   EXPECT_NEAR(answer.picture->error, errors.root(), 1e-6);
   EXPECT_NEAR(answer.picture->ghost, ghosts.root(), 1e-6);
   EXPECT_GT(answer.picture->ghost, 0.01) << "the blades leave trails";
+  EXPECT_NEAR(answer.picture->flicker, flicker, 1e-6);
+  EXPECT_GT(flicker, 0.001);
 }
 
 // History comes from half a picture away, everywhere; of the pixel that this harms most.
@@ -159,6 +168,7 @@ TEST_F(RemediesOnScenesTest, SayWhatTheProgramShowsWithThem) {
   const Shown shown = shownWith(settings, question);
   ASSERT_TRUE(first.picture);
   EXPECT_NEAR(first.picture->error, shown.picture, 1e-6);
+  EXPECT_NEAR(first.picture->errorChange, shown.errorChange, 1e-6);
   EXPECT_NEAR(first.picture->flicker, shown.flicker, 1e-6);
   EXPECT_NEAR(first.picture->sharpness, shown.sharpness, 1e-6);
   EXPECT_NEAR(first.pixel.latest, shown.pixel, 1e-6);

@@ -43,8 +43,8 @@ Verdict askedOf(const Status& status, const glm::ivec2& pixel) {
 }
 
 bool isSame(const RemedyMeasure& a, const RemedyMeasure& b) {
-  return a.error == b.error && a.latest == b.latest && a.flicker == b.flicker && a.ghost == b.ghost &&
-         a.sharpness == b.sharpness;
+  return a.error == b.error && a.latest == b.latest && a.errorChange == b.errorChange &&
+         a.flicker == b.flicker && a.ghost == b.ghost && a.sharpness == b.sharpness;
 }
 
 bool isSame(const std::optional<RemedyMeasure>& a, const std::optional<RemedyMeasure>& b) {

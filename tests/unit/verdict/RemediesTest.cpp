@@ -164,6 +164,28 @@ TEST(Remedies, ThatAreSimplerComeFirstWhereNobodySeesTheDifference) {
   EXPECT_EQ(firstOf(1.5, 0.9, 5.0), (Changes{"a", "b"})) << "a tenth of the error";
 }
 
+// By the error of the picture and its flicker together.
+TEST(Remedies, ThatCostThePictureLessComeFirstWhereNobodySeesTheDifference) {
+  TriedRemedy dear = triedRemedy({"a"}, 0.2 / 255.0), cheap = triedRemedy({"b", "c"}, 1.0 / 255.0);
+  const auto firstOf = [&](const RemedyMeasure& ofDear, const RemedyMeasure& ofCheap) {
+    dear.picture = ofDear;
+    cheap.picture = ofCheap;
+    return bestRemedies({dear, cheap}, measured(0.2), 3).front().remedy.changes;
+  };
+  const auto picture = [](double error, double flicker) {
+    RemedyMeasure measure;
+    measure.error = error / 255.0;
+    measure.flicker = flicker / 255.0;
+    return measure;
+  };
+  EXPECT_EQ(firstOf(picture(6.0, 1.0), picture(4.0, 1.0)), cheap.remedy.changes);
+  EXPECT_EQ(firstOf(picture(4.0, 3.0), picture(4.0, 1.0)), cheap.remedy.changes) << "it flickers less";
+  EXPECT_EQ(firstOf(picture(4.0, 1.0), picture(6.0, 1.0)), dear.remedy.changes) << "now that is cheaper";
+  EXPECT_EQ(firstOf(picture(4.01, 1.0), picture(4.0, 1.0)), dear.remedy.changes) << "the same: it is simpler";
+  cheap.pixel = measured(1.3 / 255.0);
+  EXPECT_EQ(firstOf(picture(6.0, 1.0), picture(4.0, 1.0)), dear.remedy.changes) << "the pixel gains a step";
+}
+
 TEST(Remedies, ThatTakeAFaultOutComeFirst) {
   const std::vector<TriedRemedy> tried{triedRemedy({"rectify.method=clip"}, 0.01),
                                        triedRemedy({"fault.motionY=1"}, 0.05),
@@ -184,9 +206,9 @@ TEST(Remedies, AreNotToldWhereTheLastFrameIsWorseOff) {
 
 // Of a trail that has just left: what was off in one frame of four and is so no more, comes and goes, too.
 TEST(Remedies, AreHeldAgainstTheFrameItselfAsMuchAsAgainstThoseBefore) {
-  const RemedyMeasure before{.error = 0.183, .latest = 0.347, .flicker = 0.173};
+  const RemedyMeasure before{.error = 0.183, .latest = 0.347, .errorChange = 0.173};
   TriedRemedy tried = triedRemedy({"a"}, 0.0);
-  tried.pixel = {.error = 0.161, .latest = 0.257, .flicker = 0.193};
+  tried.pixel = {.error = 0.161, .latest = 0.257, .errorChange = 0.193};
   EXPECT_EQ(bestRemedies({tried}, before, 3).size(), 1u);
   tried.pixel.latest = 0.34;
   EXPECT_TRUE(bestRemedies({tried}, before, 3).empty()) << "nearer, but not clearly";
