@@ -2,6 +2,8 @@
 #include "core/report/verdicts/VerdictLabels.h"
 #include "core/base/Files.h"
 #include "core/inspect/Inspector.h"
+#include "core/inspect/verdicts/RemedyTrial.h"
+#include "core/measure/Metrics.h"
 #include "core/report/verdicts/Confusions.h"
 #include "core/settings/Lanes.h"
 #include "core/settings/Presets.h"
@@ -11,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
@@ -70,9 +73,7 @@ std::vector<std::string> presetsOf(const std::vector<VerdictLabel>& labels) {
   return presets;
 }
 
-taa::LabelRemedy firstRemedy(taa::Inspector& inspector, const taa::VerdictQuestion& question,
-                             const taa::PixelVerdict& verdict) {
-  const taa::RemedyAnswer answer = inspector.verdicts().remedies(question, verdict);
+taa::LabelRemedy firstRemedy(const taa::RemedyAnswer& answer) {
   taa::LabelRemedy first;
   first.pixelBefore = first.pixelAfter = 255.0 * answer.pixel.latest;
   if (answer.picture) first.pictureBefore = first.pictureAfter = 255.0 * answer.picture->error;
@@ -83,6 +84,34 @@ taa::LabelRemedy firstRemedy(taa::Inspector& inspector, const taa::VerdictQuesti
   first.pixelAfter = 255.0 * best.pixel.latest;
   if (best.picture) first.pictureAfter = 255.0 * best.picture->error;
   return first;
+}
+
+/// Of the pictures from a frame to another: root of the mean squared error of what a screen is sent.
+double shownError(taa::Inspector& inspector, int first, int last) {
+  double sum = 0.0, count = 0.0;
+  for (int frame = first; frame <= last; ++frame) {
+    inspector.shot().seek(frame);
+    inspector.reference().refine(taa::kVerdictSamples);
+    const taa::Image shown = taa::shownColors(inspector.views().image(taa::IntermediateId::resolved));
+    const taa::Image reference = taa::shownColors(inspector.views().image(taa::IntermediateId::reference));
+    for (std::size_t at = 0; at < shown.pixels.size(); ++at) {
+      const double error = double(shown.pixels[at]) - double(reference.pixels[at]);
+      sum += error * error;
+      ++count;
+    }
+  }
+  return std::sqrt(sum / count);
+}
+
+/// The pictures with the first remedy are no farther off than it says.
+void expectCostAsSaid(taa::Inspector& inspector, const VerdictLabel& label, const taa::RemedyAnswer& answer) {
+  if (answer.best.empty()) return;
+  const taa::TriedRemedy& best = answer.best.front();
+  ASSERT_TRUE(best.picture && answer.picture);
+  inspector.shot().setLanes({best.remedy.settings});
+  const int first = std::max(answer.first, label.frame - taa::kMeasuredFrames + 1);
+  EXPECT_LE(shownError(inspector, first, label.frame), best.picture->error + 1e-6)
+      << label.scene << " " << label.preset << ": " << testing::PrintToString(best.remedy.changes);
 }
 
 void judgeShot(const std::vector<VerdictLabel>& labels, std::vector<JudgedLabel>& judged) {
@@ -102,10 +131,14 @@ void judgeShot(const std::vector<VerdictLabel>& labels, std::vector<JudgedLabel>
     const taa::VerdictAnswer answer = inspector.verdicts().of(question);
     JudgedLabel entry{label, answer.verdict.kind, answer.verdict.stage, {}};
     if (label.kind != taa::VerdictKind::None) {
-      entry.remedy = firstRemedy(inspector, question, answer.verdict);
+      const taa::RemedyAnswer remedies = inspector.verdicts().remedies(question, answer.verdict);
+      entry.remedy = firstRemedy(remedies);
       std::cout << label.scene << ' ' << label.preset << ' ' << label.pixel.x << ',' << label.pixel.y << ": "
                 << entry.remedy.changes << ' ' << entry.remedy.pixelBefore << " → " << entry.remedy.pixelAfter
                 << std::endl;
+      expectCostAsSaid(inspector, label, remedies);
+      inspector.shot().setLanes(lanes);
+      inspector.shot().seek(label.frame);
     }
     judged.push_back(entry);
     if (!entry.isKindRight() || !entry.isStageRight())
