@@ -221,9 +221,9 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
     Examiner second(examination, patient, progress, false);
     second.look(mendedReader(read, examination, mender), out);
     tellPlanes(second, examination, out);
-    tellColor(second.color(), patient, out);
+    tellColor(second.color(), patient, examination.known.maskUsed, out);
   } else {
-    tellColor(seen.color(), patient, out);
+    tellColor(seen.color(), patient, examination.known.maskUsed, out);
   }
   if (examination.known.output) tellResolve(first.resolve(), out.findings.empty(), out);
   return out;

@@ -28,6 +28,7 @@ void ColorEvidence::add(const FrameNeighbors& frames, const std::vector<RegionIn
   tiles.add(frames, labels);
   brightness.add(frames);
   coplanar.add(frames);
+  blended.add(frames);
 }
 
 std::vector<std::uint8_t> tellInterface(const ColorEvidence& evidence, Diagnosis& out) {
@@ -44,7 +45,8 @@ FrameReader coveredReader(const FrameReader& read, std::vector<std::uint8_t> cov
   };
 }
 
-void tellColor(const ColorEvidence& evidence, const Patient& patient, Diagnosis& out) {
+void tellColor(const ColorEvidence& evidence, const Patient& patient, bool isMaskUsed, Diagnosis& out) {
+  tellBlended(evidence.blended, isMaskUsed, out);
   tellBrightness(evidence.brightness, out);
   tellCoplanar(evidence.coplanar, patient, out);
   tellTextures(out);

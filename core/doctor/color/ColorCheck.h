@@ -4,6 +4,7 @@
 
 #include "core/doctor/Diagnosis.h"
 #include "core/doctor/Patient.h"
+#include "core/doctor/color/BlendedSurfaces.h"
 #include "core/doctor/color/BrightnessSteps.h"
 #include "core/doctor/color/CoplanarFlips.h"
 #include "core/doctor/color/ScreenTiles.h"
@@ -21,6 +22,7 @@ struct ColorEvidence {
   ScreenTiles tiles;
   BrightnessEvidence brightness;
   CoplanarEvidence coplanar;
+  BlendedEvidence blended;
 
   /// `labels`: of `frames.now`.
   void add(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels);
@@ -32,7 +34,8 @@ std::vector<std::uint8_t> tellInterface(const ColorEvidence& evidence, Diagnosis
 /// The same frames, in which covered pixels are no witness.
 FrameReader coveredReader(const FrameReader& read, std::vector<std::uint8_t> covered);
 
-/// Adds all else about color. Expects evidence of frames in which interfaces are covered.
-void tellColor(const ColorEvidence& evidence, const Patient& patient, Diagnosis& out);
+/// Adds all else about color. Expects evidence of frames in which interfaces are covered. `isMaskUsed`: see
+/// tellBlended().
+void tellColor(const ColorEvidence& evidence, const Patient& patient, bool isMaskUsed, Diagnosis& out);
 
 } // namespace taa::doctor

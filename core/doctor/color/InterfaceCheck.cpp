@@ -22,14 +22,19 @@ constexpr double kNearlyAllTilePairs = 0.9, kMostTilePairs = 0.8;
 /// What motion leaves of edges that rest on the screen: times what is left in place, and luma in the mean.
 constexpr double kMovingFactor = 3.0, kMovingLuma = 0.004;
 /// Between pixels edges are read less well: what is left but for jitter, as a share of all else.
-constexpr double kJitteredShare = 0.67;
-constexpr std::size_t kLeastFixed = 4, kLeastJittered = 8; ///< squares of a group
+constexpr double kJitteredShare = 0.8, kClearlyJittered = 0.67;
+/// Squares of a group; those of one that is jittered not so clearly.
+constexpr std::size_t kLeastFixed = 4, kLeastJittered = 8, kLeastUnclear = 24;
 /// px a frame in the mean: the world moves.
 constexpr double kWorldMovesPx = 0.5;
 /// Of the edges that rest on the screen where the world rests, too: so many others have to shift with the
 /// jitter.
 constexpr double kShiftingShare = 0.3;
 constexpr double kRestsPx = 0.05;
+/// Or jitter as stated leaves so much less in so many squares, and in more than those in which none does.
+constexpr double kSeenShare = 0.8;
+constexpr std::size_t kEnoughSeen = 12, kSeenFactor = 4;
+constexpr int kEnoughKnown = 12; ///< squares
 /// A group of so much of one region, which it covers so much of, is that object or the sky.
 constexpr double kOfOneRegion = 0.7, kMostOfRegion = 0.5;
 constexpr std::size_t kEnoughFitting = 4; ///< squares of a region whose motion is right
@@ -90,8 +95,12 @@ std::set<RegionIndex> rightRegions(const ScreenTiles& tiles) {
   return out;
 }
 
-/// Whether pictures hold jitter, by edges that rest in the world and on the screen.
-bool isWorldShifting(const ScreenTiles& tiles) {
+bool isFixedBeforeWorld(const ScreenTile& tile) {
+  return isFixed(tile) && tile.meanWorldPx() >= kWorldMovesPx;
+}
+
+/// Whether edges that rest in the world shift nevertheless, beside those that rest on the screen.
+bool areRestingShifting(const ScreenTiles& tiles) {
   std::size_t resting = 0, shifting = 0;
   for (const ScreenTile& tile : tiles.tiles) {
     if (tile.pairs < kEnoughTilePairs || tile.meanWorldPx() > kRestsPx) continue;
@@ -101,13 +110,26 @@ bool isWorldShifting(const ScreenTiles& tiles) {
   return static_cast<double>(shifting) >= kShiftingShare * static_cast<double>(resting);
 }
 
+/// Whether the jitter that is stated is in all that does not rest on the screen.
+bool isStatedSeen(const ScreenTiles& tiles) {
+  std::size_t with = 0, without = 0;
+  for (const ScreenTile& tile : tiles.tiles) {
+    if (tile.pairs < kEnoughTilePairs || isFixed(tile)) continue;
+    if (tile.sums.asGiven <= kSeenShare * tile.sums.unjittered) ++with;
+    if (tile.sums.unjittered <= kSeenShare * tile.sums.asGiven) ++without;
+  }
+  return with >= kEnoughSeen && with >= kSeenFactor * without;
+}
+
 std::vector<TileKind> tileKinds(const ScreenTiles& tiles) {
-  const bool isShifting = isWorldShifting(tiles);
+  // One that rests while the world moves is an interface without jitter: then others are likely.
+  const bool isKnown = std::ranges::count_if(tiles.tiles, isFixedBeforeWorld) >= kEnoughKnown;
+  const bool isShifting = isKnown || areRestingShifting(tiles) || isStatedSeen(tiles);
   const std::set<RegionIndex> right = rightRegions(tiles);
   std::vector<TileKind> out;
   for (int i = 0; i < static_cast<int>(tiles.tiles.size()); ++i) {
     const ScreenTile& tile = tiles.tiles[static_cast<std::size_t>(i)];
-    if (isFixed(tile) && (isShifting || tile.meanWorldPx() >= kWorldMovesPx))
+    if (isShifting ? isFixed(tile) : isFixedBeforeWorld(tile))
       out.push_back(TileKind::Fixed);
     else if (isJittered(tile, right.contains(regionOf(tiles, i))))
       out.push_back(TileKind::Jittered);
@@ -247,17 +269,30 @@ void tellOpen(const ScreenTiles& tiles, Diagnosis& out) {
        say<"Let the camera turn by some pixels a frame.">(), std::move(faults)});
 }
 
+/// Squares that a group has to have.
+std::size_t leastOf(const ScreenGroup& group) {
+  if (!group.isJittered) return kLeastFixed;
+  const double other = std::min(group.sums.inPlace, group.sums.asGiven);
+  return group.sums.jittered <= kClearlyJittered * other ? kLeastJittered : kLeastUnclear;
+}
+
 } // namespace
 
 std::vector<ScreenGroup> interfaceGroups(const ScreenTiles& tiles) {
   std::vector<TileKind> kinds = tileKinds(tiles);
-  std::vector<ScreenGroup> out;
+  std::vector<ScreenGroup> out, own;
   for (int i = 0; i < static_cast<int>(kinds.size()); ++i) {
     if (kinds[static_cast<std::size_t>(i)] == TileKind::Other) continue;
     ScreenGroup group = takeGroup(tiles, i, kinds);
-    if (group.tiles.size() < (group.isJittered ? kLeastJittered : kLeastFixed)) continue;
-    if (!isOwnRegion(group, tiles)) out.push_back(std::move(group));
+    if (group.tiles.size() < leastOf(group)) continue;
+    (isOwnRegion(group, tiles) ? own : out).push_back(std::move(group));
   }
+  // Beside an interface, what hides an object or the sky is more of it.
+  const std::size_t apart = out.size();
+  for (ScreenGroup& group : own)
+    if (std::any_of(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(apart),
+                    [&](const ScreenGroup& other) { return other.isJittered == group.isJittered; }))
+      out.push_back(std::move(group));
   return out;
 }
 

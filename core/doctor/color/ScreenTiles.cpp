@@ -54,6 +54,7 @@ class TilePair {
     sums_.inPlace += leftBy(pixel, -jitterStep_);
     sums_.jittered += leftBy(pixel, glm::vec2(0.0f));
     sums_.asGiven += leftBy(pixel, -given);
+    sums_.unjittered += leftBy(pixel, -given - jitterStep_);
     sums_.ofWorld += leftBy(pixel, -world);
     sums_.worldPx += static_cast<double>(glm::length(world));
     sums_.givenPx += static_cast<double>(glm::length(given));
@@ -85,6 +86,7 @@ void TileSums::add(const TileSums& other) {
   inPlace += other.inPlace;
   jittered += other.jittered;
   asGiven += other.asGiven;
+  unjittered += other.unjittered;
   ofWorld += other.ofWorld;
   worldPx += other.worldPx;
   givenPx += other.givenPx;

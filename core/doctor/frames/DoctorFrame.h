@@ -23,6 +23,7 @@ struct KnownPlanes {
   bool camera = true;        ///< matrices of all frames
   bool depthJittered = true; ///< depth was drawn with the jitter of its frame
   bool output = false;       ///< what a TAA made of the frames
+  bool maskUsed = false;     ///< the TAA gets the mask; else it says what was drawn, to the doctor alone
 };
 
 /// Of a frame and of the one before it, without jitter; the projection is that of both.

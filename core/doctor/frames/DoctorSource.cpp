@@ -96,6 +96,7 @@ void drawWith(const Settings& settings, DoctorSource& source) {
   else
     source.output = facts->hasOutput ? std::make_shared<CapturedOutput>() : nullptr;
   source.known.output = source.output != nullptr;
+  source.known.maskUsed = facts || used.inputs.mask != MaskSource::None;
   // What is blended over a surface, and what changes without motion, is no witness of it.
   if (!facts) source.request.inputs.mask = MaskSource::Opacity;
 }

@@ -9,7 +9,7 @@ std::string doctorManual() {
   return std::string(R"(
 ## The doctor
 
-The doctor says what is wrong with the jitter, depth and motion vectors of somebody's frames, in which part of the picture, how sure that is, and what to change. It measures: nothing is concluded from settings or conventions. `taa-batch doctor SOURCE` takes a capture, a folder of an engine's frames, a built-in scene or a glTF file, looks at its first 32 frames (`--frames`), and ends with 0 where nothing is wrong and with 3 where something is; `--json` prints every figure, `--html FILE` writes one page without scripts. `--write-baseline FILE` writes what is found as a JSON file of ids and regions, `{"known": [{"id": "motionZero", "region": "the sky"}]}`; with `--baseline FILE` such findings are said as known and fail no build: it ends with 3 where another one is there. A line with an empty region stands for the whole picture and all its regions. What it finds has the name of the table above that says the same.
+The doctor says what is wrong with the jitter, depth, motion vectors and colors of somebody's frames, in which part of the picture, how sure that is, and what to change. It measures: nothing is concluded from settings or conventions. `taa-batch doctor SOURCE` takes a capture, a folder of an engine's frames, a built-in scene or a glTF file, looks at its first 32 frames (`--frames`), and ends with 0 where nothing is wrong and with 3 where something is; `--json` prints every figure, `--html FILE` writes one page without scripts. `--write-baseline FILE` writes what is found as a JSON file of ids and regions, `{"known": [{"id": "motionZero", "region": "the sky"}]}`; with `--baseline FILE` such findings are said as known and fail no build: it ends with 3 where another one is there. A line with an empty region stands for the whole picture and all its regions. What it finds has the name of the table above that says the same.
 
 ### Regions
 
@@ -23,11 +23,23 @@ An explanation is told where it leaves at most two thirds of what the motion giv
 
 ### Jitter
 
-The shift of each picture against the one before, warped by the camera's motion, is measured by least squares, so that motion vectors have no part in it. What is stated makes a shift of j′ − j, and so does each explanation: none in the pictures, x, y or both negated, axes exchanged, times ½, ⅔, ¾, 1⅓, 1½ and 2, another unit, of the frame before or after. Of each is also known what it leaves: the median of |luma − luma of the frame before| where pictures are shifted so. One is told where it leaves at most 85 % of what is left as stated, in 80 % of the pairs, and is nearer to the shifts that are measured; or where it leaves less, lies within 0.15 px of these shifts, and the stated one half as far again. Thin lines stay on their pixels whatever the jitter, and what repeats shifts by whatever it is told: there the doctor says that jitter is not decided. The sky is measured apart: it is told to rest where it leaves a third of what it leaves with the world's jitter. The sequence itself is looked at as well: its mean, its period, and how often it goes beyond half a pixel; the mean of fewer than 16 frames that do not repeat is told only where their range lies around it. Wrong jitter makes all motion look wrong: motion is then looked at again with the jitter that the pictures hold.
+The shift of each picture against the one before, warped by the camera's motion, is measured by least squares, so that motion vectors have no part in it. What is stated makes a shift of j′ − j, and so does each explanation: none in the pictures, x, y or both negated, axes exchanged, times ½, ⅔, ¾, 1⅓, 1½ and 2, another unit, of the frame before or after. Of each is also known what it leaves: the median of |luma − luma of the frame before| where pictures are shifted so. One is told where it leaves at most 85 % of what is left as stated, in 80 % of the pairs, and is nearer to the shifts that are measured; or where it leaves less, lies within 0.15 px of these shifts, and the stated one half as far again. Thin lines stay on their pixels whatever the jitter, and what repeats shifts by whatever it is told: there the doctor says that jitter is not decided. The sky is measured apart: it is told to rest where it leaves a third of what it leaves with the world's jitter. The sequence itself is looked at as well: its mean, its period, and how often it goes beyond half a pixel; the mean of fewer than 16 frames that do not repeat is told only where their range lies around it, and a sequence of two places whatever pictures hold of it. Wrong jitter makes all motion look wrong: motion is then looked at again with the jitter that the pictures hold.
 
 ### Depth
 
 Of pixels that the camera passes, motion and matrices say at which depth they rest. That depth is the stored one, or it follows from it: by a factor (the near plane is another one), the other way around, or as a distance.
+
+### Color
+
+Squares of 8 × 8 pixels are followed by their edges, |luma − luma of the frame before| at them: at the same pixel, at the same pixel but for jitter, as given, and as what rests in the world moves. An interface is told where squares that hang together hold their edges in place, to 0.002 of luma in 90 % of the pairs, while motion leaves three times as much; and one that is drawn with the jitter where that leaves at most 80 % of what both motions and rest leave. Where the world rests, too, the one without jitter is told only beside edges that shift, and the one with it is not decided. An object, or the sky, that rests by itself is none. All else is examined beside what an interface covers, since its edges would be taken for those of what is behind.
+
+The light of places that are followed, over that of the frame before, has a median over the picture and in each of 8 × 6 parts of it: exposure has changed where the median is 0.1 stops or more and that of 85 % of the parts is the same. A light that changes leaves what it does not shine on.
+
+Two objects fight for one place where pixels of one, in areas and at the same distance, showed the other one a frame before, both ways, in three pairs of frames or more. At a line where two touch, jitter changes a row of pixels and no more.
+
+Where a mask says that something is blended in, its shapes are searched for in the mask of the frame before: one whose motion does not lead there has none of its own, which a mask that the resolve gets may stand for. Where an object rests, and its motion is another one where something is blended over it, but what is seen moves as what rests, the motion behind is overwritten.
+
+How sharp a texture is before it is filtered is in no frame: the bias of the level of detail is not decided.
 
 ### The resolve
 
