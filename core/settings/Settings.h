@@ -334,11 +334,23 @@ struct OutputSettings {
 /// What is wrong with the jitter that is reported, against the one that the picture is drawn with.
 enum class JitterFault : std::int32_t { None, NegatedX, NegatedY, Negated, Swapped, Unreported, Late, Early };
 enum class MotionFault : std::int32_t { None, Zero, CameraOnly };
-/// The camera that motion is made with in place of the previous one.
-enum class CameraFault : std::int32_t { None, OfNow, Turned, Mirrored, SecondView, Identity };
-/// How motion is written that is read as px.
-enum class MotionUnitFault : std::int32_t { None, Uv, Ndc, Biased, Root, Unwritten };
-enum class MotionJitterFault : std::int32_t { None, This, Last, Both };
+/// The camera that motion is made with in place of the previous one. Twice: its motion is there twice.
+enum class CameraFault : std::int32_t { None, OfNow, Turned, Mirrored, SecondView, Identity, Twice };
+/// How motion is written that is read as px; from AsUv on: what px are read as.
+enum class MotionUnitFault : std::int32_t {
+  None,
+  Uv,
+  Ndc,
+  Biased,
+  Root,
+  Unwritten,
+  AsUv,
+  AsNdc,
+  AsBiased,
+  AsRoot
+};
+/// Jitter that is left in motion; from ThisOff on: that is taken off though there was none.
+enum class MotionJitterFault : std::int32_t { None, This, Last, Both, ThisOff, LastOff, BothOff };
 enum class DepthFault : std::int32_t { None, Reversed, Linear };
 enum class InterfaceFault : std::int32_t { None, Still, Jittered };
 enum class FaultRegion : std::int32_t {
@@ -367,14 +379,14 @@ struct FaultSettings {
   CameraFault previousCamera = CameraFault::None;
   float cameraTurn = 1.0f;      ///< degrees, of CameraFault::Turned
   std::int32_t previousAge = 1; ///< frames from the previous transforms to these
-  std::int32_t motionLag = 0;   ///< frames that the plane is old
+  std::int32_t motionLag = 0;   ///< frames that the plane is old; negative: early
   MotionJitterFault motionJitter = MotionJitterFault::None;
   Switch motionSwapped = Switch::Off; ///< x and y
   float motionX = 1.0f, motionY = 1.0f;
   MotionUnitFault motionUnit = MotionUnitFault::None;
   Switch zeroIsMissing = Switch::Off; ///< motion of 0 has no previous position
-  std::int32_t motionShift = 0;       ///< texels up and to the left that it is read at
-  std::int32_t motionCoarse = 1;      ///< texels that share one motion, a side
+  std::int32_t motionShift = 0;  ///< texels up and to the left that it is read at; negative: down and right
+  std::int32_t motionCoarse = 1; ///< texels that share one motion, a side
   // Depth and color
   DepthFault depth = DepthFault::None;
   float nearPlane = 1.0f;       ///< factor on the stated one

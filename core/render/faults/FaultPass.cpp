@@ -24,6 +24,7 @@ glm::mat4 wrongPrevious(const FaultSettings& faults, const shared::FrameBlock& b
   const glm::dmat4 one(1.0);
   switch (faults.previousCamera) {
   case CameraFault::None:
+  case CameraFault::Twice: // the previous one is right
     break;
   case CameraFault::OfNow:
     return block.clipFromWorld;
@@ -52,6 +53,12 @@ glm::vec2 jitterShares(MotionJitterFault fault) {
     return {0.0f, 1.0f};
   case MotionJitterFault::Both:
     return {1.0f, 1.0f};
+  case MotionJitterFault::ThisOff:
+    return {-1.0f, 0.0f};
+  case MotionJitterFault::LastOff:
+    return {0.0f, -1.0f};
+  case MotionJitterFault::BothOff:
+    return {-1.0f, -1.0f};
   }
   return glm::vec2(0.0f);
 }
@@ -76,7 +83,8 @@ shared::FaultBlock faultBlock(const FaultSettings& faults, const FrameInputs& in
   block.motionTerms = glm::vec4(faults.motionX, faults.motionY, jitterShares(faults.motionJitter));
   block.motionForm = {static_cast<int>(faults.motion), static_cast<int>(faults.motionUnit),
                       isOn(faults.motionSwapped) ? 1 : 0, isOn(faults.zeroIsMissing) ? 1 : 0};
-  block.texels = {faults.motionShift, faults.motionCoarse, faults.depthCoarse, 0};
+  block.texels = {faults.motionShift, faults.motionCoarse, faults.depthCoarse,
+                  faults.previousCamera == CameraFault::Twice ? 1 : 0};
   block.place = glm::ivec4(static_cast<int>(faults.region), faults.object, nanTexel(faults, inputs));
   block.rectangle = rectanglePx(faults, {inputs.width(), inputs.height()});
   block.colorTerms = {std::exp2(faults.exposure), static_cast<float>(faults.interface), faults.nearPlane,
@@ -102,9 +110,9 @@ glm::ivec2 texturePx(const gl::Texture& texture) {
 bool changesMotion(const FaultSettings& faults) {
   const FaultSettings none;
   return faults.motion != none.motion || faults.previousCamera != none.previousCamera ||
-         faults.previousAge > 1 || faults.motionLag > 0 || faults.motionJitter != none.motionJitter ||
+         faults.previousAge > 1 || faults.motionLag != 0 || faults.motionJitter != none.motionJitter ||
          isOn(faults.motionSwapped) || faults.motionX != 1.0f || faults.motionY != 1.0f ||
-         faults.motionUnit != none.motionUnit || isOn(faults.zeroIsMissing) || faults.motionShift > 0 ||
+         faults.motionUnit != none.motionUnit || isOn(faults.zeroIsMissing) || faults.motionShift != 0 ||
          faults.motionCoarse > 1;
 }
 

@@ -108,7 +108,9 @@ void FaultySource::followOlder(const FrameRequest& request, int frame, FrameInpu
 
 /// The plane that is taken for the frame's motion.
 const gl::Texture& FaultySource::motionOf(const FrameRequest& request, int frame, FrameInputs& out) {
-  const int from = std::max(frame - request.faults.motionLag, 0);
+  int from = std::max(frame - request.faults.motionLag, 0);
+  if (const auto facts = source_->capture()) // which ends with its frames
+    from = std::min(from, static_cast<int>(facts->jitterPx.size()) - 1);
   if (from == frame) return out.motion;
   source_->draw(plain(request, from), from, other_);
   return other_.motion;

@@ -31,6 +31,7 @@ inline constexpr Choice kCameraFaults[] = {
     {"secondView", "Of a second view", "The previous matrix is that of a view half a meter to the right.",
      Uses()},
     {"identity", "Identity", "The previous matrix was never set: it is the identity.", Uses()},
+    {"twice", "Added once more", "The camera's motion is added to motion that holds it already.", Uses()},
 };
 inline constexpr Choice kMotionUnitFaults[] = {
     {"none", "Pixels", "Motion is in px, x right, y down, as it is read.", Uses()},
@@ -42,12 +43,19 @@ inline constexpr Choice kMotionUnitFaults[] = {
      Uses()},
     {"unwritten", "Not written",
      "The mark of \"not written\", 0 of an encoding with a bias, is decoded: −(W, H).", Uses()},
+    {"asUv", "Pixels as texture coordinates", "v(W, H): px are multiplied by the picture's size.", Uses()},
+    {"asNdc", "Pixels as device coordinates", "v(W, −H)/2: px are read as device coordinates.", Uses()},
+    {"asBiased", "Decoded with a bias", "2v − (W, H): a bias is taken off motion that has none.", Uses()},
+    {"asRoot", "Squared", "|v|v/(W, H): motion is squared that is no root.", Uses()},
 };
 inline constexpr Choice kMotionJitterFaults[] = {
     {"none", "None", "Jitter is removed from motion.", Uses()},
     {"this", "This frame's", "Motion has this frame's jitter in it: v + jₙ.", Uses()},
     {"last", "The last frame's", "Motion has the last frame's jitter in it: v − jₙ₋₁.", Uses()},
     {"both", "Both", "Motion has both in it: v + jₙ − jₙ₋₁.", Uses()},
+    {"thisOff", "This frame's taken off", "It is taken off motion that has none in it: v − jₙ.", Uses()},
+    {"lastOff", "The last frame's taken off", "Likewise: v + jₙ₋₁.", Uses()},
+    {"bothOff", "Both taken off", "Likewise: v − jₙ + jₙ₋₁.", Uses()},
 };
 inline constexpr Choice kDepthFaults[] = {
     {"none", "As drawn", "Depth is what the renderer or the capture has: reversed, 0 for the sky.", Uses()},

@@ -16,6 +16,10 @@ const int kNdc = 2;
 const int kBiased = 3;
 const int kRoot = 4;
 const int kUnwritten = 5;
+const int kAsUv = 6;
+const int kAsNdc = 7;
+const int kAsBiased = 8;
+const int kAsRoot = 9;
 
 bool isMarked(vec2 motion) { return motion.x == kLargestHalf; }
 
@@ -31,7 +35,7 @@ vec2 cameraPart(vec4 world, mat4 previousClipFromWorld) {
 /// The camera's part taken out, and that of the wrong camera put in.
 vec2 withWrongCamera(vec2 motion, vec4 world) {
   vec2 right = cameraPart(world, frame.previousClipFromWorld);
-  vec2 wrong = cameraPart(world, fault.wrongPreviousClipFromWorld);
+  vec2 wrong = fault.texels.w == 1 ? 2.0 * right : cameraPart(world, fault.wrongPreviousClipFromWorld);
   if (isMarked(motion) || isMarked(right) || isMarked(wrong)) return kNoPreviousPosition;
   precise vec2 result = motion + (wrong - right);
   return result;
@@ -46,6 +50,10 @@ vec2 inUnit(vec2 motion) {
   if (unit == kBiased) return (0.5 * share + 0.5) * frame.sizePx;
   if (unit == kRoot) return sign(share) * sqrt(abs(share)) * frame.sizePx;
   if (unit == kUnwritten) return -frame.sizePx;
+  if (unit == kAsUv) return motion * frame.sizePx;
+  if (unit == kAsNdc) return vec2(0.5, -0.5) * (motion * frame.sizePx);
+  if (unit == kAsBiased) return 2.0 * motion - frame.sizePx;
+  if (unit == kAsRoot) return abs(motion) * share;
   return motion;
 }
 

@@ -10,9 +10,11 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <initializer_list>
@@ -106,6 +108,13 @@ TEST_F(FaultySourceTest, WritesMotionInOtherUnits) {
   expectMotion(requestOf({"fault.motionUnit=biased"}),
                [](int x, int y) { return 0.5f * given(x, y) + 0.5f * kSize; });
   expectMotion(requestOf({"fault.motionUnit=unwritten"}), [](int, int) { return -kSize; });
+  expectMotion(requestOf({"fault.motionUnit=asUv"}), [](int x, int y) { return given(x, y) * kSize; });
+  expectMotion(requestOf({"fault.motionUnit=asNdc"}),
+               [](int x, int y) { return glm::vec2(0.5f, -0.5f) * (given(x, y) * kSize); });
+  expectMotion(requestOf({"fault.motionUnit=asBiased"}),
+               [](int x, int y) { return 2.0f * given(x, y) - kSize; });
+  expectMotion(requestOf({"fault.motionUnit=asRoot"}),
+               [](int x, int y) { return glm::abs(given(x, y)) * given(x, y) / kSize; });
   const Image root = drawn(requestOf({"fault.motionUnit=root"})).motion.download();
   for (int x = 0; x < kW; ++x) {
     const glm::vec2 v = given(x, 3) / kSize;
@@ -120,6 +129,10 @@ TEST_F(FaultySourceTest, LeavesJitterInMotion) {
   expectMotion(requestOf({"fault.motionJitter=last"}), [&](int x, int y) { return given(x, y) - last; });
   expectMotion(requestOf({"fault.motionJitter=both"}),
                [&](int x, int y) { return given(x, y) + now - last; });
+  expectMotion(requestOf({"fault.motionJitter=thisOff"}), [&](int x, int y) { return given(x, y) - now; });
+  expectMotion(requestOf({"fault.motionJitter=lastOff"}), [&](int x, int y) { return given(x, y) + last; });
+  expectMotion(requestOf({"fault.motionJitter=bothOff"}),
+               [&](int x, int y) { return given(x, y) - now + last; });
 }
 
 TEST_F(FaultySourceTest, TakesZeroForMissing) {
@@ -131,6 +144,8 @@ TEST_F(FaultySourceTest, TakesZeroForMissing) {
 TEST_F(FaultySourceTest, ReadsMotionElsewhere) {
   expectMotion(requestOf({"fault.motionShift=2"}),
                [](int x, int y) { return given(x < 2 ? 0 : x - 2, y < 2 ? 0 : y - 2); });
+  expectMotion(requestOf({"fault.motionShift=-2"}),
+               [](int x, int y) { return given(std::min(x + 2, kW - 1), std::min(y + 2, kH - 1)); });
   expectMotion(requestOf({"fault.motionCoarse=4"}),
                [](int x, int y) { return given(x / 4 * 4 + 2, y / 4 * 4 + 2); });
 }
@@ -140,6 +155,8 @@ TEST_F(FaultySourceTest, TakesMotionOfEarlierFrames) {
                [](int x, int y) { return HandMadeSource::motionPx(x, y, kFrame - 3); });
   expectMotion(
       requestOf({"fault.motionLag=8"}), [](int x, int y) { return HandMadeSource::motionPx(x, y, 0); }, 2);
+  expectMotion(requestOf({"fault.motionLag=-1"}),
+               [](int x, int y) { return HandMadeSource::motionPx(x, y, kFrame + 1); });
   expectMotion(requestOf({"fault.previousAge=2"}), [](int x, int y) {
     const glm::vec2 v = given(x, y), before = glm::vec2(x, y) + 0.5f - v;
     const glm::ivec2 texel(glm::floor(before));
@@ -222,6 +239,22 @@ TEST_F(FaultySourceTest, MakesMotionWithAnotherCamera) {
     EXPECT_NEAR(is[0], should.x, 1e-3) << assignment << ": matrices are floats";
     EXPECT_NEAR(is[1], should.y, 1e-3) << assignment;
   }
+}
+
+TEST_F(FaultySourceTest, AddsTheCamerasMotionOnceMore) {
+  const Image motion = drawn(requestOf({"fault.previousCamera=twice"})).motion.download();
+  const float* is = motion.at(kSurfaceTexel.x, kSurfaceTexel.y);
+  const glm::dmat4 projection = projectionOf(kFrame);
+  const glm::dvec2 should = glm::dvec2(given(kSurfaceTexel.x, kSurfaceTexel.y)) +
+                            placeIn(projection * viewOf(kFrame)) - placeIn(projection * viewOf(kFrame - 1));
+  EXPECT_NEAR(is[0], should.x, 1e-3) << "matrices are floats";
+  EXPECT_NEAR(is[1], should.y, 1e-3);
+}
+
+TEST_F(FaultySourceTest, EndsWithTheFramesOfACapture) {
+  const int last = HandMadeSource::kFrames - 1;
+  const Image motion = drawn(requestOf({"fault.motionLag=-1"}), last, true).motion.download();
+  EXPECT_EQ(motion.at(3, 3)[0], HandMadeSource::motionPx(3, 3, last).x) << "after it there is none";
 }
 
 TEST_F(FaultySourceTest, MakesMotionOfTheCameraAlone) {
