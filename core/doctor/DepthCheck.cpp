@@ -2,8 +2,10 @@
 
 #include "core/base/Median.h"
 #include "core/base/Say.h"
+#include "core/doctor/mending/Mending.h"
 #include "core/doctor/NumberText.h"
 #include "core/settings/Faults.h"
+#include "core/taa/twin/stages/SampleStages.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
@@ -99,6 +101,13 @@ Fault depthFault(RelationKind kind) {
   return kind == RelationKind::Linear ? Fault::DepthLinear : Fault::NearPlaneWrong;
 }
 
+/// Nothing undoes a distance whose unit is not known.
+std::vector<std::string> depthMending(const DepthRelation& relation) {
+  if (relation.kind == RelationKind::Reversed) return {"fault.depth=reversed"};
+  if (relation.kind == RelationKind::Linear) return {};
+  return {"fault.nearPlane=" + shortNumber(1.0 / relation.factor)};
+}
+
 std::string depthChange(const DepthRelation& relation) {
   if (relation.kind == RelationKind::Reversed)
     return say<"State that depth is reversed, or that it is not: it is the other way than is stated.">();
@@ -115,6 +124,7 @@ Finding depthFinding(const std::vector<DepthRelation>& relations, const DepthRel
   Finding out = faultFinding(depthFault(best.kind));
   out.isWholePicture = true;
   out.change = depthChange(best);
+  mendBy(depthMending(best), out);
   out.reason = say<"At %1 pixels the motion given is that of something at rest at another depth than the one "
                    "stored; the two are related like this: %2.">(samples, relationText(best));
   out.measure = say<"median of |log| of depth by its motion over depth as stored">();
@@ -135,6 +145,7 @@ Finding statedNearFinding(double factor) {
           "frames are drawn with.">(shortNumber(factor));
   out.change =
       say<"State the near plane of the projection: %1 times what is stated.">(shortNumber(1.0 / factor));
+  mendBy({"fault.nearPlane=" + shortNumber(1.0 / factor)}, out);
   return out;
 }
 
@@ -159,11 +170,26 @@ const DepthRelation* clearRelation(const std::vector<DepthRelation>& relations,
 
 } // namespace
 
-bool isDepthOtherwise(const DepthEvidence& evidence) {
-  if (evidence.samples.size() < kEnoughDepths) return false;
+std::optional<DepthRelation> otherDepth(const DepthEvidence& evidence) {
+  if (evidence.samples.size() < kEnoughDepths) return {};
   const std::vector<DepthRelation> relations = depthRelations(evidence.samples);
   const DepthRelation* best = clearRelation(relations, evidence.samples);
-  return best && (best->kind == RelationKind::Reversed || best->kind == RelationKind::Linear);
+  if (!best || (best->kind != RelationKind::Reversed && best->kind != RelationKind::Linear)) return {};
+  return *best;
+}
+
+void mendDepth(const DepthRelation& relation, DoctorFrame& frame) {
+  for (float& depth : frame.depth.pixels) {
+    const auto stored = static_cast<double>(depth);
+    // A distance ends where the sky begins, at 1.
+    const bool isBeyond = relation.kind == RelationKind::Linear && stored >= 1.0;
+    const auto mended = isBeyond ? std::nullopt : related(relation.kind, stored);
+    depth = static_cast<float>(relation.factor * mended.value_or(0.0));
+  }
+  frame.depthView = frame.depth;
+  for (float& depth : frame.depthView.pixels)
+    depth = depth > 0.0f ? twin::viewDepth(depth, frame.depthTerms) : 0.0f;
+  frame.previousDepthView = frame.depthView;
 }
 
 void DepthEvidence::add(const DoctorFrame& frame) {

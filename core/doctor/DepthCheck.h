@@ -6,6 +6,7 @@
 #include "core/doctor/frames/DoctorFrame.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,11 @@ struct DepthEvidence {
 /// All relations, AsStated first. Expects samples.
 std::vector<DepthRelation> depthRelations(const std::vector<DepthSample>& samples);
 
-/// Whether depth is clearly the other way around or linear: no mistake of motion looks like that.
-bool isDepthOtherwise(const DepthEvidence& evidence);
+/// How, where depth is clearly the other way around or linear: no mistake of motion looks like that.
+std::optional<DepthRelation> otherDepth(const DepthEvidence& evidence);
+/// Makes a frame's depth the one that follows from the stored one. What the same surface had a frame ago is
+/// held to be what it has now.
+void mendDepth(const DepthRelation& relation, DoctorFrame& frame);
 
 /// Adds what is wrong, right or not decided about depth.
 void tellDepth(const DepthEvidence& evidence, Diagnosis& out);

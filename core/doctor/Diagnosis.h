@@ -2,6 +2,7 @@
 // at.
 #pragma once
 
+#include "core/doctor/Outline.h"
 #include "core/settings/Faults.h"
 
 #include <glm/vec2.hpp>
@@ -18,13 +19,16 @@ namespace taa::doctor {
 inline constexpr int kDoctorFrames = 32; ///< that are examined, unless somebody says otherwise
 inline constexpr int kLeastDoctorFrames = 2, kMaxDoctorFrames = 1024;
 
-/// A region by what people call it, and where it was largest.
+/// A region by what people call it, and where it was nearly as large as ever.
 struct RegionPlace {
   std::string name;    ///< "the sky", "object 7 (wheel)"
-  int frame = 0;       ///< where it was largest …
+  int frame = 0;       ///< the last one like that …
   glm::ivec4 box{0};   ///< … what it lies in: left, top, first beyond right and bottom, px …
   glm::ivec2 pixel{0}; ///< … and one of its pixels
   double share = 0.0;  ///< of all pixels of all frames
+  bool isSky = false;
+  std::uint32_t objectId = 0;        ///< 0: the sky, or a part that no number says
+  std::vector<PixelRun> pixels = {}; ///< all of them in that frame, see outlineOf()
 };
 
 /// What one explanation leaves.
@@ -47,8 +51,11 @@ struct Finding {
   std::vector<Residual> residuals; ///< by rising value
   std::string symptom;             ///< a sentence: what one sees because of it
   std::string change;              ///< sentences: what to change, in the engine's own convention
-  std::vector<std::string> alike;  ///< ids of what these frames do not tell it from
-  bool isKnown = false;            ///< by a baseline: it is no news
+  /// Settings that make frames right, "fault.motionY=-1", what is wrong being no fault that they inject;
+  /// empty: none do.
+  std::vector<std::string> mending;
+  std::vector<std::string> alike; ///< ids of what these frames do not tell it from
+  bool isKnown = false;           ///< by a baseline: it is no news
 };
 
 /// A sure one with id, name and symptom of the fault's row.

@@ -6,6 +6,7 @@
 #include "core/doctor/color/ColorCheck.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/jitter/JitterCheck.h"
+#include "core/doctor/mending/MendedFrames.h"
 #include "core/doctor/motion/MotionEvidence.h"
 #include "core/doctor/motion/MotionFindings.h"
 #include "core/doctor/motion/MotionRims.h"
@@ -16,6 +17,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -46,7 +49,15 @@ class Examiner {
   }
 
   const ColorEvidence& color() const { return color_; }
+  void tellColor(Diagnosis& out) const {
+    doctor::tellColor(color_, patient_, examination_.known.maskUsed, out);
+  }
+  /// One of the same frames that has seen none, and does not look at the output.
+  Examiner another() const { return {examination_, patient_, progress_, false}; }
   const JitterEvidence& jitter() const { return jitter_; }
+  JitterOutcome tellJitter(Diagnosis& out) const {
+    return doctor::tellJitter(jitter_, {patient_, examination_.known.camera, skyPlace(out)}, out);
+  }
   const DepthEvidence& depth() const { return depth_; }
   const RimEvidence& rims() const { return rims_; }
   /// `out`: says how many frames there are.
@@ -57,7 +68,9 @@ class Examiner {
     return placeOf(*sky, patient_, pixels * out.frames);
   }
   const ResolveEvidence& resolve() const { return resolve_; }
-  void tellMotion(Diagnosis& out) const { doctor::tellMotion(motion_, tracker_.regions(), patient_, out); }
+  std::optional<MotionTrial> tellMotion(Diagnosis& out) const {
+    return doctor::tellMotion(motion_, tracker_.regions(), patient_, out);
+  }
 
  private:
   DoctorFrame readNext(const FrameReader& read, int frame) const {
@@ -95,21 +108,6 @@ class Examiner {
   bool looksAtOutput_;
 };
 
-/// Frames with the jitter that their pictures hold. A frame whose own jitter, or that of the one before, is
-/// not known is compared with nothing.
-FrameReader mendedReader(const FrameReader& read, const Examination& examination,
-                         const JitterMender& mender) {
-  return [&read, &examination, mender](int frame) {
-    DoctorFrame out = read(frame);
-    const auto jitter = mender(frame);
-    if (!jitter || (frame > examination.first && !mender(frame - 1))) out.startsHistory = true;
-    if (!jitter) return out;
-    out.jitterPx = *jitter;
-    if (examination.known.depthJittered) out.depthJitterPx = *jitter;
-    return out;
-  };
-}
-
 Patient sizedPatient(const Examination& examination) {
   Patient patient = examination.patient;
   if (patient.sizePx.x == 0) patient.sizePx = examination.read(examination.first).sizePx();
@@ -125,26 +123,44 @@ bool isOfMuch(const Finding& finding) {
   return finding.isWholePicture || share >= kMuch;
 }
 
-/// Motion, and depth as far as motion is a witness of it.
-void tellPlanes(const Examiner& examiner, const Examination& examination, Diagnosis& out) {
-  const std::size_t before = out.findings.size();
-  if (examination.known.camera && isDepthOtherwise(examiner.depth())) {
-    tellDepth(examiner.depth(), out);
-    out.undecided.push_back({say<"Motion">(),
-                             say<"depth is not what it is said to be, by which motion is examined">(),
+/// What has to be made right before the rest can be told of; at most one of them.
+struct Hiding {
+  std::optional<DepthRelation> depth;
+  JitterMender jitter;
+  std::optional<MotionTrial> motion; ///< hides depth alone
+};
+
+/// What an earlier look told of.
+struct ToldOf {
+  bool depth = false, jitter = false;
+};
+
+/// Says what is hidden where it is not looked at again.
+void leaveOpen(const Hiding& hiding, Diagnosis& out) {
+  if (hiding.depth)
+    out.undecided.push_back({say<"Jitter and motion">(),
+                             say<"depth is not what it is said to be, by which they are examined">(),
                              say<"Mend depth first.">()});
-    return;
-  }
-  examiner.tellMotion(out);
+  if (hiding.motion)
+    out.undecided.push_back({say<"Depth">(), say<"motion is wrong, which says at which depth things rest">(),
+                             say<"Mend motion first.">()});
+}
+
+/// Motion, and depth as far as motion is a witness of it. Returns what hides depth, where that is known.
+Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, Diagnosis& out) {
+  const std::size_t before = out.findings.size();
+  const std::optional<MotionTrial> trial = examiner.tellMotion(out);
   const bool isMotionRight = out.findings.size() == before;
   const bool isMotionWrong =
       std::any_of(out.findings.begin() + static_cast<std::ptrdiff_t>(before), out.findings.end(), isOfMuch);
-  if (examination.known.camera && isMotionWrong)
-    out.undecided.push_back({say<"Depth">(), say<"motion is wrong, which says at which depth things rest">(),
-                             say<"Mend motion first.">()});
-  else if (examination.known.camera)
-    tellDepth(examiner.depth(), out);
+  if (tellsDepth && !isMotionWrong) tellDepth(examiner.depth(), out);
   tellRims(examiner.rims(), isMotionRight, out);
+  if (!tellsDepth || !isMotionWrong) return {};
+  Hiding hiding;
+  hiding.motion = trial.value_or(MotionTrial{});
+  if (trial && mendsAlone(*trial)) return hiding;
+  leaveOpen(hiding, out);
+  return {};
 }
 
 /// Jitter that nobody knows makes the motion of single regions look wrong by parts of a pixel, and says
@@ -160,21 +176,61 @@ void withholdMotion(const JitterOutcome& jitter, Diagnosis& out) {
        say<"Mend jitter first.">()});
 }
 
-/// Jitter, and where that is right the planes. Returns what mends it, where that is known.
-JitterMender tellSeen(const Examiner& examiner, const Examination& examination, const Patient& patient,
-                      Diagnosis& out) {
-  const JitterOutcome jitter =
-      tellJitter(examiner.jitter(), {patient, examination.known.camera, examiner.skyPlace(out)}, out);
-  if (!examination.known.motion) {
+/// Depth that all else is examined by, jitter, and where these are right the planes. Returns what hides the
+/// rest.
+Hiding tellSeen(const Examiner& examiner, const Examination& examination, const ToldOf& told,
+                Diagnosis& out) {
+  const KnownPlanes& known = examination.known;
+  Hiding hiding;
+  if (known.motion && known.camera && !told.depth) hiding.depth = otherDepth(examiner.depth());
+  if (hiding.depth) {
+    tellDepth(examiner.depth(), out);
+    return hiding;
+  }
+  const JitterOutcome jitter = told.jitter ? JitterOutcome() : examiner.tellJitter(out);
+  if (!known.motion) {
     out.undecided.push_back(
         {say<"Motion">(), say<"the capture has none">(), say<"Capture the plane of motion vectors, too.">()});
     tellRims(examiner.rims(), false, out);
     return {};
   }
-  if (jitter.mender) return jitter.mender;
-  tellPlanes(examiner, examination, out);
-  if (jitter.isOpen) withholdMotion(jitter, out);
+  hiding.jitter = jitter.mender;
+  if (hiding.jitter) return hiding;
+  hiding = tellPlanes(examiner, known.camera && !told.depth, out);
+  if (!jitter.isOpen) return hiding;
+  leaveOpen(hiding, out);
+  withholdMotion(jitter, out);
   return {};
+}
+
+/// Depth, where motion of all frames is made right by an explanation. `stated`: their jitter.
+void tellDepthAgain(const FrameReader& read, const MotionTrial& trial, const std::map<int, glm::vec2>& stated,
+                    Diagnosis& out) {
+  const FrameReader mended = withMotion(read, trial, stated);
+  DepthEvidence evidence;
+  for (auto frame = std::next(stated.begin()); frame != stated.end(); ++frame)
+    if (const DoctorFrame now = mended(frame->first); !now.startsHistory) evidence.add(now);
+  tellDepth(evidence, out);
+}
+
+/// What is wrong makes other things look wrong: they are looked at with it made right, until nothing is
+/// hidden. `first`: what was seen of the frames that `read` gives.
+void tellAll(const Examination& examination, const Examiner& first, FrameReader read, Diagnosis& out) {
+  ToldOf told;
+  std::optional<Examiner> next;
+  Hiding hiding = tellSeen(first, examination, told, out);
+  while (hiding.depth || hiding.jitter) {
+    told.depth = told.depth || hiding.depth;
+    told.jitter = told.jitter || hiding.jitter;
+    read = hiding.depth ? withDepth(read, *hiding.depth)
+                        : withJitter(read, hiding.jitter, examination.first, examination.known.depthJittered);
+    next.emplace(first.another());
+    next->look(read, out);
+    hiding = tellSeen(*next, examination, told, out);
+  }
+  const Examiner& last = next ? *next : first;
+  if (hiding.motion) tellDepthAgain(read, *hiding.motion, last.jitter().stated, out);
+  last.tellColor(out);
 }
 
 } // namespace
@@ -203,27 +259,19 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
   first.look(examination.read, out, [&] {
     if (!told) return;
     Diagnosis early = out;
-    if (tellInterface(first.color(), early).empty()) tellSeen(first, examination, patient, early);
+    if (tellInterface(first.color(), early).empty())
+      leaveOpen(tellSeen(first, examination, {}, early), early);
     told(early);
   });
-  FrameReader read = examination.read;
-  Examiner bare(examination, patient, progress, false);
   const std::vector<std::uint8_t> covered = tellInterface(first.color(), out);
-  const bool isCovered = !covered.empty();
-  if (isCovered) {
-    // An interface makes jitter and motion look wrong: all else is looked at again beside it.
-    read = coveredReader(examination.read, covered);
-    bare.look(read, out);
-  }
-  const Examiner& seen = isCovered ? bare : first;
-  if (const JitterMender mender = tellSeen(seen, examination, patient, out)) {
-    // Wrong jitter makes motion look wrong: it is looked at again with the jitter that pictures hold.
-    Examiner second(examination, patient, progress, false);
-    second.look(mendedReader(read, examination, mender), out);
-    tellPlanes(second, examination, out);
-    tellColor(second.color(), patient, examination.known.maskUsed, out);
+  if (covered.empty()) {
+    tellAll(examination, first, examination.read, out);
   } else {
-    tellColor(seen.color(), patient, examination.known.maskUsed, out);
+    // An interface makes jitter and motion look wrong: all else is looked at again beside it.
+    Examiner bare = first.another();
+    const FrameReader read = coveredReader(examination.read, covered);
+    bare.look(read, out);
+    tellAll(examination, bare, read, out);
   }
   if (examination.known.output) tellResolve(first.resolve(), out.findings.empty(), out);
   return out;

@@ -51,8 +51,8 @@ DoctorFrame readFrame(FrameSource& source, const FrameRequest& request, const Kn
   if (output) {
     out.output = output->read(source, request, drawn, frame);
     out.color = std::move(color);
-    out.depthTerms = drawn.block.depthTerms;
   }
+  out.depthTerms = drawn.block.depthTerms;
   if (known.motion) out.motionPx = drawn.motion.download();
   if (known.depth) {
     out.depth = drawn.depth.download();

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace taa::doctor {
 
@@ -14,6 +15,9 @@ namespace {
 // Neighbors farther apart than this are of two surfaces: share of the nearer one's distance, px.
 constexpr float kDepthStep = 0.05f;
 constexpr float kMotionStep = 1.0f;
+/// A region is shown in the last frame in which it has this share of its largest size: what is wrong with it
+/// is seen where there is a history.
+constexpr double kAsLarge = 0.98;
 /// A part is that of the frame before where it covers so much of the smaller one of both.
 constexpr double kCoveredShare = 0.5;
 
@@ -166,6 +170,7 @@ void RegionTracker::measure(const DoctorFrame& frame, const std::vector<RegionIn
     std::size_t size = 0;
     glm::ivec4 box{0};
     glm::ivec2 pixel{-1};
+    std::vector<PixelRun> runs;
   };
   const glm::ivec2 size = frame.sizePx();
   std::map<RegionIndex, Seen> seen;
@@ -179,17 +184,22 @@ void RegionTracker::measure(const DoctorFrame& frame, const std::vector<RegionIn
                                 : glm::ivec4(std::min(part.box.x, x), std::min(part.box.y, y),
                                              std::max(part.box.z, x + 1), std::max(part.box.w, y + 1));
       ++part.size;
+      if (!part.runs.empty() && part.runs.back().y == y && part.runs.back().to == x)
+        ++part.runs.back().to;
+      else
+        part.runs.push_back({y, x, x + 1});
       if (part.pixel.x < 0 || isInside(labels, size, x, y)) part.pixel = {x, y};
     }
-  for (const auto& [label, part] : seen) {
+  for (auto& [label, part] : seen) {
     Region& region = regions_[static_cast<std::size_t>(label)];
     ++region.frames;
     region.pixels += static_cast<double>(part.size);
-    if (part.size <= region.size) continue;
+    if (static_cast<double>(part.size) < kAsLarge * static_cast<double>(region.size)) continue;
     region.frame = frame.frame;
-    region.size = part.size;
+    region.size = std::max(region.size, part.size);
     region.box = part.box;
     region.pixel = part.pixel;
+    region.runs = std::move(part.runs);
   }
 }
 

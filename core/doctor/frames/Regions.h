@@ -2,6 +2,7 @@
 // any mean over the whole.
 #pragma once
 
+#include "core/doctor/Outline.h"
 #include "core/doctor/frames/DoctorFrame.h"
 
 #include <glm/vec2.hpp>
@@ -24,10 +25,11 @@ struct Region {
   std::uint32_t objectId = 0; ///< 0: the sky, or a part that no number says
   int frames = 0;             ///< in which it was seen
   double pixels = 0.0;        ///< of all those frames
-  int frame = 0;              ///< that in which it was largest …
-  std::size_t size = 0;       ///< … its pixels there …
+  int frame = 0;              ///< the last in which it was nearly as large as ever …
+  std::size_t size = 0;       ///< … its pixels where it was largest …
   glm::ivec4 box{0};          ///< … and what they lie in: left, top, first beyond right and bottom
   glm::ivec2 pixel{0};        ///< one of its pixels there, well inside
+  std::vector<PixelRun> runs; ///< all of its pixels there, row by row
 };
 
 /// Which region a pixel belongs to, frame after frame.

@@ -6,6 +6,7 @@
 #include "core/doctor/jitter/JitterFit.h"
 #include "core/doctor/jitter/JitterSequence.h"
 #include "core/doctor/jitter/JitterSky.h"
+#include "core/doctor/mending/Mending.h"
 #include "core/settings/Faults.h"
 
 #include <glm/geometric.hpp>
@@ -99,6 +100,32 @@ bool isConstant(const JitterEvidence& evidence) {
   });
 }
 
+/// What makes what is reported that which pictures hold; no setting changes a unit of jitter.
+std::vector<std::string> jitterMending(const JitterTrial& trial) {
+  switch (trial.kind) {
+  case JitterKind::AsStated:
+  case JitterKind::OtherUnit:
+    break;
+  case JitterKind::NotApplied:
+    return {"fault.jitter=unreported"};
+  case JitterKind::MirroredX:
+    return {"fault.jitter=negatedX"};
+  case JitterKind::MirroredY:
+    return {"fault.jitter=negatedY"};
+  case JitterKind::Opposite:
+    return {"fault.jitter=negated"};
+  case JitterKind::SwappedAxes:
+    return {"fault.jitter=swapped"};
+  case JitterKind::Scaled:
+    return {"fault.jitterReported=" + shortNumber(static_cast<double>(trial.factor.x))};
+  case JitterKind::FrameLate:
+    return {"fault.jitter=early"};
+  case JitterKind::FrameEarly:
+    return {"fault.jitter=late"};
+  }
+  return {};
+}
+
 Finding jitterFinding(const JitterWords& words) {
   Finding out = faultFinding(words.fault);
   out.change = words.change;
@@ -146,6 +173,7 @@ Finding otherJitter(const JitterFit& fit, const std::vector<JitterTrial>& trials
   if (best.kind == JitterKind::Scaled && best.factor.x != 0.5f && best.factor.x != 2.0f)
     out.name = scaledName(best.factor);
   out.change += " " + exampleOf(best, evidence, patient);
+  mendBy(jitterMending(best), out);
   out.reason =
       say<"In %1 of %2 pairs of frames pictures fit the one before better if jitter is like this: %3. "
           "What is left then is %4 % of what is left as stated. Shifts that are measured are %5 px from "

@@ -2,9 +2,12 @@
 
 #include "core/base/Say.h"
 #include "core/doctor/NumberText.h"
+#include "core/doctor/mending/Mending.h"
+#include "core/doctor/mending/MotionMending.h"
 #include "core/doctor/motion/MotionJudgement.h"
 #include "core/doctor/motion/MotionJumps.h"
 #include "core/doctor/motion/MotionMarks.h"
+#include "core/doctor/motion/MotionOpen.h"
 #include "core/doctor/motion/MotionWords.h"
 
 #include <glm/geometric.hpp>
@@ -251,6 +254,19 @@ std::vector<std::string> alikeIds(const FaultGroup& group, const std::vector<Mot
   return out;
 }
 
+/// Whether an explanation leads elsewhere in no region whose motion is right, by its pixels or by depth and
+/// matrices: then it may be that of all.
+bool breaksNothing(std::size_t trial, const std::vector<JudgedRegion>& judged) {
+  constexpr std::size_t kEnoughToBreak = 50;
+  constexpr double kBreaks = 1.05;
+  return std::ranges::none_of(judged, [&](const JudgedRegion& region) {
+    const TrialEvidence& evidence = region.evidence->trials[trial];
+    if (region.trial || evidence.pixels < kEnoughToBreak) return false;
+    if (isConfirmed(*region.evidence)) return true;
+    return region.decision.verdict == MotionVerdict::Right && evidence.tried >= kBreaks * evidence.given;
+  });
+}
+
 Finding findingOf(const FaultGroup& group, const std::vector<JudgedRegion>& judged,
                   const MotionEvidence& evidence, const Patient& patient, double allPixels) {
   Finding out;
@@ -271,6 +287,11 @@ Finding findingOf(const FaultGroup& group, const std::vector<JudgedRegion>& judg
   out.symptom = group.fault.symptom;
   out.change = group.fault.change;
   if (!group.trial) return out;
+  const std::vector<std::string> mending = motionMending(evidence.trials()[*group.trial]);
+  if (breaksNothing(*group.trial, judged))
+    mendEverywhereBy(mending, out);
+  else
+    mendBy(mending, out);
   const auto largest = std::ranges::max_element(
       group.regions, {}, [](const JudgedRegion* region) { return region->evidence->example.lengthPx; });
   const std::string example = motionExample(patient, *(*largest)->evidence, *group.trial);
@@ -315,28 +336,44 @@ Finding skyFinding(const JudgedRegion& sky, const Patient& patient, double allPi
                    {"asGiven", say<"as given">(), meanPx, true, false}};
   out.symptom = fault.symptom;
   out.change = fault.change;
+  mendBy(motionMending({MotionKind::OfCamera}), out);
   const std::vector<MotionTrial> trials = motionTrials(patient.sizePx);
   for (std::size_t t = 0; t < trials.size(); ++t)
     if (trials[t].kind == MotionKind::OfCamera) out.change += " " + motionExample(patient, *sky.evidence, t);
   return out;
 }
 
+/// Tells of a sky without motion, and takes it out of what is judged.
+void tellUnwrittenSky(std::vector<JudgedRegion>& judged, const Patient& patient, double allPixels,
+                      Diagnosis& out) {
+  const bool isTrusted = areCamerasTrusted(judged);
+  const auto sky = std::ranges::find_if(
+      judged, [&](const JudgedRegion& region) { return isSkyUnwritten(region, judged, isTrusted); });
+  if (sky == judged.end()) return;
+  out.findings.push_back(skyFinding(*sky, patient, allPixels));
+  std::erase_if(judged, [](const JudgedRegion& other) { return other.region->isSky; });
+}
+
 /// Sentences of what is right and of what is not known.
-void tellOthers(const std::vector<JudgedRegion>& judged, const Patient& patient, double allPixels,
-                Diagnosis& out) {
+void tellOthers(const std::vector<JudgedRegion>& judged, const std::vector<MotionTrial>& trials,
+                const Patient& patient, double allPixels, Diagnosis& out) {
   // A hundred small things are not worth a hundred sentences.
   constexpr double kWorthNaming = 0.002;
   std::size_t small = 0, right = 0;
+  std::vector<Fault> ofSmall;
   for (const JudgedRegion& region : judged) {
     const MotionVerdict verdict = region.decision.verdict;
     const RegionPlace place = placeOf(*region.region, patient, allPixels);
     if (verdict == MotionVerdict::Wrong) continue;
     if (verdict == MotionVerdict::Right)
       ++right;
-    else if (place.share < kWorthNaming || verdict == MotionVerdict::TooSmall)
+    else if (place.share < kWorthNaming || verdict == MotionVerdict::TooSmall) {
       ++small;
-    else
+      addFaults(openFaults(region, trials), ofSmall);
+    } else {
       out.undecided.push_back(undecidedMotion(verdict, place, *region.evidence));
+      out.undecided.back().faults = openFaults(region, trials);
+    }
   }
   if (right > 0)
     out.healthy.push_back(
@@ -345,7 +382,7 @@ void tellOthers(const std::vector<JudgedRegion>& judged, const Patient& patient,
     out.undecided.push_back(
         {say<"Motion of %1 small regions">(small),
          say<"they have too few pixels that can be followed, or move and change too little">(),
-         say<"Bring the camera nearer to them, or capture more and larger frames.">()});
+         say<"Bring the camera nearer to them, or capture more and larger frames.">(), ofSmall});
 }
 
 } // namespace
@@ -365,30 +402,32 @@ RegionPlace placeOf(const Region& region, const Patient& patient, double allPixe
   out.box = region.box;
   out.pixel = region.pixel;
   out.share = region.pixels / std::max(1.0, allPixels);
+  out.isSky = region.isSky;
+  out.objectId = region.objectId;
+  out.pixels = region.runs;
   return out;
 }
 
-void tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
-                Diagnosis& out) {
+std::optional<MotionTrial> tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
+                                      const Patient& patient, Diagnosis& out) {
   const double allPixels = static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
   tellMarks(evidence, regions, patient, allPixels, out);
   Judged judged = judgeMotion(evidence, regions);
-  const bool isTrusted = areCamerasTrusted(judged.regions);
-  for (const JudgedRegion& region : judged.regions)
-    if (isSkyUnwritten(region, judged.regions, isTrusted)) {
-      out.findings.push_back(skyFinding(region, patient, allPixels));
-      std::erase_if(judged.regions, [](const JudgedRegion& other) { return other.region->isSky; });
-      break;
-    }
-  for (const FaultGroup& group : groupsOf(judged.regions, evidence.trials()))
+  tellUnwrittenSky(judged.regions, patient, allPixels, out);
+  std::optional<MotionTrial> most;
+  for (const FaultGroup& group : groupsOf(judged.regions, evidence.trials())) {
     out.findings.push_back(findingOf(group, judged.regions, evidence, patient, allPixels));
+    if (!most && group.trial && breaksNothing(*group.trial, judged.regions))
+      most = evidence.trials()[*group.trial];
+  }
   const Finding late = lateFinding();
   if (judged.isLate && std::ranges::count(out.findings, late.id, &Finding::id) == 0)
     out.findings.push_back(late);
   tellJumps(evidence, regions, patient, allPixels, out);
   if (judged.contradicted)
     out.undecided.push_back(contradictedMatrices(evidence.trials()[*judged.contradicted]));
-  tellOthers(judged.regions, patient, allPixels, out);
+  tellOthers(judged.regions, evidence.trials(), patient, allPixels, out);
+  return most;
 }
 
 } // namespace taa::doctor

@@ -6,6 +6,7 @@
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/motion/MotionEvidence.h"
 
+#include <optional>
 #include <vector>
 
 namespace taa::doctor {
@@ -14,8 +15,8 @@ namespace taa::doctor {
 RegionPlace placeOf(const Region& region, const Patient& patient, double allPixels);
 
 /// Adds findings, what is undecided and what is right about the motion of all regions. Expects that motion
-/// is known.
-void tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
-                Diagnosis& out);
+/// is known. Returns what the motion of all or most of the picture is told by, where that is one explanation.
+std::optional<MotionTrial> tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
+                                      const Patient& patient, Diagnosis& out);
 
 } // namespace taa::doctor

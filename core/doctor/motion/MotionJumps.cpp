@@ -2,6 +2,8 @@
 
 #include "core/base/Median.h"
 #include "core/base/Say.h"
+#include "core/doctor/mending/Mending.h"
+#include "core/doctor/mending/MotionMending.h"
 #include "core/doctor/motion/MotionFindings.h"
 #include "core/settings/Faults.h"
 
@@ -35,12 +37,21 @@ std::string jumpChange(bool isWhole) {
              "it was last drawn in; or mark it as having no previous position.">();
 }
 
+/// In that frame alone.
+std::vector<std::string> inFrame(int frame) {
+  std::vector<std::string> out = motionMending({MotionKind::OfCamera});
+  out.push_back("fault.firstFrame=" + std::to_string(frame));
+  out.push_back("fault.lastFrame=" + std::to_string(frame));
+  return out;
+}
+
 /// In one frame all motion is that of a matrix that was never set.
 Finding identityFinding(int frame) {
   Finding out = faultFinding(Fault::PreviousIdentity);
   out.isWholePicture = true;
   out.reason = say<"In frame %1 alone motion is what a previous matrix of 1 makes.">(frame);
   out.change = jumpChange(true);
+  mendBy(inFrame(frame), out);
   return out;
 }
 
@@ -67,6 +78,7 @@ Finding lateFinding() {
       say<"At the rims of what moves, motion is that of what was there in the frame before: everywhere "
           "else it is the same in both.">();
   out.change = say<"Give each frame its own motion: what you write is that of the frame before.">();
+  mendBy(motionMending({MotionKind::FrameLate}), out);
   return out;
 }
 
@@ -96,6 +108,7 @@ void tellJumps(const MotionEvidence& evidence, const std::vector<Region>& region
   finding.reason = say<"In frame %1 alone motion is much longer than before and after, and the motion of the "
                        "frame beside it fits the pixels better.">(*frame);
   finding.change = jumpChange(isWhole);
+  if (isWhole) mendBy(inFrame(*frame), finding);
   out.findings.push_back(std::move(finding));
 }
 

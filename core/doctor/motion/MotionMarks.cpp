@@ -1,10 +1,14 @@
 #include "core/doctor/motion/MotionMarks.h"
 
 #include "core/base/Say.h"
+#include "core/doctor/mending/Mending.h"
+#include "core/doctor/mending/MotionMending.h"
 #include "core/doctor/motion/MotionFindings.h"
 #include "core/settings/Faults.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -59,7 +63,11 @@ void tellMarks(const MotionEvidence& evidence, const std::vector<Region>& region
       missing.regions.push_back(placeOf(regions[i], patient, allPixels));
   }
   for (Finding* finding : {&unwritten, &missing})
-    if (!finding->regions.empty()) out.findings.push_back(std::move(*finding));
+    if (!finding->regions.empty()) {
+      std::ranges::stable_sort(finding->regions, std::greater(), &RegionPlace::share);
+      mendBy(motionMending({MotionKind::OfCamera}), *finding);
+      out.findings.push_back(std::move(*finding));
+    }
 }
 
 } // namespace taa::doctor

@@ -1,6 +1,7 @@
 #include "core/doctor/motion/MotionRims.h"
 
 #include "core/base/Say.h"
+#include "core/doctor/mending/Mending.h"
 #include "core/settings/Faults.h"
 
 #include <glm/common.hpp>
@@ -112,6 +113,22 @@ Finding rimFinding(Fault fault, const RimCounts& counts, std::string change) {
   return out;
 }
 
+/// What rims would show, and do not: there are too few, or they are wrong in a way that nothing explains.
+void tellOpenRims(RimVerdict depth, RimVerdict motion, Diagnosis& out) {
+  const auto isOpen = [](RimVerdict verdict) {
+    return verdict == RimVerdict::TooFew || verdict == RimVerdict::Unclear;
+  };
+  Undecided open{say<"Motion and depth at rims">(),
+                 say<"too few rims of objects can be told from what is beside them">(),
+                 say<"Capture object numbers, too, and let objects move before what is behind them.">(),
+                 {}};
+  if (isOpen(depth)) open.faults = {Fault::DepthCoarse, Fault::DepthNotJittered};
+  if (isOpen(motion)) open.faults.insert(open.faults.end(), {Fault::MotionShifted, Fault::MotionCoarse});
+  if (depth == RimVerdict::Unclear || motion == RimVerdict::Unclear)
+    open.reason = say<"values there are neither those of the object nor those that another reading has">();
+  if (!open.faults.empty()) out.undecided.push_back(std::move(open));
+}
+
 } // namespace
 
 const std::array<RimReading, kRimReadings>& rimReadings() {
@@ -185,15 +202,20 @@ void tellRims(const RimEvidence& evidence, bool isMotionRight, Diagnosis& out) {
     out.findings.push_back(
         rimFinding(Fault::DepthNotJittered, evidence.depth,
                    say<"Draw depth with the jitter that color is drawn with, or state that it has none.">()));
-  if (motion == RimVerdict::Shifted)
+  if (motion == RimVerdict::Shifted) {
     out.findings.push_back(rimFinding(Fault::MotionShifted, evidence.motion,
                                       say<"Read motion at the center of the pixel's own texel.">()));
+    const glm::ivec2 shift = evidence.motion.reading()->shift;
+    if (shift.x == shift.y) // the only direction that the setting has
+      mendBy({"fault.motionShift=" + std::to_string(-shift.x)}, out.findings.back());
+  }
   if (motion == RimVerdict::Coarse)
     out.findings.push_back(rimFinding(
         Fault::MotionCoarse, evidence.motion,
         say<"Write motion in the resolution that color is drawn in, or state the size it has.">()));
   if (depth == RimVerdict::Right && motion == RimVerdict::Right)
     out.healthy.push_back(say<"Motion and depth lie on the objects that they are of.">());
+  tellOpenRims(depth, motion, out);
 }
 
 } // namespace taa::doctor

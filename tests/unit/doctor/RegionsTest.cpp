@@ -34,6 +34,9 @@ TEST(Regions, AreObjectsByTheirIdsAndTheSky) {
   EXPECT_FALSE(board.isSky);
   EXPECT_EQ(board.size, 36u * 36u);
   EXPECT_EQ(board.box, glm::ivec4(70, 40, 106, 76));
+  ASSERT_EQ(board.runs.size(), 36u) << "a run a row";
+  EXPECT_EQ(board.runs.front(), (PixelRun{40, 70, 106}));
+  EXPECT_EQ(board.runs.back(), (PixelRun{75, 70, 106}));
   EXPECT_TRUE(regions[static_cast<std::size_t>(at(labels, kSky.x, kSky.y))].isSky);
   EXPECT_EQ(regions[static_cast<std::size_t>(at(labels, kGround.x, kGround.y))].objectId, test::kGroundId);
 }
