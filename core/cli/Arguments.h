@@ -112,6 +112,7 @@ struct DoctorArguments {
   int frames = doctor::kDoctorFrames;
   std::string html;                      ///< a file; empty: none is written
   std::string baseline, writtenBaseline; ///< of known findings: read, written; empty: none
+  std::string mended;                    ///< a folder; empty: what is found is not mended
   bool json = false, force = false;
 };
 

@@ -232,6 +232,10 @@ void addDoctor(CLI::App& app, DoctorArguments& doctor, const taa::Progress& prog
                       "A JSON file of findings that are known: where there are no others, it ends with 0");
   command->add_option("--write-baseline", doctor.writtenBaseline,
                       "Also write all that is found as such a file, and end with 0");
+  command->add_option("--mended", doctor.mended,
+                      "Also look at the frames with what was found made right: what is found then, how far "
+                      "both are from the reference, and in this folder pictures and settings of them, as a "
+                      "preset to compare with");
   addForce(*command, doctor.force);
   command->add_flag("--json", doctor.json, "Print JSON");
   command->callback(

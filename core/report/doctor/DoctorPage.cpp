@@ -3,9 +3,12 @@
 #include "core/base/HtmlText.h"
 #include "core/base/Say.h"
 #include "core/doctor/NumberText.h"
+#include "core/doctor/Outline.h"
+#include "core/report/doctor/ShownPng.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -23,7 +26,10 @@ constexpr std::string_view kPageStyle =
     "table{border-collapse:collapse;width:100%}td{padding:.1rem .6rem .1rem 0;vertical-align:middle}"
     "td.number{text-align:right;font-variant-numeric:tabular-nums}td.bar{width:40%}"
     "div.bar{height:.7rem;background:#888}tr.fits div.bar{background:#2a7}tr.stored div.bar{background:#c43}"
-    "tr.fits,tr.stored{font-weight:bold}dt{font-weight:bold}dd{margin:0 0 .4rem 0}";
+    "tr.fits,tr.stored{font-weight:bold}dt{font-weight:bold}dd{margin:0 0 .4rem 0}"
+    "div.pictures{display:flex;flex-wrap:wrap;gap:1rem}figure{margin:0;flex:1 1 20rem;max-width:27rem}"
+    "svg{width:100%;height:auto;background:#ddd}path{fill:none;stroke:#d60;stroke-width:2;"
+    "vector-effect:non-scaling-stroke}image{image-rendering:auto}";
 
 std::string htmlTag(std::string_view tag, const std::string& text) {
   const std::string name(tag);
@@ -69,6 +75,49 @@ std::string regionText(const RegionPlace& region) {
       region.pixel.x, region.pixel.y);
 }
 
+/// Edges of the regions that were found in a frame.
+std::string outlinePath(const Finding& finding, int frame) {
+  std::string text;
+  for (const RegionPlace& region : finding.regions) {
+    if (region.frame != frame) continue;
+    for (const doctor::OutlineEdge& edge : doctor::outlineOf(region.pixels))
+      text += "M" + std::to_string(edge.from.x) + " " + std::to_string(edge.from.y) +
+              (edge.from.y == edge.to.y ? "H" + std::to_string(edge.to.x) : "V" + std::to_string(edge.to.y));
+  }
+  return text.empty() ? text : "<path d=\"" + text + "\"/>";
+}
+
+std::string figureHtml(const std::string& content, const glm::ivec2& sizePx, const std::string& caption) {
+  return "<figure><svg viewBox=\"0 0 " + std::to_string(sizePx.x) + " " + std::to_string(sizePx.y) + "\">" +
+         content + "</svg><figcaption>" + htmlText(caption) + "</figcaption></figure>\n";
+}
+
+/// `picture`: as a screen is sent it; as large as the frame is taken to be.
+std::string imageHtml(const Image& picture, const glm::ivec2& sizePx) {
+  return "<image width=\"" + std::to_string(sizePx.x) + "\" height=\"" + std::to_string(sizePx.y) +
+         "\" href=\"data:image/png;base64," + base64Of(pngOfShown(picture)) + "\"/>";
+}
+
+/// The outline of its regions, over the pictures where there are some.
+std::string findingPictures(const Finding& finding, std::size_t index, const glm::ivec2& sizePx,
+                            const doctor::MendedLook* mended) {
+  if (mended)
+    for (const doctor::MendedPicture& picture : mended->pictures)
+      if (picture.finding == index) {
+        const std::string path = outlinePath(finding, picture.frame);
+        return "<div class=\"pictures\">\n" +
+               figureHtml(imageHtml(picture.given, sizePx) + path, sizePx,
+                          say<"Frame %1 as it is">(picture.frame)) +
+               figureHtml(imageHtml(picture.mended, sizePx) + path, sizePx,
+                          say<"Frame %1 mended">(picture.frame)) +
+               "</div>\n";
+      }
+  if (finding.isWholePicture || finding.regions.empty()) return {};
+  const int frame = finding.regions.front().frame;
+  return "<div class=\"pictures\">\n" +
+         figureHtml(outlinePath(finding, frame), sizePx, say<"Where it is in frame %1">(frame)) + "</div>\n";
+}
+
 std::string findingHtml(const Finding& finding, int number) {
   const bool isSure = finding.sureness == doctor::Sureness::Sure;
   std::string text = htmlTag("h2", std::to_string(number) + ". " + finding.name +
@@ -82,9 +131,24 @@ std::string findingHtml(const Finding& finding, int number) {
   return text + residualBars(finding);
 }
 
+std::string mendedHtml(const doctor::MendedLook& look, const Diagnosis& diagnosis) {
+  std::vector<std::string> lines;
+  for (const std::size_t finding : look.mended.findings) lines.push_back(diagnosis.findings[finding].name);
+  std::string text = htmlList(say<"Mended in these pictures">(), lines);
+  for (const Finding& finding : look.left.findings) text += htmlTag("p", say<"Found then: %1">(finding.name));
+  if (!look.mended.findings.empty() && look.left.isHealthy())
+    text += htmlTag("p", say<"Nothing wrong is found then.">());
+  if (look.givenPsnr && look.mendedPsnr)
+    text += htmlTag("p", say<"PSNR of frame %1: %2 dB as it is, %3 dB mended">(
+                             look.lastFrame, doctor::shortNumber(*look.givenPsnr),
+                             doctor::shortNumber(*look.mendedPsnr)));
+  return text;
+}
+
 } // namespace
 
-std::string doctorHtml(const Diagnosis& diagnosis, const std::string& source) {
+std::string doctorHtml(const Diagnosis& diagnosis, const std::string& source,
+                       const doctor::MendedLook* mended) {
   const std::string title = say<"What the doctor says of %1">(source);
   std::string text = "<!DOCTYPE html>\n<html>\n<head>\n<meta charset=\"utf-8\">\n" + htmlTag("title", title) +
                      "<style>" + std::string(kPageStyle) + "</style>\n</head>\n<body>\n" +
@@ -92,7 +156,12 @@ std::string doctorHtml(const Diagnosis& diagnosis, const std::string& source) {
                      htmlTag("p", say<"%1 frames, %2 pairs compared">(diagnosis.frames, diagnosis.pairs));
   if (diagnosis.isHealthy()) text += htmlTag("p", say<"Nothing wrong was found.">());
   int number = 0;
-  for (const Finding& finding : diagnosis.findings) text += findingHtml(finding, ++number);
+  for (const Finding& finding : diagnosis.findings) {
+    text += findingHtml(finding, number + 1);
+    text += findingPictures(finding, static_cast<std::size_t>(number), diagnosis.sizePx, mended);
+    ++number;
+  }
+  if (mended) text += mendedHtml(*mended, diagnosis);
   text += htmlList(say<"Right">(), diagnosis.healthy);
   std::vector<std::string> undecided;
   for (const doctor::Undecided& open : diagnosis.undecided)

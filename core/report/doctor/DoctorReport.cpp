@@ -2,6 +2,7 @@
 
 #include "core/base/Say.h"
 #include "core/doctor/NumberText.h"
+#include "core/settings/Parameters.h"
 
 #include <nlohmann/json.hpp>
 
@@ -106,7 +107,20 @@ ordered_json foundJson(const doctor::Finding& finding) {
           {"residuals", listJson(finding.residuals, residualJson)},
           {"symptom", finding.symptom},
           {"change", finding.change},
+          {"mending", finding.mending},
           {"alike", finding.alike}};
+}
+
+std::vector<std::string> foundIds(const Diagnosis& diagnosis) {
+  std::vector<std::string> out;
+  for (const doctor::Finding& finding : diagnosis.findings) out.push_back(finding.id);
+  return out;
+}
+
+std::string spacedWords(const std::vector<std::string>& words) {
+  std::string out;
+  for (const std::string& word : words) out += (out.empty() ? "" : " ") + word;
+  return out;
 }
 
 } // namespace
@@ -139,6 +153,37 @@ ordered_json doctorJson(const Diagnosis& diagnosis, const std::string& source) {
           {"undecided", listJson(diagnosis.undecided, undecidedJson)},
           {"right", diagnosis.healthy},
           {"notes", diagnosis.notes}};
+}
+
+std::string mendedText(const doctor::MendedLook& look, const Diagnosis& diagnosis, const Settings& given) {
+  std::string text = "\n" + say<"Mended">() + "\n";
+  if (look.mended.findings.empty()) return text + "  " + say<"No setting makes this right.">() + "\n";
+  for (const std::size_t finding : look.mended.findings)
+    text += "  " + diagnosis.findings[finding].name + "\n";
+  const std::vector<std::string> names = foundIds(look.left);
+  text += "  " + say<"By: %1">(spacedWords(differences(look.mended.settings, given))) + "\n";
+  text +=
+      "  " +
+      (names.empty() ? say<"Nothing wrong is found then.">() : say<"Found then: %1">(spacedWords(names))) +
+      "\n";
+  if (look.givenPsnr && look.mendedPsnr)
+    text += "  " +
+            say<"PSNR of frame %1: %2 dB as it is, %3 dB mended">(
+                look.lastFrame, doctor::shortNumber(*look.givenPsnr), doctor::shortNumber(*look.mendedPsnr)) +
+            "\n";
+  return text;
+}
+
+ordered_json mendedJson(const doctor::MendedLook& look, const Diagnosis& diagnosis, const Settings& given) {
+  ordered_json out{
+      {"findings",
+       listJson(look.mended.findings, [&](std::size_t finding) { return diagnosis.findings[finding].id; })},
+      {"settings", differences(look.mended.settings, given)},
+      {"left", foundIds(look.left)},
+      {"frame", look.lastFrame}};
+  if (look.givenPsnr && look.mendedPsnr)
+    out["psnr"] = {{"given", *look.givenPsnr}, {"mended", *look.mendedPsnr}};
+  return out;
 }
 
 } // namespace taa

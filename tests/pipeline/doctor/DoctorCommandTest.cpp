@@ -52,6 +52,22 @@ TEST_F(BatchDoctor, EndsWithThreeWhereSomethingIs) {
   expectFailure(joined(doctorCommand(), {"--html", page.string()}), {"doctor.html", "--force"});
 }
 
+TEST_F(BatchDoctor, LooksAtTheFramesMended) {
+  const std::filesystem::path folder = taa::test::temporaryFolder() / "mended";
+  const std::vector<std::string> command =
+      joined(doctorCommand(), {"--set", "fault.motionShift=1", "--mended", folder.string()});
+  const ProcessResult result = batch(command);
+  ASSERT_EQ(result.exitCode, 3) << result.out << result.err;
+  const json mended = json::parse(result.out)["mended"];
+  EXPECT_EQ(mended["findings"], json::array({"motionShifted"}));
+  EXPECT_EQ(mended["settings"], json::array({"fault.motionShift=0"}));
+  EXPECT_TRUE(mended["left"].empty());
+  EXPECT_GT(mended["psnr"]["mended"], mended["psnr"]["given"]);
+  for (const char* file : {"mended.json", "finding1-frame5-given.png", "finding1-frame5-mended.png"})
+    EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
+  expectFailure(command, {"mended.json", "--force"});
+}
+
 TEST_F(BatchDoctor, IsTriedOnCasesThatTheFileDoesNotHold) {
   const std::filesystem::path file = taa::test::temporaryFolder() / "judged.csv";
   const std::vector<std::string> command = {

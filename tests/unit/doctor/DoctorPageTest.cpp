@@ -64,4 +64,22 @@ TEST(DoctorPage, SaysSoWhereNothingIsWrong) {
   EXPECT_TRUE(isIn(doctorHtml({}, "shot"), "<p>Nothing wrong was found.</p>"));
 }
 
+TEST(DoctorPage, OutlinesRegionsOverTheirPictures) {
+  doctor::Diagnosis diagnosis = shownDiagnosis();
+  diagnosis.sizePx = {160, 96};
+  diagnosis.findings[0].regions[0].pixels = {{5, 10, 20}};
+  EXPECT_TRUE(isIn(doctorHtml(diagnosis, "shot"),
+                   "viewBox=\"0 0 160 96\"><path d=\"M10 5H20M10 5V6M20 5V6M10 6H20\"/>"));
+  doctor::MendedLook look;
+  look.mended.findings = {0};
+  look.pictures = {{0, 3, Image(2, 1, 3), Image(2, 1, 3)}};
+  look.lastFrame = 7;
+  look.givenPsnr = 24.5;
+  look.mendedPsnr = 33.0;
+  const std::string page = doctorHtml(diagnosis, "shot", &look);
+  for (const char* text : {"href=\"data:image/png;base64,iVBOR", "Frame 3 as it is", "Frame 3 mended",
+                           "PSNR of frame 7: 24.5 dB as it is, 33 dB mended", "Nothing wrong is found then."})
+    EXPECT_TRUE(isIn(page, text)) << text;
+}
+
 } // namespace taa

@@ -81,7 +81,7 @@ TEST(DoctorReport, SaysTheSameInJson) {
       R"j("reason":"It fits.","measure":"mean difference of luma, × 1000","residuals":[{"id":)j"
       R"j("mirroredY","text":"y negated","value":4.25,"given":false,"best":true},{"id":"asGiven",)j"
       R"j("text":"as given","value":61.5,"given":true,"best":false}],"symptom":"Ghosts.","change":)j"
-      R"j("Negate y.","alike":["motionNegated"]}],"undecided":[{"question":"Motion of the sky",)j"
+      R"j("Negate y.","mending":[],"alike":["motionNegated"]}],"undecided":[{"question":"Motion of the sky",)j"
       R"j("reason":"it has no detail","capture":"Capture clouds.","faults":["skyWithoutMotion"]}],)j"
       R"j("right":["Jitter is right."],"notes":["The first frame is not jittered."]})j");
 }
