@@ -2,20 +2,30 @@
 
 #include "app/doctor/DoctorPanel.h"
 #include "app/doctor/DoctorWords.h"
+#include "app/doctor/FindingDetails.h"
 #include "app/session/Session.h"
+#include "app/style/Text.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
+#include "core/base/Error.h"
 #include "core/base/Files.h"
+#include "core/base/Say.h"
 #include "core/base/ShownText.h"
 #include "core/report/doctor/DoctorPage.h"
+#include "core/settings/Faults.h"
 #include "core/settings/Parameters.h"
+#include "core/settings/Presets.h"
 
+#include <QByteArray>
+#include <QCryptographicHash>
+#include <QDir>
 #include <QFileDialog>
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace taa::app {
@@ -29,20 +39,44 @@ glm::ivec2 picturePixel(const glm::ivec2& pixel, const glm::ivec2& examinedPx, c
   return glm::ivec2(glm::floor(glm::dvec2(pixel) * scale + 1e-6));
 }
 
+/// As a preset, in a file that is named by what it holds: a view that compares with it reads no other. Throws
+/// Error.
+QString writeMended(const QString& folder, const doctor::Finding& finding, const Settings& settings) {
+  Preset row{"mended-" + finding.id,
+             DoctorCommands::tr("Mended: %1").arg(qtext(finding.name)).toStdString(),
+             "",
+             0,
+             "Makes right what the doctor found.",
+             settings};
+  const std::string text = presetToText(row);
+  const QByteArray sum =
+      QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha1).toHex().left(8);
+  const QString path = QDir(folder).filePath(qtext(row.id) + QLatin1Char('-') + QString::fromLatin1(sum) +
+                                             QStringLiteral(".json"));
+  if (!QDir().mkpath(folder)) throw Error(say<"the folder %1 cannot be made">(folder.toStdString()));
+  writeFile(path.toStdString(), text);
+  return path;
+}
+
 } // namespace
 
-DoctorCommands::DoctorCommands(Session& session, ViewArea& views, DoctorPanel& panel, QWidget* window)
-    : QObject(window), session_(session), views_(views), panel_(panel), window_(window) {
+DoctorCommands::DoctorCommands(Session& session, ViewArea& views, DoctorPanel& panel, const QString& folder,
+                               QWidget* window)
+    : QObject(window), session_(session), views_(views), panel_(panel), folder_(folder), window_(window) {
   connect(&panel_, &DoctorPanel::examineRequested, this, &DoctorCommands::examine);
   connect(&panel_, &DoctorPanel::placeRequested, this, &DoctorCommands::goToFinding);
+  connect(&panel_, &DoctorPanel::mendedRequested, this, &DoctorCommands::showMended);
   connect(&panel_, &DoctorPanel::reportRequested, this, &DoctorCommands::askForReport);
   connect(&panel_, &DoctorPanel::changed, this, [this] {
     showOutlines();
+    panel_.details()->setWhyNotMended(whyNotMended());
     Q_EMIT reportChanged();
   });
   connect(&session_, &Session::statusChanged, this, &DoctorCommands::takeStatus);
   connect(&session_.presets(), &PresetChoices::settingsChanged, this, [this] {
     panel_.setOutdated(panel_.diagnosis() && !(examined_ == session_.presets().settings()));
+    panel_.details()->setWhyNotMended(whyNotMended());
+    Q_EMIT reportChanged();
   });
 }
 
@@ -73,19 +107,51 @@ void DoctorCommands::goToFinding() {
       picturePixel(places.front().pixel, panel_.diagnosis()->sizePx, session_.status()));
 }
 
+// Faults go back to what the preset does, as the menu of faults has it.
+doctor::Mended DoctorCommands::mendedSettings() const {
+  const PresetChoices& presets = session_.presets();
+  Settings healthy = presets.presetSettings();
+  clearFaults(healthy);
+  return doctor::mended({*panel_.finding()}, presets.settings(), healthy);
+}
+
+QString DoctorCommands::whyNotMended() const {
+  if (!panel_.finding()) return tr("No finding of the doctor's is chosen");
+  const doctor::Mended mended = mendedSettings();
+  if (!mended.findings.empty() && mended.settings == session_.presets().settings())
+    return tr("The settings have it right already");
+  if (mended.findings.empty())
+    return tr("No setting makes this right: the frames themselves have to be made anew");
+  return {};
+}
+
+void DoctorCommands::showMended() {
+  if (!whyNotMended().isEmpty()) return;
+  try {
+    const doctor::Finding& finding = *panel_.finding();
+    const QString path = writeMended(folder_, finding, mendedSettings().settings);
+    session_.setPlaying(false);
+    const std::vector<doctor::RegionPlace> places = panel_.places();
+    if (!places.empty()) session_.seek(places.front().frame);
+    views_.active()->setIntermediate(IntermediateId::resolved);
+    views_.active()->setComparison({OtherKind::Preset, {}, path.toStdString()});
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromStdString(shownReason(error)));
+  }
+}
+
 // In the frame that they were found in: in others they lie elsewhere.
 void DoctorCommands::showOutlines() {
-  std::vector<gl::Rect> boxes;
+  std::vector<doctor::OutlineEdge> edges;
   const Status& status = session_.status();
   if (panel_.isVisible())
     for (const doctor::RegionPlace& place : panel_.places()) {
       if (place.frame != status.info.frame) continue;
       const glm::ivec2 sizePx = panel_.diagnosis()->sizePx;
-      const glm::ivec2 from = picturePixel({place.box.x, place.box.y}, sizePx, status),
-                       to = picturePixel({place.box.z, place.box.w}, sizePx, status);
-      boxes.push_back({from.x, from.y, to.x - from.x, to.y - from.y});
+      for (const doctor::OutlineEdge& edge : doctor::outlineOf(place.pixels))
+        edges.push_back({picturePixel(edge.from, sizePx, status), picturePixel(edge.to, sizePx, status)});
     }
-  views_.setRegions(boxes);
+  views_.setOutlines(edges);
 }
 
 QString DoctorCommands::whyNoReport() const {

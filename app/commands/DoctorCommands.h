@@ -1,6 +1,7 @@
 // Has the frames that are open examined by the doctor, goes to what it finds, and hands its report on.
 #pragma once
 
+#include "core/doctor/mending/Mending.h"
 #include "core/settings/Settings.h"
 
 #include <QObject>
@@ -17,13 +18,20 @@ class ViewArea;
 class DoctorCommands : public QObject {
   Q_OBJECT
  public:
-  /// Regions are outlined in `views` while the page is open. Places are asked for over `window`.
-  DoctorCommands(Session& session, ViewArea& views, DoctorPanel& panel, QWidget* window);
+  /// Regions are outlined in `views` while the page is open. Places are asked for over `window`. `folder`:
+  /// where settings are kept that make frames right; it is made when there are some.
+  DoctorCommands(Session& session, ViewArea& views, DoctorPanel& panel, const QString& folder,
+                 QWidget* window);
 
   /// The frames that the page says, as they are with the present settings.
   void examine();
   /// The frame of what is chosen, with the plane that is wrong in the active view.
   void goToFinding();
+  /// Compares the frame of what is chosen, resolved, with what it would be if that were right: the same
+  /// settings, but for those that mend it, are a preset of their own.
+  void showMended();
+  /// Why what is chosen cannot be shown mended; empty: it can.
+  QString whyNotMended() const;
   /// Why there is no report to save; empty: there is one.
   QString whyNoReport() const;
   void askForReport();
@@ -37,10 +45,12 @@ class DoctorCommands : public QObject {
  private:
   void takeStatus();
   void showOutlines();
+  doctor::Mended mendedSettings() const;
 
   Session& session_;
   ViewArea& views_;
   DoctorPanel& panel_;
+  QString folder_;
   QWidget* window_;
   std::string source_; ///< that the page is about
   int frameCount_ = 0; ///< of it

@@ -84,6 +84,7 @@ QWidget* DoctorPanel::makeResult() {
     if (!places().empty()) Q_EMIT placeRequested();
   });
   connect(details_, &FindingDetails::placeRequested, this, &DoctorPanel::placeRequested);
+  connect(details_, &FindingDetails::mendedRequested, this, &DoctorPanel::mendedRequested);
   return result;
 }
 

@@ -52,7 +52,8 @@ class DoctorPanel : public QWidget {
  Q_SIGNALS:
   void examineRequested();
   void reportRequested();
-  void placeRequested(); ///< the first of places()
+  void placeRequested();  ///< the first of places()
+  void mendedRequested(); ///< of finding()
   /// What is chosen or known, or whether somebody looks.
   void changed();
 

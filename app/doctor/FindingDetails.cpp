@@ -80,17 +80,35 @@ QWidget* FindingDetails::makeWords() {
   column->addLayout(grid);
   column->addStretch(1);
   words_ = scrollingArea(content, tr("What is said of the chosen line"));
-  go_ = new QPushButton(tr("Go to the frame"));
-  go_->setAutoDefault(false);
-  go_->setToolTip(tr("Goes to the frame and shows the plane that is wrong in the active view (Enter)"));
-  connect(go_, &QPushButton::clicked, this, &FindingDetails::placeRequested);
   auto* whole = new QWidget;
   auto* rows = new QVBoxLayout(whole);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(kUnit);
   rows->addWidget(words_, 1);
-  rows->addWidget(go_, 0, Qt::AlignLeft);
+  rows->addLayout(makeButtons());
   return whole;
+}
+
+QHBoxLayout* FindingDetails::makeButtons() {
+  go_ = new QPushButton(tr("Go to the frame"));
+  go_->setToolTip(tr("Goes to the frame and shows the plane that is wrong in the active view (Enter)"));
+  mended_ = new QPushButton(tr("Show mended"));
+  for (QPushButton* button : {go_, mended_}) button->setAutoDefault(false);
+  connect(go_, &QPushButton::clicked, this, &FindingDetails::placeRequested);
+  connect(mended_, &QPushButton::clicked, this, &FindingDetails::mendedRequested);
+  auto* line = new QHBoxLayout;
+  line->setSpacing(kUnit);
+  line->addWidget(go_);
+  line->addWidget(mended_);
+  line->addStretch(1);
+  return line;
+}
+
+void FindingDetails::setWhyNotMended(const QString& why) {
+  mended_->setEnabled(why.isEmpty());
+  mended_->setToolTip(why.isEmpty() ? tr("Compares the picture with the one that it would be if this were "
+                                         "right, in the active view (Alt+M)")
+                                    : why);
 }
 
 QWidget* FindingDetails::makeEvidence() {
@@ -146,6 +164,7 @@ void FindingDetails::showFinding(const doctor::Finding& finding, int region) {
   bars_->setResiduals(finding.residuals);
   evidence_->verticalScrollBar()->setValue(0);
   go_->setVisible(!finding.regions.empty());
+  mended_->show();
   if (finding.regions.empty()) return;
   const doctor::RegionPlace& place = finding.regions[static_cast<std::size_t>(std::max(0, region))];
   go_->setText(tr("Go to frame %1").arg(place.frame));
@@ -164,6 +183,7 @@ void FindingDetails::showText(const QString& title, const std::vector<Row>& rows
   setRows(said);
   evidence_->hide();
   go_->hide();
+  mended_->hide();
 }
 
 } // namespace taa::app

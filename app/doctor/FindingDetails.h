@@ -35,12 +35,17 @@ class FindingDetails : public QWidget {
   QString title() const;
   ResidualBars* bars() const { return bars_; }
   QPushButton* goButton() const { return go_; }
+  QPushButton* mendedButton() const { return mended_; }
+  /// Why frames cannot be shown with the finding made right; empty: they can.
+  void setWhyNotMended(const QString& why);
 
  Q_SIGNALS:
   void placeRequested();
+  void mendedRequested();
 
  private:
   QWidget* makeWords();
+  QHBoxLayout* makeButtons();
   QWidget* makeEvidence();
   void setRows(const std::vector<Row>& rows);
 
@@ -48,7 +53,7 @@ class FindingDetails : public QWidget {
   std::vector<Row> shown_;
   QLabel *title_ = nullptr, *measure_ = nullptr;
   std::vector<std::pair<QLabel*, QLabel*>> lines_;
-  QPushButton* go_ = nullptr;
+  QPushButton *go_ = nullptr, *mended_ = nullptr;
   QScrollArea *words_ = nullptr, *evidence_ = nullptr;
   ResidualBars* bars_ = nullptr;
 };

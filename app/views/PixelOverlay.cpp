@@ -4,8 +4,11 @@
 #include "app/style/Theme.h"
 
 #include <QFontMetricsF>
+#include <QLineF>
+#include <QList>
 #include <QPainter>
 #include <QPainterPath>
+#include <QPen>
 
 #include <algorithm>
 #include <cmath>
@@ -157,6 +160,20 @@ void PixelOverlay::paintRegion(QPainter& painter, const gl::Rect& box, const QCo
   painter.drawRect(rect);
   painter.setPen(QPen(color, 1.5, Qt::DashLine, Qt::FlatCap, Qt::MiterJoin));
   painter.drawRect(rect);
+}
+
+void PixelOverlay::paintOutline(QPainter& painter, const std::vector<doctor::OutlineEdge>& edges) const {
+  QList<QLineF> lines;
+  lines.reserve(static_cast<qsizetype>(edges.size()));
+  for (const doctor::OutlineEdge& edge : edges) {
+    const ScreenRect from = pixelRect(edge.from), to = pixelRect(edge.to);
+    lines.push_back({from.x, from.y, to.x, to.y});
+  }
+  for (const QPen& pen : {QPen(Qt::black, 3.0, Qt::SolidLine, Qt::SquareCap),
+                          QPen(darkColors().caution, 1.5, Qt::SolidLine, Qt::SquareCap)}) {
+    painter.setPen(pen);
+    painter.drawLines(lines);
+  }
 }
 
 } // namespace taa::app

@@ -5,6 +5,7 @@
 #include "app/session/ProbeList.h"
 #include "app/views/ViewportMath.h"
 
+#include "core/doctor/Outline.h"
 #include "core/requests/Results.h"
 
 #include <optional>
@@ -38,6 +39,8 @@ class PixelOverlay {
   void paintFrame(QPainter& painter, const gl::Rect& box) const;
   /// A dashed line of a color around a box of pixels.
   void paintRegion(QPainter& painter, const gl::Rect& box, const QColor& color) const;
+  /// A line around regions, by its edges between pixels.
+  void paintOutline(QPainter& painter, const std::vector<doctor::OutlineEdge>& edges) const;
   /// Logical rectangle of a pixel.
   ScreenRect pixelRect(glm::ivec2 pixel) const;
 

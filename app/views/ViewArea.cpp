@@ -206,8 +206,8 @@ void ViewArea::setFramed(const std::optional<gl::Rect>& box) {
   for (ViewPanel* view : views_) view->viewport()->setFramed(box);
 }
 
-void ViewArea::setRegions(const std::vector<gl::Rect>& boxes) {
-  for (ViewPanel* view : views_) view->viewport()->setRegions(boxes);
+void ViewArea::setOutlines(const std::vector<doctor::OutlineEdge>& edges) {
+  for (ViewPanel* view : views_) view->viewport()->setOutlines(edges);
 }
 
 std::vector<ViewRequest> ViewArea::requests() const {

@@ -5,6 +5,8 @@
 #include "app/session/ProbeList.h"
 #include "app/views/ViewPanel.h"
 
+#include "core/doctor/Outline.h"
+
 #include <QWidget>
 
 #include <algorithm>
@@ -64,8 +66,8 @@ class ViewArea : public QWidget {
   void setPlaying(bool playing);
   /// Draws a frame around these pixels in all views.
   void setFramed(const std::optional<gl::Rect>& box);
-  /// Draws outlines around these boxes in all views.
-  void setRegions(const std::vector<gl::Rect>& boxes);
+  /// Draws these outlines in all views.
+  void setOutlines(const std::vector<doctor::OutlineEdge>& edges);
   /// What the render thread shall deliver; hidden views have no size.
   std::vector<ViewRequest> requests() const;
   /// The presets that views are compared with, the lanes after the first.

@@ -74,9 +74,9 @@ void Viewport::setFramed(const std::optional<gl::Rect>& box) {
   update();
 }
 
-void Viewport::setRegions(const std::vector<gl::Rect>& boxes) {
-  if (boxes == regions_) return;
-  regions_ = boxes;
+void Viewport::setOutlines(const std::vector<doctor::OutlineEdge>& edges) {
+  if (edges == outlines_) return;
+  outlines_ = edges;
   update();
 }
 
@@ -131,7 +131,7 @@ void Viewport::paintEvent(QPaintEvent*) {
   paintOver(painter, shown(), rect());
   const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
   if (framed_) overlay.paintFrame(painter, *framed_);
-  for (const gl::Rect& box : regions_) overlay.paintRegion(painter, box, darkColors().caution);
+  overlay.paintOutline(painter, outlines_);
   if (measured_) overlay.paintRegion(painter, *measured_, darkColors().accent);
   paintLegend(painter);
 }

@@ -8,6 +8,7 @@
 #include "app/views/ViewportMath.h"
 #include "app/widgets/Drags.h"
 
+#include "core/doctor/Outline.h"
 #include "core/inspect/Comparison.h"
 #include "core/requests/Results.h"
 
@@ -54,9 +55,9 @@ class Viewport : public QWidget, public Draggable {
   const std::vector<PathPlace>& path() const { return path_; }
   /// Draws a frame around these pixels.
   void setFramed(const std::optional<gl::Rect>& box);
-  /// Draws an outline around each of these boxes of pixels.
-  void setRegions(const std::vector<gl::Rect>& boxes);
-  const std::vector<gl::Rect>& regions() const { return regions_; }
+  /// Draws these outlines, edges between pixels of the picture.
+  void setOutlines(const std::vector<doctor::OutlineEdge>& edges);
+  const std::vector<doctor::OutlineEdge>& outlines() const { return outlines_; }
   /// Draws an outline around the region whose values are described.
   void setMeasured(const std::optional<gl::Rect>& region);
   void setCamera(const ViewCamera& camera);
@@ -158,7 +159,7 @@ class Viewport : public QWidget, public Draggable {
   std::vector<PathPlace> path_;
   std::optional<glm::ivec2> hovered_;
   std::optional<gl::Rect> framed_;
-  std::vector<gl::Rect> regions_;
+  std::vector<doctor::OutlineEdge> outlines_;
   std::optional<gl::Rect> measured_;
   std::optional<glm::ivec2> regionFrom_; ///< where the drag of a region began
   QPointF cursor_;

@@ -215,7 +215,8 @@ void MainWindow::makeCommands() {
   cameras_ = new CameraFiles(session_, this);
   presets_ = new OwnPresets(session_, *pipeline_, settings_, this);
   probeCommands_ = new ProbeCommands(session_, *views_, *probe_, this);
-  doctorCommands_ = new DoctorCommands(session_, *views_, *doctor_, this);
+  doctorCommands_ =
+      new DoctorCommands(session_, *views_, *doctor_, presets_->folder() + QStringLiteral("/mended"), this);
   prompts_ = new GoToPrompts(session_, *views_, *timeline_, this);
   choices_ = new ViewChoices(session_, *views_, presets_->folder(), this);
   learning_ = new Learning(

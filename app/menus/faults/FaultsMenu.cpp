@@ -60,6 +60,7 @@ FaultsMenu::FaultsMenu(Commands& commands, Session& session, LowerArea& lower, D
     : CommandMenu(tr("Fa&ults"), commands, parent) {
   setToolTipsVisible(true);
   addExamine(lower, doctor);
+  addMended(doctor);
   addNone(session);
   addSeparator();
   constexpr std::array kParts{FaultPart::Jitter, FaultPart::Motion, FaultPart::Depth, FaultPart::Color,
@@ -74,6 +75,13 @@ void FaultsMenu::addExamine(LowerArea& lower, DoctorCommands& doctor) {
   });
   examine->setToolTip(
       tr("The doctor says what is wrong with jitter, depth and motion vectors, and what to change"));
+}
+
+void FaultsMenu::addMended(DoctorCommands& doctor) {
+  QAction* mended = add(tr("&Show the finding mended"), keys({"Alt+M"}), [&doctor] { doctor.showMended(); });
+  mended->setToolTip(tr("Compares the picture with the one that it would be if what the doctor found were "
+                        "right"));
+  onRefresh([&doctor, mended] { allow(mended, doctor.whyNotMended()); });
 }
 
 void FaultsMenu::addNone(Session& session) {

@@ -11,6 +11,8 @@
 #include "app/views/Viewport.h"
 #include "core/base/Error.h"
 #include "core/base/Files.h"
+#include "core/settings/Parameters.h"
+#include "core/settings/Presets.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QPushButton>
@@ -18,6 +20,7 @@
 #include <QTemporaryDir>
 
 #include <atomic>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -36,7 +39,8 @@ Finding skyFinding() {
   Finding finding;
   finding.id = "motionNegatedY";
   finding.name = "Motion's y negated";
-  finding.regions = {RegionPlace{"the sky", 12, {4, 2, 20, 10}, {6, 3}, 0.25}};
+  finding.regions = {
+      RegionPlace{"the sky", 12, {4, 2, 20, 4}, {6, 3}, 0.25, true, 0, {{2, 4, 20}, {3, 4, 20}}}};
   finding.reason = "another explanation leaves less";
   finding.measure = "mean difference of luma";
   finding.residuals = {{"negatedY", "y negated", 2.0, false, true},
@@ -112,7 +116,9 @@ class DoctorPageTest : public FakeWindow {
       if (row.first == of) return row.second;
     return {};
   }
-  const std::vector<gl::Rect>& outlines() const { return window.views()->active()->viewport()->regions(); }
+  const std::vector<doctor::OutlineEdge>& outlines() const {
+    return window.views()->active()->viewport()->outlines();
+  }
 
   std::shared_ptr<Script> script_ = std::make_shared<Script>();
 };
@@ -187,8 +193,9 @@ TEST_F(DoctorPageTest, EnterGoesToFrameAndPlaneAndOutlinesTheRegion) {
   settle();
   EXPECT_EQ(renderer->status.info.frame, 12);
   EXPECT_EQ(window.views()->active()->id(), IntermediateId::motion);
-  ASSERT_EQ(outlines().size(), 1u);
-  EXPECT_EQ(outlines()[0], (gl::Rect{8, 4, 32, 16})) << "the picture is twice as large";
+  const std::vector<doctor::OutlineEdge> around{
+      {{8, 4}, {40, 4}}, {{8, 4}, {8, 8}}, {{40, 4}, {40, 8}}, {{8, 8}, {40, 8}}};
+  EXPECT_EQ(outlines(), around) << "the picture is twice as large";
   session.seek(13);
   settle();
   EXPECT_TRUE(outlines().empty());
@@ -197,6 +204,34 @@ TEST_F(DoctorPageTest, EnterGoesToFrameAndPlaneAndOutlinesTheRegion) {
   EXPECT_EQ(renderer->status.info.frame, 12);
   key(Qt::Key_F12, Qt::ControlModifier);
   EXPECT_TRUE(outlines().empty()) << "nobody looks";
+}
+
+TEST_F(DoctorPageTest, ComparesWithWhatItWouldBeIfTheFindingWereRight) {
+  EXPECT_FALSE(window.doctorCommands()->whyNotMended().isEmpty()) << "nothing is found";
+  session.presets().setParameter("fault.motionY", -1.0);
+  examine();
+  EXPECT_TRUE(panel()->details()->mendedButton()->isEnabled());
+  QTest::mouseClick(panel()->details()->mendedButton(), Qt::LeftButton);
+  settle();
+  const Comparison shown = window.views()->active()->comparison();
+  ASSERT_EQ(shown.kind, OtherKind::Preset);
+  EXPECT_EQ(window.views()->active()->id(), IntermediateId::resolved);
+  EXPECT_EQ(renderer->status.info.frame, 12);
+  const Preset mended = preset(shown.preset);
+  EXPECT_EQ(differences(mended.settings, session.presets().settings()),
+            std::vector<std::string>{"fault.motionY=1"});
+  EXPECT_EQ(mended.label, "Mended: Motion's y negated");
+  std::filesystem::remove(shown.preset);
+}
+
+TEST_F(DoctorPageTest, SaysWhyAFindingCannotBeShownMended) {
+  examine();
+  EXPECT_FALSE(panel()->details()->mendedButton()->isEnabled()) << "it says no settings, and none are faulty";
+  key(Qt::Key_M, Qt::AltModifier);
+  EXPECT_FALSE(window.views()->active()->comparison());
+  script_->early.findings[0].mending = script_->all.findings[0].mending = {"fault.motionY=-1"};
+  examine();
+  EXPECT_TRUE(panel()->details()->mendedButton()->isEnabled());
 }
 
 TEST_F(DoctorPageTest, SaysWhyItIsUndecidedAndWhatToCapture) {
