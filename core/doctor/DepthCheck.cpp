@@ -2,8 +2,8 @@
 
 #include "core/base/Median.h"
 #include "core/base/Say.h"
-#include "core/doctor/mending/Mending.h"
 #include "core/doctor/NumberText.h"
+#include "core/doctor/mending/Mending.h"
 #include "core/settings/Faults.h"
 #include "core/taa/twin/stages/SampleStages.h"
 
