@@ -101,7 +101,7 @@ void ProbeMenu::addWorst(ProbeCommands& probe) {
 
 void ProbeMenu::addRegion(const Targets& on) {
   ViewArea& views = on.views;
-  add(tr("Statistics of a re&gion…"), keys({"Ctrl+Alt+G"}), [&prompts = on.prompts] {
+  add(tr("Statistics of a re&gion…"), keys({"Ctrl+Shift+G"}), [&prompts = on.prompts] {
     prompts.askForRegion();
   })->setToolTip(tr("Or drag with Ctrl held over a picture; a click with Ctrl held removes it"));
   add(tr("Statistics of what is visi&ble, or none"), keys({"Shift+H"}), [&views] {

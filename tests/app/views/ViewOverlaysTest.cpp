@@ -128,7 +128,7 @@ TEST_F(ViewOverlays, ADragWithCtrlDescribesTheValuesOfARegion) {
 }
 
 TEST_F(ViewOverlays, ARegionIsTypedAndRemovedByKeys) {
-  key(Qt::Key_G, Qt::ControlModifier | Qt::AltModifier);
+  key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
   auto* prompt = window.findChild<Prompt*>();
   ASSERT_TRUE(prompt);
   auto* field = prompt->findChild<QLineEdit*>();
