@@ -101,7 +101,7 @@ SurfaceParts::SurfaceParts(FrameSource& frames, const FrameRequest& ofLane)
     : frames_(frames), request_(centersOf(ofLane)) {}
 
 const SeenSurfaces& SurfaceParts::seen(int frame, const gl::Rect& part, FrameInputs& drawn) {
-  constexpr int kAround = 4; // px: what is looked at next is near
+  constexpr int kAround = 2; // px: what is looked at next is near
   const auto [first, end] = seen_.equal_range(frame);
   const auto known =
       std::find_if(first, end, [&](const auto& seen) { return gl::contains(heldPlace(seen.second), part); });

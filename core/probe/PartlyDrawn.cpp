@@ -15,7 +15,7 @@ namespace taa {
 namespace {
 
 /// Texels around those of a pixel that it reads, with most settings.
-constexpr int kReadAround = 6;
+constexpr int kReadAround = 4;
 
 /// The texels that a part of a picture lies on.
 gl::Rect texelsOf(const gl::Rect& part, const glm::ivec2& picturePx, const glm::ivec2& drawnPx) {
