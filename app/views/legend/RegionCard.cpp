@@ -64,7 +64,7 @@ class RegionBars : public QWidget {
     painter.drawText(texts, Qt::AlignLeft | Qt::AlignVCenter,
                      axis_.isLogarithmic ? QStringLiteral("≤ ") + low : low);
     painter.drawText(texts, Qt::AlignRight | Qt::AlignVCenter, shortText(axis_.valueAt(1.0)));
-    if (axis_.isLogarithmic) painter.drawText(texts, Qt::AlignCenter, RegionCard::tr("logarithmic"));
+    if (axis_.isLogarithmic) painter.drawText(texts, Qt::AlignCenter, RegionCard::tr("log"));
   }
 
  private:
@@ -189,13 +189,21 @@ QString RegionCard::bodyText() const {
   return texts.join(QLatin1Char('\n'));
 }
 
+// As wide as its texts and as high as its lines; in a small view what has no room scrolls. The legend stays
+// free.
 void RegionCard::place() {
-  constexpr int kMargin = 2 * kUnit, kBelowLabel = 8 * kUnit;
+  constexpr int kMargin = 2 * kUnit, kBelowLabel = 8 * kUnit, kScrollBar = 3 * kUnit;
   const QWidget* under = parentWidget();
-  layout()->activate();
-  const QSize wanted = sizeHint().expandedTo(minimumSizeHint());
-  const int width = std::min(wanted.width(), under->width() - 2 * kMargin);
-  const int height = std::min(wanted.height(), under->height() - kBelowLabel - kMargin);
+  const QMargins around = layout()->contentsMargins();
+  const int buttons = scaled(2 * 26) + kUnit;
+  const QSize texts = body_->sizeHint(), title = title_->sizeHint();
+  const bool hasBars = !bars_->isHidden();
+  const int wide = std::max({title.width() + buttons, texts.width(), hasBars ? bars_->width() : 0}) +
+                   around.left() + around.right() + kScrollBar;
+  const int high = std::max(title.height(), rowHeight()) + texts.height() + around.top() + around.bottom() +
+                   2 * kUnit + (hasBars ? kUnit + bars_->height() : 0);
+  const int width = std::min(wide, under->width() - 2 * kMargin);
+  const int height = std::min(high, under->height() - kBelowLabel - kMargin - rowHeight());
   setGeometry(under->width() - width - kMargin, kBelowLabel, width, height);
 }
 
