@@ -2,6 +2,7 @@
 
 #include "core/gl/Turn.h"
 #include "core/inspect/Inspector.h"
+#include "core/lessons/RecordedFrames.h"
 
 #include <utility>
 
@@ -17,14 +18,27 @@ std::vector<CheckedCondition> checkedAlone(const LessonState& state, const std::
   return checkConditions(inspector, state, conditions, turn.passing(progress));
 }
 
+LessonState recordedAlone(const LessonState& state, const Progress& progress) {
+  gl::Turn turn;
+  Inspector inspector;
+  return onItsFrames(inspector, state, turn.passing(progress));
+}
+
 } // namespace
 
-LessonWork::LessonWork(Check check, QObject* parent)
-    : BackgroundWork(parent), check_(check ? std::move(check) : checkedAlone) {}
+LessonWork::LessonWork(Check check, Record record, QObject* parent)
+    : BackgroundWork(parent), check_(check ? std::move(check) : checkedAlone),
+      record_(record ? std::move(record) : recordedAlone) {}
 
 void LessonWork::begin(const LessonState& state, const std::vector<Condition>& conditions) {
   start([this, state, conditions, check = check_](const Deliver& deliver, const Progress& progress) {
     deliver([this, found = check(state, conditions, progress)] { Q_EMIT checked(found); });
+  });
+}
+
+void LessonWork::record(const LessonState& state) {
+  start([this, state, record = record_](const Deliver& deliver, const Progress& progress) {
+    deliver([this, opened = record(state, progress)] { Q_EMIT recorded(opened); });
   });
 }
 

@@ -1,4 +1,4 @@
-// Checks what a lesson asks for beside the window.
+// Checks what a lesson asks for, and records the frames that it opens, beside the window.
 #pragma once
 
 #include "app/background/BackgroundWork.h"
@@ -15,15 +15,20 @@ class LessonWork : public BackgroundWork {
   /// Tests put another one in its place.
   using Check = std::function<std::vector<CheckedCondition>(const LessonState&, const std::vector<Condition>&,
                                                             const Progress&)>;
-  explicit LessonWork(Check check = {}, QObject* parent = nullptr);
+  /// The state on the frames that it records.
+  using Record = std::function<LessonState(const LessonState&, const Progress&)>;
+  explicit LessonWork(Check check = {}, Record record = {}, QObject* parent = nullptr);
 
   void begin(const LessonState& state, const std::vector<Condition>& conditions);
+  void record(const LessonState& state);
 
  Q_SIGNALS:
   void checked(const std::vector<CheckedCondition>& conditions);
+  void recorded(const LessonState& state);
 
  private:
   Check check_;
+  Record record_;
 };
 
 } // namespace taa::app

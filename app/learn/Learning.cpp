@@ -38,7 +38,7 @@ QString tourKey() {
 } // namespace
 
 Learning::Learning(const Holders& of, QWidget* window)
-    : QObject(window), of_(of), window_(window), work_(new LessonWork({}, this)),
+    : QObject(window), of_(of), window_(window), work_(new LessonWork({}, {}, this)),
       frame_(new PartFrame(window)) {
   LearnPanel& panel = of_.panel;
   connect(&panel, &LearnPanel::lessonChosen, this, &Learning::chooseLesson);
@@ -48,6 +48,11 @@ Learning::Learning(const Holders& of, QWidget* window)
   connect(&panel, &LearnPanel::hintRequested, this, &Learning::giveHint);
   connect(&panel, &LearnPanel::closeRequested, this, &Learning::close);
   connect(work_, &LessonWork::checked, this, &Learning::takeChecked);
+  connect(work_, &LessonWork::recorded, this, [this](const LessonState& state) {
+    if (!notes_.isSolutionShown) notes_.answer.clear();
+    openOnItsFrames(state);
+    show();
+  });
   connect(work_, &LessonWork::ended, this, [this](const QString& error) {
     notes_.isChecking = false;
     if (!error.isEmpty()) notes_.answer = sentence(error.toStdString());
@@ -132,6 +137,13 @@ void Learning::setState() {
 void Learning::openState(const LessonState& state) {
   if (!isBegun_) of_.keeper.keepWhatIsOpen();
   isBegun_ = true;
+  if (!state.recording) return openOnItsFrames(state);
+  notes_.answer = tr("Frames are being drawn and written, as an engine would hand them out.");
+  work_->record(state);
+}
+
+void Learning::openOnItsFrames(const LessonState& state) {
+  opened_ = state.shot;
   of_.keeper.openFile(lessonSession(state));
   if (state.plays) of_.session.setPlaying(true);
 }
@@ -188,7 +200,8 @@ bool Learning::isDone(const Lesson& lesson, int step) const {
 void Learning::check() {
   LessonState now = shownStep().state;
   const SessionFile file = of_.session.file();
-  if (file.source != now.shot.source || file.size != now.shot.size) {
+  now.recording.reset();
+  if (file.source != opened_.source || file.size != opened_.size) {
     notes_.answer = tr("Another scene or size is open: return to the step first.");
     return show();
   }

@@ -74,6 +74,7 @@ class Learning : public QObject {
   void takeChecked(const std::vector<CheckedCondition>& conditions);
   void giveHint();
   void openState(const LessonState& state);
+  void openOnItsFrames(const LessonState& state);
   bool isDone(const Lesson& lesson, int step) const;
   const Lesson& shown() const { return lessons_[static_cast<std::size_t>(lesson_)]; }
   const LessonStep& shownStep() const { return shown().steps[static_cast<std::size_t>(step_)]; }
@@ -83,6 +84,7 @@ class Learning : public QObject {
   std::vector<Lesson> lessons_;
   int lesson_ = 0, step_ = 0;
   bool isBegun_ = false; ///< what was open before has been kept
+  SessionFile opened_;   ///< what was opened last, on the frames that it records
   LearnPanel::StepNotes notes_;
   LessonWork* work_;
   PartFrame* frame_;

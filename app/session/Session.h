@@ -60,6 +60,8 @@ class Session : public QObject {
   const Playback& playback() const { return playback_; }
   /// Something was opened, and its status has arrived.
   bool isOpen() const { return status_.frameCount > 0; }
+  /// Whether what was asked for last has not arrived yet: what is open is of before.
+  bool isOpening() const { return status_.opened != opening_; }
 
   // Requests
   /// Plays once it is open, or waits at frame 0.

@@ -160,14 +160,16 @@ void SessionKeeper::finishRestoring() {
   if (status.opened != opened_ && status.frameCount > 0) {
     opened_ = status.opened;
     if (isFile(source)) remember(source);
-    if (restoring_ && restoring_->source != status.source) restoring_.reset(); // something else was opened
+    const bool isOther = restoring_ && restoring_->source != status.source;
+    if (isOther && !session_.isOpening()) restoring_.reset(); // something else was opened
     if (!restoring_) path_.clear();
     isFromSession_ = restoring_.has_value();
     isReopening_ = false;
     if (std::exchange(isOfOrphan_, false) && restoring_) autosave_->removeOrphan();
     if (!toSay_.isEmpty()) sayWhenOpen(std::exchange(toSay_, {}));
   }
-  if (!restoring_ || status.source != restoring_->source ||
+  // A scene that was still being opened comes first, and is none of the file's business.
+  if (!restoring_ || session_.isOpening() || status.source != restoring_->source ||
       glm::ivec2(status.width, status.height) != restoring_->size)
     return;
   const SessionFile file = *std::exchange(restoring_, {});

@@ -103,3 +103,30 @@ TEST_F(LearnTest, SaysWhatATaskLacksAndThatItIsSolved) {
   Q_EMIT learning()->work()->checked({checked});
   EXPECT_TRUE(says(QStringLiteral("Solved.")));
 }
+
+TEST_F(LearnTest, ASceneThatStillLoadsLeavesTheProbesOfTheStepAlone) {
+  renderer->holdsBack = true;
+  session.open(QStringLiteral("builtin:fence"));
+  const taa::Status late = renderer->status; // smaller than the pictures of lessons
+  key(Qt::Key_F12);
+  press(QStringLiteral("Next"));
+  press(QStringLiteral("Next"));
+  const taa::Status asked = renderer->status;
+  renderer->holdsBack = false;
+  for (const taa::Status& arriving : {late, asked}) {
+    renderer->status = arriving;
+    renderer->deliver();
+    settle();
+  }
+  EXPECT_EQ(session.status().source, tour().steps[2].state.shot.source);
+  ASSERT_TRUE(session.probes().pixel());
+  EXPECT_EQ(*session.probes().pixel(), tour().steps[2].state.probes.front());
+}
+
+TEST_F(LearnTest, FramesThatAStepRecordsAreOpenedWhenTheyAreThere) {
+  key(Qt::Key_F12);
+  taa::LessonState state = tour().steps.front().state;
+  state.shot.source = kFakeCapture;
+  Q_EMIT learning()->work()->recorded(state);
+  EXPECT_TRUE(waitFor([&] { return session.status().source == kFakeCapture; }));
+}
