@@ -76,7 +76,7 @@ void LessonText::setType() {
     setSpacing(block);
     setCode(block, themeColors(this));
   }
-  document()->setIndentWidth(scaled(5.0 * kUnit));
+  document()->setIndentWidth(scaled(7.0 * kUnit));
   fitLines();
 }
 

@@ -4,6 +4,7 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/views/plots/JitterView.h"
+#include "app/widgets/FittingArea.h"
 #include "app/widgets/ValueTable.h"
 
 #include "core/render/jitter/Jitter.h"
@@ -53,7 +54,9 @@ JitterPanel::JitterPanel(QWidget* parent)
   auto* columns = new QHBoxLayout(this);
   columns->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
   columns->setSpacing(4 * kUnit);
-  auto* texts = new QVBoxLayout;
+  auto* words = new QWidget;
+  auto* texts = new QVBoxLayout(words);
+  texts->setContentsMargins(0, 0, 0, 0);
   texts->setSpacing(2 * kUnit);
   texts->addWidget(title_);
   texts->addWidget(summaryLabel());
@@ -65,7 +68,7 @@ JitterPanel::JitterPanel(QWidget* parent)
                       "Click a sample to go to the frame that took it last."));
   columns->addWidget(view_, 4);
   columns->addWidget(table_, 4);
-  columns->addLayout(texts, 5);
+  columns->addWidget(scrolled(words), 5);
   connect(view_, &JitterView::hovered, this, &JitterPanel::highlight);
   connect(view_, &JitterView::chosen, this, [this](int index) {
     const int period = periodOf(series());

@@ -4,6 +4,7 @@
 #include "app/style/Theme.h"
 #include "app/views/plots/FootprintView.h"
 #include "app/views/plots/LineageBars.h"
+#include "app/widgets/FittingArea.h"
 
 #include "core/verdict/lineage/LineageWords.h"
 
@@ -26,7 +27,8 @@ LineagePanel::LineagePanel(QWidget* parent)
   columns->setSpacing(4 * kUnit);
   columns->addWidget(bars_, 6);
   columns->addWidget(footprint_, 4);
-  columns->addWidget(summary_, 5, Qt::AlignTop);
+  summary_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  columns->addWidget(scrolled(summary_), 5);
   connect(bars_, &LineageBars::hovered, this, &LineagePanel::highlight);
   connect(footprint_, &FootprintView::hovered, this, &LineagePanel::highlight);
   connect(bars_, &LineageBars::chosen, this, &LineagePanel::seekRequested);

@@ -91,9 +91,11 @@ double scaled(double length) {
 void resizeText(int percent) {
   const double before = textScale();
   gTextPercent = std::clamp(percent, kMinTextPercent, kMaxTextPercent);
-  for (QWidget* widget : QApplication::allWidgets())
-    if (!widget->objectName().startsWith(QLatin1String("qt_"))) // Qt sizes the parts of its own widgets
-      resizeLimits(*widget, before);
+  for (QWidget* widget : QApplication::allWidgets()) {
+    const bool isOfQt =
+        widget->objectName().startsWith(QLatin1String("qt_")); // a part of a widget, which sizes it
+    if (!isOfQt && !widget->property(kKeepsLimits).toBool()) resizeLimits(*widget, before);
+  }
 }
 
 // Fonts of widgets that have none of their own follow the application's. Qt gives fonts back that a widget

@@ -4,6 +4,9 @@
 
 namespace taa::app {
 
+/// A property of a widget: its limits are of pictures, and stay.
+inline constexpr const char* kKeepsLimits = "keepsLimits";
+
 inline constexpr int kMinTextPercent = 100, kMaxTextPercent = 200, kTextStep = 25;
 
 /// Makes texts `percent` of their size by design, in all widgets there are and in those to come: fonts, rows,

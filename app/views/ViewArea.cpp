@@ -1,5 +1,6 @@
 #include "app/views/ViewArea.h"
 
+#include "app/style/TextSize.h"
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
 
@@ -56,6 +57,7 @@ ViewArea::ViewArea(QWidget* parent)
     if (count_ == kViewCount) lower_->setSizes(upper_->sizes());
   });
   connect(lower_, &QSplitter::splitterMoved, this, [this] { upper_->setSizes(lower_->sizes()); });
+  setProperty(kKeepsLimits, true);
   qApp->installEventFilter(this);
   setActive(0);
 }

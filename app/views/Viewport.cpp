@@ -1,5 +1,6 @@
 #include "app/views/Viewport.h"
 
+#include "app/style/TextSize.h"
 #include "app/style/Theme.h"
 #include "app/views/PixelOverlay.h"
 #include "app/views/Wipe.h"
@@ -27,6 +28,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent) {
   setCursor(Qt::CrossCursor);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setMinimumSize(80, 60);
+  setProperty(kKeepsLimits, true);
 }
 
 ViewGeometry Viewport::viewGeometry() const {

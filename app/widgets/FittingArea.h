@@ -47,4 +47,17 @@ class FittingArea : public QScrollArea {
   int minPx_, alwaysPx_;
 };
 
+/// As high as there is room, whatever it shows: what needs more scrolls. Takes `content`.
+inline QScrollArea* scrolled(QWidget* content) {
+  auto* area = new QScrollArea;
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidget(content);
+  area->viewport()->setAutoFillBackground(false);
+  content->setAutoFillBackground(false);
+  return area;
+}
+
 } // namespace taa::app

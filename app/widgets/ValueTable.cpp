@@ -2,10 +2,12 @@
 
 #include "app/style/Theme.h"
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QPixmap>
 
 #include <algorithm>
+#include <utility>
 
 namespace taa::app {
 
@@ -61,6 +63,12 @@ void ValueTable::setRows(const std::vector<Row>& rows) {
     swatch.fill(row.swatch);
     item->setIcon(0, row.swatch.isValid() ? QIcon(swatch) : QIcon());
   }
+}
+
+// Cells have fonts of their own.
+void ValueTable::changeEvent(QEvent* event) {
+  QTreeWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) setRows(std::exchange(rows_, {}));
 }
 
 std::vector<QStringList> ValueTable::lines() const {

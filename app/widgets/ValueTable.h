@@ -29,6 +29,9 @@ class ValueTable : public QTreeWidget {
   QString text() const;
   QSize sizeHint() const override { return {220, 160}; }
 
+ protected:
+  void changeEvent(QEvent*) override;
+
  private:
   std::vector<QStringList> lines() const;
   QStringList header_;

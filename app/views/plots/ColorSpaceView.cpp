@@ -158,8 +158,9 @@ void paintItem(QPainter& painter, const PlotItem& item, const Place& placeOf) {
   }
 }
 
-constexpr double kTickShare = 0.45; ///< of half an edge: room around the frame for its ticks
-constexpr int kMaxTicks = 4;        ///< on an axis; where there is little room, half as many
+constexpr double kTickShare = 0.45;         ///< of half an edge: room around the frame for its ticks
+constexpr int kLowestWithProjections = 320; ///< px where text has its own size
+constexpr int kMaxTicks = 4;                ///< on an axis; where there is little room, half as many
 
 /// A label by a tick, on the side of it that `away` points to.
 void drawTickLabel(QPainter& painter, QPointF tick, QPointF away, const QString& text) {
@@ -209,9 +210,15 @@ int ColorSpaceView::legendHeight() const {
   return 4 * (fontMetrics().height() + 2) + kUnit;
 }
 
+// In a low window the plot alone has what room there is.
+int ColorSpaceView::projections() const {
+  return height() - legendHeight() < scaled(kLowestWithProjections) ? 0
+                                                                    : static_cast<int>(kProjections.size());
+}
+
 QRectF ColorSpaceView::plotRect() const {
-  const double side = projectionRect(0).top() - 2 * kUnit;
-  return {0, 0, static_cast<double>(width()), std::max(60.0, side)};
+  const double bottom = projections() > 0 ? projectionRect(0).top() : height() - legendHeight();
+  return {0, 0, static_cast<double>(width()), std::max(60.0, bottom - 2 * kUnit)};
 }
 
 QRectF ColorSpaceView::projectionRect(int index) const {
@@ -351,7 +358,7 @@ void ColorSpaceView::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   const Content content{colors, itemsOf(*scene_, colors)};
   paintPlot(painter, content);
-  for (int index = 0; index < 3; ++index) paintProjection(painter, content, index);
+  for (int index = 0; index < projections(); ++index) paintProjection(painter, content, index);
   paintLegend(painter, content);
   if (!hasFocus() || isPaintedAsFigure(*this)) return;
   painter.setPen(QPen(colors.accent, 1));
@@ -366,7 +373,7 @@ QString ColorSpaceView::textAt(QPointF place) const {
   QString text;
   for (const PlotItem& item : itemsOf(*scene_, themeColors(this)))
     for (const glm::vec3& point : item.points)
-      for (int plot = -1; plot < 3; ++plot) {
+      for (int plot = -1; plot < projections(); ++plot) {
         const QPointF away = (plot < 0 ? placeOf(point) : flatPlace(point, plot)) - place;
         if (std::hypot(away.x(), away.y()) > least) continue;
         least = std::hypot(away.x(), away.y());

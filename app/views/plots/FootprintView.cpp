@@ -94,6 +94,8 @@ void FootprintView::paintSamples(QPainter& painter) const {
   for (auto sample = lineage_->samples.rbegin(); sample != lineage_->samples.rend(); ++sample) {
     const QPointF center = pointOf(sample->offset);
     const double radius = radiusOf(*sample);
+    if (!square().adjusted(-radius, -radius, radius, radius).contains(center))
+      continue; // a drawing has no clip
     const QColor color = ageColor(this, ageShare(*lineage_, sample->frame));
     const bool isFilled = sample->weight >= 0.0;
     painter.setPen(isFilled ? QPen(Qt::NoPen) : QPen(color, 1.0));

@@ -55,6 +55,14 @@ FigureContent viewContent(const Viewport& viewport) {
   return {size, paint, {}, ratio};
 }
 
+/// Lines as sentences.
+QString sentencesOf(const QString& lines) {
+  QStringList sentences;
+  for (const QString& line : lines.split(QLatin1Char('\n'), Qt::SkipEmptyParts))
+    sentences << sentence(line.toStdString());
+  return sentences.join(QLatin1Char(' '));
+}
+
 void addViewFigures(std::vector<Figure>& figures, const ViewArea& views) {
   for (int index = 0; index < views.viewCount(); ++index) {
     const Viewport* viewport = views.view(index)->viewport();
@@ -87,7 +95,7 @@ void addPages(std::vector<Figure>& figures, const FigurePanels& of) {
   add(
       "jitter", FigureWords::tr("Jitter pattern"), &of.jitter, Qt::Horizontal,
       [&of = of.jitter] { return chartsOf<JitterView>(of); },
-      [&of = of.jitter] { return of.summary().replace(u'\n', u' '); });
+      [&of = of.jitter] { return sentencesOf(of.summary()); });
   add(
       "weights", FigureWords::tr("Weights and effective samples"), &of.weights, Qt::Horizontal,
       [&of = of.weights] { return chartsOf<CurveChart>(of); }, [&of = of.weights] { return of.summary(); });
@@ -96,7 +104,7 @@ void addPages(std::vector<Figure>& figures, const FigurePanels& of) {
       [&of = of.lineage] {
         return QList<QWidget*>{of.bars(), of.footprint()};
       },
-      [&of = of.lineage] { return of.summary().replace(u'\n', u' '); });
+      [&of = of.lineage] { return sentencesOf(of.summary()); });
   add(
       "profiler", FigureWords::tr("Times of the passes"), &of.profiler, Qt::Vertical,
       [&of = of.profiler] { return chartsOf<ProfileChart>(of); }, [] { return QString(); });
