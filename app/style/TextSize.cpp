@@ -52,6 +52,11 @@ void resizeMargins(QLayout& layout, double before) {
   layout.setContentsMargins(margins);
 }
 
+/// Parts of Qt's own widgets, and docks, which are as small and as large as what they hold.
+bool isSizedByQt(const QWidget& widget) {
+  return widget.objectName().startsWith(QLatin1String("qt_")) || widget.inherits("QDockWidget");
+}
+
 void resizeLimits(QWidget& widget, double before) {
   const QSize least = widget.minimumSize(), most = widget.maximumSize();
   const bool isFixed = least.width() == most.width();
@@ -92,9 +97,7 @@ void resizeText(int percent) {
   const double before = textScale();
   gTextPercent = std::clamp(percent, kMinTextPercent, kMaxTextPercent);
   for (QWidget* widget : QApplication::allWidgets()) {
-    const bool isOfQt =
-        widget->objectName().startsWith(QLatin1String("qt_")); // a part of a widget, which sizes it
-    if (!isOfQt && !widget->property(kKeepsLimits).toBool()) resizeLimits(*widget, before);
+    if (!isSizedByQt(*widget) && !widget->property(kKeepsLimits).toBool()) resizeLimits(*widget, before);
   }
 }
 

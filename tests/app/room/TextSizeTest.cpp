@@ -26,7 +26,8 @@ using Limits = std::tuple<double, QSize, QSize>;
 std::map<const QWidget*, Limits> limitsOf(const QWidget& window) {
   std::map<const QWidget*, Limits> limits;
   for (const QWidget* widget : window.findChildren<QWidget*>())
-    if (!widget->objectName().startsWith(QLatin1String("qt_"))) // Qt's own parts of a widget are its own
+    if (!widget->objectName().startsWith(QLatin1String("qt_")) &&
+        !widget->inherits("QDockWidget")) // Qt sizes them
       limits[widget] = {widget->font().pointSizeF(), widget->minimumSize(), widget->maximumSize()};
   return limits;
 }
