@@ -97,6 +97,10 @@ void MessagesBar::showHint(const QString& text) {
   hint_->show();
 }
 
+void MessagesBar::hideHint() {
+  hint_->hide();
+}
+
 QString MessagesBar::text() const {
   QStringList all = errors_;
   if (!shaderError_.isEmpty()) all << shaderError_;

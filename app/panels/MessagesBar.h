@@ -29,6 +29,8 @@ class MessagesBar : public QWidget {
   void setWarnings(const QStringList& warnings);
   /// The hint of the first start; hintClosed() follows when it is closed.
   void showHint(const QString& text);
+  /// Until it is shown again.
+  void hideHint();
   /// All errors and warnings in sight.
   QString text() const;
   /// All that was said so far, the latest first: "14:03:21 cannot write …".

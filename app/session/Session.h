@@ -63,6 +63,9 @@ class Session : public QObject {
   /// Whether what was asked for last has not arrived yet: what is open is of before.
   bool isOpening() const { return status_.opened != opening_; }
 
+  /// What was asked to be opened last; empty: nothing yet.
+  QString openingSource() const { return QString::fromStdString(last_.file.source); }
+
   // Requests
   /// Plays once it is open, or waits at frame 0.
   void open(const QString& source, bool plays = true, const ShotChoice& choice = {});
