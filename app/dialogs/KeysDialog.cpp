@@ -1,12 +1,14 @@
 #include "app/dialogs/KeysDialog.h"
 
 #include "app/style/Theme.h"
+#include "app/widgets/SearchField.h"
 
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QStringList>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -86,28 +88,46 @@ QWidget* columnsOf(const std::vector<Group>& groups) {
 } // namespace
 
 // All of it where there is room; else it scrolls, by the keys, too.
-KeysDialog::KeysDialog(const std::vector<KeyLine>& lines, QWidget* parent) : QDialog(parent) {
+KeysDialog::KeysDialog(const std::vector<KeyLine>& lines, QWidget* parent)
+    : QDialog(parent), lines_(lines), noHits_(new NoHits), scroll_(new QScrollArea) {
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Keys"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4 * kUnit, 4 * kUnit, 4 * kUnit, 4 * kUnit);
-  auto* scroll = new QScrollArea;
-  scroll->setAccessibleName(tr("Keys"));
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* search = new SearchField(tr("Search keys by what they do"));
+  layout->addWidget(search);
+  layout->addWidget(noHits_);
+  scroll_->setAccessibleName(tr("Keys"));
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   QWidget* page = columnsOf(grouped(lines));
-  scroll->setWidget(page);
-  scroll->setMinimumWidth(page->sizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
-  layout->addWidget(scroll, 1);
+  scroll_->setWidget(page);
+  scroll_->setMinimumWidth(page->sizeHint().width() + scroll_->verticalScrollBar()->sizeHint().width());
+  layout->addWidget(scroll_, 1);
   auto* close = new QPushButton(tr("Close"));
   close->setDefault(true);
   connect(close, &QPushButton::clicked, this, &QDialog::close);
+  connect(search, &SearchField::textChanged, this, &KeysDialog::find);
   layout->addWidget(close, 0, Qt::AlignRight);
-  const int whole = page->sizeHint().height() + close->sizeHint().height() + 12 * kUnit;
+  const int whole =
+      page->sizeHint().height() + search->sizeHint().height() + close->sizeHint().height() + 16 * kUnit;
   const int room = (parent ? parent->height() : whole) - 8 * kUnit;
   resize(sizeHint().width(), std::min(whole, std::max(room, 60 * kUnit)));
-  scroll->setFocus();
+  scroll_->setFocus();
+}
+
+void KeysDialog::find(const QString& text) {
+  const QStringList words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  std::vector<KeyLine> found;
+  for (const KeyLine& line : lines_) {
+    const QString known = line.group + QLatin1Char(' ') + line.keys + QLatin1Char(' ') + line.text;
+    if (std::ranges::all_of(words,
+                            [&](const QString& word) { return known.contains(word, Qt::CaseInsensitive); }))
+      found.push_back(line);
+  }
+  scroll_->setWidget(columnsOf(grouped(found)));
+  noHits_->tell(text.trimmed(), !found.empty());
 }
 
 } // namespace taa::app

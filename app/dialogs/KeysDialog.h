@@ -6,17 +6,28 @@
 
 #include <vector>
 
+class QScrollArea;
+
 namespace taa::app {
+
+class NoHits;
 
 struct KeyLine {
   QString group, keys, text;
 };
 
-/// Deletes itself when closed.
+/// Deletes itself when closed. A field above the list finds keys by what they do, or by their names.
 class KeysDialog : public QDialog {
   Q_OBJECT
  public:
   KeysDialog(const std::vector<KeyLine>& lines, QWidget* parent);
+
+ private:
+  void find(const QString& text);
+
+  std::vector<KeyLine> lines_;
+  NoHits* noHits_;
+  QScrollArea* scroll_;
 };
 
 } // namespace taa::app

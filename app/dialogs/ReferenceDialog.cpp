@@ -6,6 +6,7 @@
 
 #include <QDesktopServices>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QTextBlock>
@@ -75,7 +76,14 @@ ReferenceDialog::ReferenceDialog(QWidget* parent) : QDialog(parent), pages_(manu
   below->setSpacing(2 * kUnit);
   below->addWidget(list_);
   below->addWidget(browser_, 1);
+  missed_ = new QLabel;
+  missed_->setObjectName(QStringLiteral("noHits"));
+  missed_->setTextFormat(Qt::PlainText);
+  missed_->setWordWrap(true);
+  missed_->setForegroundRole(QPalette::PlaceholderText);
+  missed_->hide();
   layout->addWidget(search_);
+  layout->addWidget(missed_);
   layout->addLayout(below, 1);
   connect(list_, &QListWidget::currentRowChanged, this, &ReferenceDialog::showPage);
   connect(browser_, &QTextBrowser::anchorClicked, this, &ReferenceDialog::follow);
@@ -90,7 +98,7 @@ void ReferenceDialog::showPage(int row) {
     browser_->setHtml(QString::fromStdString(referencePageHtml()));
   else
     showText(pages_[static_cast<std::size_t>(row - 1)]);
-  if (!search_->text().isEmpty()) find(false);
+  find(false);
 }
 
 void ReferenceDialog::showText(const ManualPage& page) {
@@ -125,11 +133,33 @@ void ReferenceDialog::scrollTo(const std::string& anchor) {
 }
 
 // From the start when there is no further one below.
-void ReferenceDialog::find(bool fromHere) {
+bool ReferenceDialog::findInPage(bool fromHere) {
   if (!fromHere) browser_->moveCursor(QTextCursor::Start);
-  if (browser_->find(search_->text())) return;
+  if (browser_->find(search_->text())) return true;
   browser_->moveCursor(QTextCursor::Start);
-  browser_->find(search_->text());
+  return browser_->find(search_->text());
+}
+
+QStringList ReferenceDialog::pagesWith(const QString& text) const {
+  QStringList titles;
+  if (QString::fromStdString(referencePageHtml()).contains(text, Qt::CaseInsensitive))
+    titles << list_->item(0)->text();
+  for (const ManualPage& page : pages_)
+    if (QString::fromStdString(page.text).contains(text, Qt::CaseInsensitive))
+      titles << QString::fromStdString(page.title);
+  return titles;
+}
+
+void ReferenceDialog::find(bool fromHere) {
+  const QString text = search_->text();
+  const bool found = text.isEmpty() || findInPage(fromHere);
+  missed_->setVisible(!found);
+  if (found) return;
+  const QStringList pages = pagesWith(text);
+  missed_->setText(
+      pages.isEmpty()
+          ? tr("No page of the manual has “%1”. Fewer letters or another word may find it.").arg(text)
+          : tr("“%1” is not on this page, but on: %2.").arg(text, pages.join(QStringLiteral(", "))));
 }
 
 } // namespace taa::app

@@ -4,10 +4,12 @@
 #include "core/report/ManualPages.h"
 
 #include <QDialog>
+#include <QStringList>
 
 #include <string>
 #include <vector>
 
+class QLabel;
 class QLineEdit;
 class QListWidget;
 class QTextBrowser;
@@ -28,10 +30,14 @@ class ReferenceDialog : public QDialog {
   void follow(const QUrl& link);
   void scrollTo(const std::string& anchor);
   void find(bool fromHere);
+  bool findInPage(bool fromHere);
+  /// Titles of the pages that have a text.
+  QStringList pagesWith(const QString& text) const;
 
   std::vector<ManualPage> pages_; ///< those of the list after its first row
   QListWidget* list_ = nullptr;
   QLineEdit* search_ = nullptr;
+  QLabel* missed_ = nullptr; ///< that nothing was found, and where it is
   QTextBrowser* browser_ = nullptr;
 };
 

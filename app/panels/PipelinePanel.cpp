@@ -86,6 +86,8 @@ PipelinePanel::PipelinePanel(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 2 * kUnit);
   column->setSpacing(0);
+  noHits_ = new NoHits;
+  column->addWidget(noHits_);
   for (const StageInfo& stage : kStages) {
     Section section = makeSection(stage);
     column->addWidget(section.header);
@@ -343,22 +345,25 @@ void PipelinePanel::setAllExpanded(bool expanded) {
 
 void PipelinePanel::applySearch() {
   const QString wanted = search_->text().trimmed();
+  bool found = wanted.isEmpty();
   for (const Section& section : sections_) {
     // A stage that is found by its name shows everything it has.
     const bool whole = wanted.isEmpty() || section.header->text().contains(wanted, Qt::CaseInsensitive);
     bool any = whole;
     const auto filter = [&](const auto& rows) {
       for (auto* row : rows) {
-        const bool found = whole || row->matches(wanted);
-        row->setVisible(found);
-        any = any || found;
+        const bool matches = whole || row->matches(wanted);
+        row->setVisible(matches);
+        any = any || matches;
       }
     };
     filter(section.parameters);
     filter(section.intermediates);
     section.header->setVisible(any);
     section.body->setVisible(any && (section.header->isChecked() || !wanted.isEmpty()));
+    found = found || any;
   }
+  noHits_->tell(wanted, found);
 }
 
 QJsonObject PipelinePanel::state() const {

@@ -24,6 +24,7 @@ namespace taa::app {
 class ChoiceButton;
 class IntermediateRow;
 class ParameterRow;
+class NoHits;
 class SearchField;
 class SectionHeader;
 
@@ -102,6 +103,7 @@ class PipelinePanel : public QWidget {
   ChoiceButton* presets_ = nullptr;
   std::vector<UserPreset> userPresets_;
   SearchField* search_ = nullptr;
+  NoHits* noHits_ = nullptr;
   QScrollArea* scroll_ = nullptr;
   std::vector<Section> sections_;
   int sharesFrame_ = -1; ///< that the headings speak of; −1: none

@@ -42,7 +42,7 @@ QString ScenePanel::classLabel(std::optional<ObjectClass> objectClass) {
 
 ScenePanel::ScenePanel(QWidget* parent)
     : QWidget(parent), model_(new SceneTreeModel(this)), shown_(new QSortFilterProxyModel(this)),
-      filter_(new SearchField(tr("Filter objects by name"))), tree_(new QTreeView) {
+      filter_(new SearchField(tr("Filter objects by name"))), noHits_(new NoHits), tree_(new QTreeView) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 2 * kUnit, 0, 0);
   layout->setSpacing(2 * kUnit);
@@ -52,6 +52,7 @@ ScenePanel::ScenePanel(QWidget* parent)
   top->addWidget(filter_);
   layout->addLayout(top);
   makeTree();
+  layout->addWidget(noHits_);
   layout->addWidget(tree_, 1);
   layout->addWidget(makeBottom());
   connectTree();
@@ -115,6 +116,7 @@ void ScenePanel::connectTree() {
   connect(filter_, &SearchField::textChanged, this, [this](const QString& text) {
     shown_->setFilterFixedString(text.trimmed());
     if (!text.isEmpty()) tree_->expandAll();
+    noHits_->tell(text.trimmed(), shown_->rowCount() > 0 || text.trimmed().isEmpty());
   });
   connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
     askForLocation();

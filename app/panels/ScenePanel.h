@@ -19,6 +19,7 @@ class QTreeView;
 namespace taa::app {
 
 class SceneTreeModel;
+class NoHits;
 class SearchField;
 
 class ScenePanel : public QWidget {
@@ -87,6 +88,7 @@ class ScenePanel : public QWidget {
   SceneTreeModel* model_;
   QSortFilterProxyModel* shown_;
   SearchField* filter_;
+  NoHits* noHits_;
   QTreeView* tree_;
   QLabel* info_;
   QPushButton *isolate_, *reveal_, *showAll_;

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPainter>
+#include <QScreen>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
@@ -78,10 +79,16 @@ void Chooser::open(const QRect& anchor, int current) {
   fill({}, current);
   QWidget* window = parentWidget()->window();
   const QPoint corner = parentWidget()->mapTo(window, anchor.bottomLeft() + QPoint(0, 1));
-  const int width = std::min(anchor.width(), window->width() - 2 * kUnit);
+  // As high as its rows; in the window, so that a picture of that has all of it. One of a panel that is torn
+  // off has the whole screen.
+  const QPoint place = window->mapToGlobal(corner);
+  const bool isTornOff = window->windowType() == Qt::Tool;
+  const QRect room = isTornOff ? window->screen()->availableGeometry()
+                               : QRect(window->mapToGlobal(QPoint()), window->size());
+  const int width = std::min(anchor.width(), room.width() - 2 * kUnit);
   const int height =
-      std::min(list_->count() * rowHeight() + 12 * kUnit, window->height() - corner.y() - 2 * kUnit);
-  setGeometry(QRect(window->mapToGlobal(corner), QSize(width, height)));
+      std::min(list_->count() * rowHeight() + 12 * kUnit, room.bottom() - place.y() - 2 * kUnit);
+  setGeometry(QRect(place, QSize(width, height)));
   show();
   field_->setFocus();
 }
@@ -110,6 +117,11 @@ void Chooser::fill(const QString& wanted, int current) {
     item->setData(kDetailRole, entry.detail);
     if (!entry.enabled) item->setFlags(Qt::NoItemFlags);
     if (entry.enabled && (!chosen || static_cast<int>(i) == current)) chosen = item;
+  }
+  if (list_->count() == 0) {
+    list_->addItem(tr("Nothing here has “%1”.").arg(wanted));
+    list_->addItem(tr("Fewer letters or another word may find it; Esc closes."));
+    for (int line = 0; line < list_->count(); ++line) list_->item(line)->setFlags(Qt::NoItemFlags);
   }
   list_->setCurrentItem(chosen);
   if (chosen) list_->scrollToItem(chosen, QAbstractItemView::PositionAtCenter);

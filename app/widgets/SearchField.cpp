@@ -1,6 +1,7 @@
 #include "app/widgets/SearchField.h"
 
 #include "app/style/Icons.h"
+#include "app/style/Theme.h"
 
 #include <QKeyEvent>
 
@@ -17,6 +18,21 @@ bool SearchField::event(QEvent* event) {
   if (!isKey || !isUndoKey(*static_cast<QKeyEvent*>(event))) return QLineEdit::event(event);
   event->ignore(); // the shortcut of the menu gets it
   return true;
+}
+
+NoHits::NoHits(QWidget* parent) : QLabel(parent) {
+  setObjectName(QStringLiteral("noHits"));
+  setTextFormat(Qt::PlainText);
+  setWordWrap(true);
+  setForegroundRole(QPalette::PlaceholderText);
+  setContentsMargins(2 * kUnit, 2 * kUnit, 2 * kUnit, 2 * kUnit);
+  hide();
+}
+
+void NoHits::tell(const QString& wanted, bool found) {
+  setText(tr("Nothing here has “%1”. Fewer letters or another word may find it; Esc shows all again.")
+              .arg(wanted));
+  setVisible(!found);
 }
 
 bool isUndoKey(const QKeyEvent& event) {

@@ -2,6 +2,7 @@
 // and so is Esc (EscapeKey.h).
 #pragma once
 
+#include <QLabel>
 #include <QLineEdit>
 
 class QKeyEvent;
@@ -16,6 +17,16 @@ class SearchField : public QLineEdit {
 
  protected:
   bool event(QEvent* event) override;
+};
+
+/// In the place of what is searched: that nothing was found, and what to do then. Hidden otherwise.
+class NoHits : public QLabel {
+  Q_OBJECT
+ public:
+  explicit NoHits(QWidget* parent = nullptr);
+
+  /// What was searched for, and whether something was found.
+  void tell(const QString& wanted, bool found);
 };
 
 /// Whether a key is for undo or redo of the window.

@@ -1,0 +1,185 @@
+// A search that finds nothing says so and what to do; the window says what it is doing before there is a
+// picture, one strip at a time; the values keep their room.
+#include "app/dialogs/KeysDialog.h"
+#include "app/dialogs/ReferenceDialog.h"
+#include "app/panels/LeftArea.h"
+#include "app/panels/MessagesBar.h"
+#include "app/panels/PipelinePanel.h"
+#include "app/panels/ProbePanel.h"
+#include "app/panels/ScenePanel.h"
+#include "app/style/Theme.h"
+#include "app/views/LoadingNote.h"
+#include "app/widgets/Chooser.h"
+#include "app/widgets/SearchField.h"
+#include "app/widgets/bars/OfferBar.h"
+#include "app/widgets/bars/Strip.h"
+#include "tests/app/WindowFixture.h"
+
+#include <QLabel>
+#include <QListWidget>
+#include <QPointer>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTreeView>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <string>
+
+using namespace taa;
+using namespace taa::app;
+
+namespace {
+
+using Search = test::FakeWindow;
+
+/// What is said in the place of hits; empty: nothing.
+QString missed(const QWidget* where) {
+  const auto* label = where->findChild<QLabel*>("noHits");
+  return label && label->isVisible() ? label->text() : QString();
+}
+
+} // namespace
+
+TEST_F(Search, OfSettingsSaysThatNothingWasFound) {
+  SearchField* field = window.pipeline()->searchField();
+  QTest::keyClicks(field, "clip");
+  EXPECT_EQ(missed(window.pipeline()), "");
+  QTest::keyClicks(field, "xyz");
+  EXPECT_TRUE(missed(window.pipeline()).contains(QStringLiteral("“clipxyz”")));
+  QTest::keyClick(field, Qt::Key_Escape);
+  settle();
+  EXPECT_EQ(missed(window.pipeline()), "");
+}
+
+TEST_F(Search, OfObjectsSaysThatNothingWasFound) {
+  window.left()->openPage(LeftPage::Scene);
+  settle();
+  QTest::keyClicks(window.scene()->filterField(), "nobody");
+  EXPECT_TRUE(missed(window.scene()).contains(QStringLiteral("“nobody”")));
+  window.scene()->filterField()->clear();
+  EXPECT_EQ(missed(window.scene()), "");
+}
+
+TEST_F(Search, OfCommandsAndIntermediatesSaysThatNothingWasFound) {
+  for (const bool ofCommands : {true, false}) {
+    if (ofCommands)
+      key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+    else
+      key(Qt::Key_I);
+    auto* chooser = qobject_cast<Chooser*>(QApplication::activePopupWidget());
+    ASSERT_TRUE(chooser);
+    const auto* list = chooser->findChild<QListWidget*>();
+    const QRect whole = chooser->geometry();
+    EXPECT_GE(whole.height(), std::min(list->count() * kRowHeight, window.height() / 2))
+        << "as high as its rows";
+    QTest::keyClicks(chooser->findChild<QLineEdit*>(), "qqqq");
+    ASSERT_EQ(list->count(), 2);
+    EXPECT_TRUE(list->item(0)->text().contains(QStringLiteral("“qqqq”")));
+    QTest::keyClick(chooser->findChild<QLineEdit*>(), Qt::Key_Return);
+    EXPECT_TRUE(chooser->isVisible()) << "nothing was chosen";
+    QTest::keyClick(chooser->findChild<QLineEdit*>(), Qt::Key_Escape);
+    settle();
+  }
+}
+
+TEST_F(Search, OfKeysFindsThemByWhatTheyDo) {
+  key(Qt::Key_Question);
+  auto* dialog = window.findChild<KeysDialog*>();
+  ASSERT_TRUE(dialog);
+  auto* field = dialog->findChild<SearchField*>();
+  const auto texts = [&] {
+    std::set<QString> found;
+    for (const QLabel* label : dialog->findChildren<QLabel*>())
+      if (label->isVisible()) found.insert(label->text());
+    return found;
+  };
+  ASSERT_TRUE(texts().contains("F11"));
+  QTest::keyClicks(field, "reset layout");
+  settle();
+  EXPECT_TRUE(texts().contains("Ctrl+Alt+0"));
+  EXPECT_FALSE(texts().contains("F11"));
+  EXPECT_EQ(missed(dialog), "");
+  QTest::keyClicks(field, "qq");
+  settle();
+  EXPECT_TRUE(missed(dialog).contains(QStringLiteral("“reset layoutqq”")));
+  dialog->close();
+}
+
+TEST_F(Search, OfTheManualSaysWhereElseATextIs) {
+  key(Qt::Key_F1);
+  auto* dialog = window.findChild<ReferenceDialog*>();
+  ASSERT_TRUE(dialog);
+  auto* field = dialog->findChild<QLineEdit*>();
+  field->setText("Rooms and floors");
+  EXPECT_TRUE(missed(dialog).contains("Architecture")) << missed(dialog).toStdString();
+  field->setText("qqqq");
+  EXPECT_TRUE(missed(dialog).startsWith("No page of the manual")) << missed(dialog).toStdString();
+  field->setText("alpha");
+  EXPECT_EQ(missed(dialog), "");
+  dialog->close();
+}
+
+TEST(FirstPicture, UntilItIsThereTheWindowSaysWhatItDoes) {
+  test::FakeRenderer* renderer = nullptr;
+  Session session([&](Listener listener) {
+    auto made = std::make_unique<test::FakeRenderer>(std::move(listener));
+    renderer = made.get();
+    return made;
+  });
+  test::TestWindow window(session, nullptr);
+  renderer->holdsBack = true;
+  window.resize(1280, 800);
+  window.show();
+  window.openSource("builtin:fan");
+  auto* note = window.findChild<LoadingNote*>();
+  ASSERT_TRUE(test::waitFor([&] { return note->isVisible(); }));
+  EXPECT_TRUE(note->text().contains("Loading fan")) << note->text().toStdString();
+  EXPECT_TRUE(note->text().contains("Reading the scene, 0 s so far")) << note->text().toStdString();
+  renderer->tell(Work{WorkKind::Opening, "Reading textures", 3, 12});
+  ASSERT_TRUE(test::waitFor([&] { return note->text().contains("Reading textures: 3 of 12"); }));
+  const QPointer<LoadingNote> gone(note);
+  renderer->holdsBack = false;
+  window.openSource("builtin:fan");
+  EXPECT_TRUE(test::waitFor([&] { return gone.isNull(); })) << "a picture has come";
+}
+
+TEST(FirstStart, ShowsOneStripAtATime) {
+  const QTemporaryDir folder;
+  QSettings settings(folder.filePath("settings.ini"), QSettings::IniFormat);
+  Session session(
+      [](Listener listener) { return std::make_unique<test::FakeRenderer>(std::move(listener)); });
+  test::TestWindow window(session, &settings);
+  window.resize(1280, 800);
+  window.show();
+  const auto strips = [&] {
+    QTest::qWait(30);
+    int count = 0;
+    for (const Strip* strip : window.messages()->findChildren<Strip*>()) count += strip->isVisible() ? 1 : 0;
+    for (const OfferBar* bar : window.findChildren<OfferBar*>()) count += bar->isVisible() ? 1 : 0;
+    return count;
+  };
+  EXPECT_EQ(strips(), 1) << "the hint";
+  window.offerTour();
+  auto* bar = window.findChild<OfferBar*>();
+  ASSERT_TRUE(bar);
+  EXPECT_EQ(strips(), 1) << "the offer alone";
+  EXPECT_TRUE(bar->isVisible());
+  QTest::mouseClick(bar->findChild<QPushButton*>("refuse"), Qt::LeftButton);
+  EXPECT_EQ(strips(), 1) << "the hint again";
+}
+
+// With a verdict, its remedies and a long description.
+TEST_F(Search, TheValuesKeepTheirRoomBelowAVerdict) {
+  session.probes().setPixel(glm::ivec2(12, 7));
+  window.resize(1280, 760);
+  settle();
+  settle();
+  const QTreeView* table = window.probe()->table();
+  EXPECT_GE(table->viewport()->height(), 7 * kRowHeight);
+  window.resize(1024, 600);
+  settle();
+  EXPECT_GE(table->viewport()->height(), 3 * kRowHeight);
+}
