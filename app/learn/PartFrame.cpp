@@ -50,8 +50,9 @@ bool PartFrame::eventFilter(QObject* object, QEvent* event) {
 }
 
 void PartFrame::follow() {
-  setVisible(part_ && part_->isVisible());
-  if (!isVisible()) return;
+  if (!part_ || !part_->isVisible()) return hide();
+  if (parentWidget() != part_->window()) setParent(part_->window()); // a panel may have been torn off
+  show();
   setGeometry({part_->mapTo(parentWidget(), QPoint()), part_->size()});
   raise();
 }

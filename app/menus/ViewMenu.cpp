@@ -81,10 +81,10 @@ void ViewMenu::addZoom(ViewArea& views) {
 void ViewMenu::addPanels(const Targets& on) {
   QAction* panel = addCheck(tr("Pipeline panel"), QKeySequence(QStringLiteral("F9")),
                             [&left = on.left](bool shown) { left.setShown(shown); });
-  panel->setChecked(true);
+  onRefresh([&left = on.left, panel] { panel->setChecked(!left.isHidden()); });
   panel = addCheck(tr("Probe panel"), QKeySequence(QStringLiteral("F10")),
                    [&probe = on.probe](bool shown) { probe.setVisible(shown); });
-  panel->setChecked(true);
+  onRefresh([&probe = on.probe, panel] { panel->setChecked(!probe.isHidden()); });
   addLowerPages(on.lower);
   addMenu(new PlotsMenu(commands_, on.lower, on.plots, this));
   panel = addCheck(tr("Pictures in the headings of stages"), QKeySequence(QStringLiteral("T")),

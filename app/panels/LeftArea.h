@@ -1,27 +1,38 @@
 // The area left of the views: the pipeline or the tree of the scene.
 #pragma once
 
-#include <QTabWidget>
+#include <QWidget>
+
+class QStackedWidget;
+class QTabBar;
 
 namespace taa::app {
 
 /// In the order of the tabs.
 enum class LeftPage { Pipeline, Scene };
 
-class LeftArea : public QTabWidget {
+class LeftArea : public QWidget {
   Q_OBJECT
  public:
   LeftArea(QWidget* pipeline, QWidget* scene);
 
   /// Opens the area at this page.
   void openPage(LeftPage page);
-  LeftPage page() const { return static_cast<LeftPage>(currentIndex()); }
+  /// Whether the area is open or not.
+  void setPage(LeftPage page);
+  LeftPage page() const;
   bool shows(LeftPage page) const;
   void setShown(bool shown);
+  /// The row of tabs, above the pages until somebody places it elsewhere.
+  QTabBar* tabs() const { return tabs_; }
 
  Q_SIGNALS:
   /// Opened, closed or another page.
   void changed();
+
+ private:
+  QTabBar* tabs_;
+  QStackedWidget* pages_;
 };
 
 } // namespace taa::app

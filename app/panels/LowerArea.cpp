@@ -9,7 +9,9 @@
 #include <QTabBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace taa::app {
 
@@ -28,52 +30,104 @@ std::optional<LowerPage> lowerPageWithId(const QString& id) {
   return {};
 }
 
-LowerArea::LowerArea(QWidget* parent) : QWidget(parent), tabs_(new QTabBar), pages_(new QStackedWidget) {
+LowerArea::LowerArea(QWidget* parent)
+    : QWidget(parent), head_(new QWidget), tabs_(new QTabBar), pages_(new QStackedWidget) {
   setAutoFillBackground(true);
   setBackgroundRole(QPalette::AlternateBase);
+  makeHead();
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(0);
+  rows->addWidget(head_);
+  rows->addWidget(new Line);
+  rows->addWidget(pages_, 1);
+  connect(tabs_, &QTabBar::currentChanged, this, [this] {
+    showPage();
+    Q_EMIT changed();
+  });
+  hide();
+}
+
+void LowerArea::makeHead() {
   tabs_->setDrawBase(false);
   tabs_->setExpanding(false);
   tabs_->setFocusPolicy(Qt::TabFocus);
   tabs_->setAccessibleName(tr("Pages of the lower area"));
+  auto* tearOff = new IconButton(QStringLiteral("tear-off"), tr("This page in a window of its own"));
+  tearOff->setObjectName(QStringLiteral("tearOffPage"));
   auto* close = new IconButton(QStringLiteral("close"), tr("Close the lower area"));
   close->setObjectName(QStringLiteral("closeLower"));
-  auto* top = new QHBoxLayout;
+  auto* top = new QHBoxLayout(head_);
   top->setContentsMargins(kUnit, kUnit, 2 * kUnit, 0);
   top->setSpacing(0);
   top->addWidget(tabs_, 1);
+  top->addWidget(tearOff);
   top->addWidget(close);
-  auto* rows = new QVBoxLayout(this);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(0);
-  rows->addLayout(top);
-  rows->addWidget(new Line);
-  rows->addWidget(pages_, 1);
-  connect(tabs_, &QTabBar::currentChanged, this, [this](int page) {
-    pages_->setCurrentIndex(page);
+  connect(tearOff, &IconButton::clicked, this, [this] { Q_EMIT tearOffRequested(current()); });
+  connect(close, &IconButton::clicked, this, [this] {
+    hide();
     Q_EMIT changed();
   });
-  connect(close, &IconButton::clicked, this, [this] { setShown(current(), false); });
-  hide();
 }
 
 void LowerArea::add(QWidget* page, const QString& title) {
+  all_[static_cast<std::size_t>(tabs_->count())] = page;
   pages_->addWidget(page);
   tabs_->addTab(title);
 }
 
+void LowerArea::showPage() {
+  const auto page = static_cast<std::size_t>(tabs_->currentIndex());
+  if (page < all_.size() && !taken_[page]) pages_->setCurrentWidget(all_[page]);
+}
+
 void LowerArea::setShown(LowerPage page, bool shown) {
   if (shown == shows(page)) return;
-  if (shown) tabs_->setCurrentIndex(static_cast<int>(page));
-  setVisible(shown);
+  if (isTaken(page)) {
+    this->page(page)->setVisible(shown);
+  } else {
+    if (shown) tabs_->setCurrentIndex(static_cast<int>(page));
+    setVisible(shown);
+  }
   Q_EMIT changed();
 }
 
 bool LowerArea::shows(LowerPage page) const {
+  if (isTaken(page)) return !this->page(page)->isHidden();
   return !isHidden() && current() == page;
 }
 
 LowerPage LowerArea::current() const {
-  return static_cast<LowerPage>(tabs_->currentIndex());
+  return static_cast<LowerPage>(std::max(0, tabs_->currentIndex())); // -1: all of them are taken
+}
+
+QWidget* LowerArea::take(LowerPage page) {
+  const bool isShown = shows(page);
+  QWidget* taken = this->page(page);
+  taken_[static_cast<std::size_t>(page)] = true;
+  pages_->removeWidget(taken);
+  taken->setVisible(isShown);
+  tabs_->setTabVisible(static_cast<int>(page), false);
+  showPage();
+  // Nothing is left in it, or nothing that somebody had opened.
+  if (isShown) hide();
+  Q_EMIT changed();
+  return taken;
+}
+
+void LowerArea::putBack(LowerPage page) {
+  const bool isShown = shows(page);
+  taken_[static_cast<std::size_t>(page)] = false;
+  tabs_->setTabVisible(static_cast<int>(page), true);
+  pages_->addWidget(this->page(page));
+  if (isShown) tabs_->setCurrentIndex(static_cast<int>(page));
+  if (isShown) show();
+  showPage();
+  Q_EMIT changed();
+}
+
+QString LowerArea::title(LowerPage page) const {
+  return tabs_->tabText(static_cast<int>(page));
 }
 
 } // namespace taa::app

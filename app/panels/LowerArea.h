@@ -1,12 +1,13 @@
-// The pages above the timeline, one of them at a time: profiler, plots, jitter, weights, lineage,
-// doctor.
+// The pages above the timeline, one of them at a time but for those in windows of their own: profiler, plots,
+// jitter, weights, lineage, doctor.
 #pragma once
 
 #include <QWidget>
 
+#include <array>
+#include <cstddef>
 #include <optional>
 
-class QHBoxLayout;
 class QStackedWidget;
 class QTabBar;
 
@@ -31,17 +32,35 @@ class LowerArea : public QWidget {
   /// Opens the area at this page, or closes it.
   void setShown(LowerPage page, bool shown);
   bool shows(LowerPage page) const;
+  /// The page in the area, whether the area is open or not.
   LowerPage current() const;
+  /// Takes a page out of the area for a window of its own, hidden or shown as it was.
+  QWidget* take(LowerPage page);
+  /// Puts a page back that was taken.
+  void putBack(LowerPage page);
+  bool isTaken(LowerPage page) const { return taken_[static_cast<std::size_t>(page)]; }
+  QWidget* page(LowerPage page) const { return all_[static_cast<std::size_t>(page)]; }
+  QString title(LowerPage page) const;
+  /// The row with tabs and buttons, above the pages until somebody places it elsewhere.
+  QWidget* head() const { return head_; }
   QTabBar* tabs() const { return tabs_; }
   QSize sizeHint() const override { return {1000, 276}; }
 
  Q_SIGNALS:
   /// Opened, closed or another page.
   void changed();
+  /// The button that gives the current page a window of its own was pressed.
+  void tearOffRequested(LowerPage page);
 
  private:
+  void makeHead();
+  void showPage();
+
+  QWidget* head_ = nullptr;
   QTabBar* tabs_ = nullptr;
   QStackedWidget* pages_ = nullptr;
+  std::array<QWidget*, kLowerPageCount> all_{};
+  std::array<bool, kLowerPageCount> taken_{};
 };
 
 } // namespace taa::app

@@ -63,13 +63,22 @@ constexpr IntermediateId kNeighbors[] = {IntermediateId::color, IntermediateId::
 constexpr int kValueColumn = 15;  ///< characters
 constexpr int kValueMargins = 14; ///< beside the text of a cell: 4 a side by the style sheet, 3 by Fusion
 
+/// Asks for as much as what is said above and below it does together: in a low window it keeps its half.
+class ValuesTree : public QTreeView {
+ public:
+  using QTreeView::QTreeView;
+  QSize sizeHint() const override { return {380, 24 * rowHeight()}; }
+  QSize minimumSizeHint() const override { return {120, 3 * rowHeight()}; }
+};
+
 } // namespace
 
 ProbePanel::ProbePanel(QWidget* parent) : QWidget(parent), model_(new ProbeModel(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addWidget(makeTop());
+  head_ = makeTop();
+  layout->addWidget(head_);
   bar_ = new ProbeBar;
   connect(bar_, &ProbeBar::probeChosen, this, &ProbePanel::probeChosen);
   connect(bar_, &ProbeBar::followChosen, this, &ProbePanel::followChosen);
@@ -140,7 +149,7 @@ QWidget* ProbePanel::makeValues() {
   column->setSpacing(0);
   column->addWidget(makeConclusions());
   makeTable();
-  column->addWidget(table_, 1);
+  column->addWidget(table_); // no stretch: that would leave it the least where there is too little
   description_ = new QLabel;
   description_->setFont(secondaryFont());
   description_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -208,7 +217,7 @@ QWidget* ProbePanel::makeNeighbors() {
 }
 
 void ProbePanel::makeTable() {
-  table_ = new QTreeView;
+  table_ = new ValuesTree;
   table_->setAccessibleName(tr("Every intermediate at the pixel"));
   table_->setModel(model_);
   table_->setRootIsDecorated(false);

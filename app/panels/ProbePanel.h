@@ -58,6 +58,8 @@ class ProbePanel : public QWidget {
   /// Shows the panel at this page.
   void openTab(ProbeTab tab);
   ProbeTab tab() const;
+  /// The row with the place of the probe, above all else until somebody places it elsewhere.
+  QWidget* head() const { return head_; }
   ColorSpacePage* colorSpace() const { return colorSpace_; }
   WhatIfPage* whatIf() const { return whatIf_; }
   /// What the selected row tells: what happened, and its formula with the pixel's numbers.
@@ -109,7 +111,7 @@ class ProbePanel : public QWidget {
   VerdictLine* verdict_ = nullptr;
   VerdictDetails* verdictDetails_ = nullptr;
   QLabel *place_ = nullptr, *summary_ = nullptr, *invitation_ = nullptr, *description_ = nullptr;
-  QWidget *content_ = nullptr, *conclusions_ = nullptr;
+  QWidget *content_ = nullptr, *conclusions_ = nullptr, *head_ = nullptr;
   bool isPlaying_ = false;
   QTabBar* tabs_ = nullptr;
   QStackedWidget* pages_ = nullptr;

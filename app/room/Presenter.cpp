@@ -1,6 +1,7 @@
 #include "app/room/Presenter.h"
 
 #include "app/commands/ThemeSetting.h"
+#include "app/docks/Workspace.h"
 #include "app/learn/Learning.h"
 #include "app/room/PointerLabel.h"
 #include "app/session/Session.h"
@@ -17,7 +18,6 @@
 #include <QMenuBar>
 #include <QMouseEvent>
 #include <QPointer>
-#include <QSplitter>
 #include <QStringList>
 
 #include <algorithm>
@@ -53,10 +53,9 @@ void Presenter::setOn(bool on) {
 // A menu bar that is hidden would take the keys of its menus with it: it has no height instead.
 void Presenter::enter() {
   QMenuBar* menus = of_.window.menuBar();
-  Before before{
-      of_.window.windowState(), of_.window.geometry(), textPercent(), menus->maximumHeight(), {}, {}};
+  Before before{of_.window.windowState(), of_.window.geometry(), textPercent(), menus->maximumHeight(), {},
+                of_.workspace.state()};
   for (const QWidget* part : of_.chrome) before.hidden.push_back(part->isHidden());
-  for (const QSplitter* splitter : of_.splitters) before.sizes << splitter->saveState();
   before_ = std::move(before);
   menus->setMaximumHeight(0);
   for (QWidget* part : of_.chrome) part->hide();
@@ -74,20 +73,19 @@ void Presenter::leave() {
   of_.window.menuBar()->setMaximumHeight(before.menuHeight);
   for (std::size_t part = 0; part < of_.chrome.size(); ++part)
     of_.chrome[part]->setHidden(before.hidden[part]);
-  pendingSizes_ = before.sizes;
+  pendingLayout_ = before.layout;
   pendingSize_ = before.geometry.size();
   of_.window.setWindowState(before.window);
   if (!before.window.testFlag(Qt::WindowFullScreen) && !before.window.testFlag(Qt::WindowMaximized))
     of_.window.setGeometry(before.geometry);
-  if (of_.window.size() == pendingSize_) restoreSizes();
+  if (of_.window.size() == pendingSize_) restoreLayout();
 }
 
 // They share out a size of the window: another one would spread their rounding.
-void Presenter::restoreSizes() {
-  const QList<QByteArray> sizes = std::exchange(pendingSizes_, {});
+void Presenter::restoreLayout() {
+  const QJsonObject layout = std::exchange(pendingLayout_, {});
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
-  for (qsizetype index = 0; index < sizes.size(); ++index)
-    of_.splitters[static_cast<std::size_t>(index)]->restoreState(sizes[index]);
+  of_.workspace.setState(layout);
 }
 
 void Presenter::setFullScreen(bool full) {
@@ -130,9 +128,9 @@ void Presenter::point(QObject* object, QPoint place) {
 }
 
 bool Presenter::eventFilter(QObject* object, QEvent* event) {
-  if (!pendingSizes_.isEmpty() && object == &of_.window && event->type() == QEvent::Resize &&
+  if (!pendingLayout_.isEmpty() && object == &of_.window && event->type() == QEvent::Resize &&
       of_.window.size() == pendingSize_)
-    QMetaObject::invokeMethod(this, &Presenter::restoreSizes, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(this, &Presenter::restoreLayout, Qt::QueuedConnection);
   if (!isOn()) return false;
   switch (event->type()) {
   case QEvent::ShortcutOverride:

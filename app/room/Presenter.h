@@ -1,8 +1,7 @@
 // Presenting to a room: nothing but pictures and the lesson, in large text; a presenter's keys go through it.
 #pragma once
 
-#include <QByteArray>
-#include <QList>
+#include <QJsonObject>
 #include <QObject>
 #include <QRect>
 #include <QString>
@@ -14,7 +13,6 @@
 class QKeyEvent;
 class QLabel;
 class QMainWindow;
-class QSplitter;
 class QWidget;
 
 namespace taa::app {
@@ -24,6 +22,7 @@ class PointerLabel;
 class Session;
 class ThemeSetting;
 class ViewArea;
+class Workspace;
 
 /// Next and previous (PageDown, PageUp) go a step of the lesson that is open, else a frame; Escape leaves.
 class Presenter : public QObject {
@@ -35,8 +34,8 @@ class Presenter : public QObject {
     ViewArea& views;
     Learning& learning;
     ThemeSetting& theme;
-    std::vector<QWidget*> chrome; ///< is away meanwhile, with the menus and the views' headers
-    std::vector<QSplitter*> splitters;
+    std::vector<QWidget*> chrome;            ///< is away meanwhile, with the menus and the views' headers
+    Workspace& workspace;                    ///< has the panels' places
     std::function<QString(int view)> textAt; ///< the value under the mouse
   };
   /// What texts have at least meanwhile, percent of their size.
@@ -66,11 +65,11 @@ class Presenter : public QObject {
     QRect geometry;
     int textPercent = 100, menuHeight = 0;
     std::vector<bool> hidden; ///< of the chrome
-    QList<QByteArray> sizes;
+    QJsonObject layout;
   };
   void enter();
   void leave();
-  void restoreSizes();
+  void restoreLayout();
   void step(int by);
   bool takesKey(QEvent& event);
   void point(QObject* object, QPoint place);
@@ -80,7 +79,7 @@ class Presenter : public QObject {
   PointerLabel* pointer_;
   QLabel* line_;
   std::optional<Before> before_;
-  QList<QByteArray> pendingSizes_; ///< for when the window has the size again that it had
+  QJsonObject pendingLayout_; ///< for when the window has the size again that it had
   QSize pendingSize_;
 };
 

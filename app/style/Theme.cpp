@@ -52,6 +52,8 @@ QScrollBar::handle:hover { background: @secondary; }
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QSplitter::handle { background: @line; }
+QMainWindow::separator { background: @window; width: 3px; height: 3px; }
+QMainWindow::separator:hover { background: @line; }
 QTabBar { background: transparent; border: none; }
 QTabBar::tab { background: transparent; color: @secondary; border: none; border-bottom: 2px solid transparent;
   padding: 3px 10px; }

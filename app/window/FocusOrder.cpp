@@ -7,7 +7,7 @@
 
 namespace taa::app {
 
-void orderFocus(QWidget& window, const std::vector<const QWidget*>& areas) {
+void orderFocus(QWidget& window, const std::vector<QWidget*>& areas) {
   const auto areaOf = [&](const QWidget* widget) {
     return std::ranges::find_if(areas, [&](const QWidget* area) { return area->isAncestorOf(widget); });
   };

@@ -11,11 +11,13 @@
 #include "app/commands/ProbeCommands.h"
 #include "app/commands/ThemeSetting.h"
 #include "app/commands/ViewChoices.h"
+#include "app/docks/PanelCycle.h"
+#include "app/docks/PanelDock.h"
+#include "app/docks/Workspace.h"
 #include "app/doctor/DoctorPanel.h"
 #include "app/figures/FigureExport.h"
 #include "app/learn/LearnPanel.h"
 #include "app/learn/Learning.h"
-#include "app/learn/RightArea.h"
 #include "app/menus/CommandLists.h"
 #include "app/menus/EditMenu.h"
 #include "app/menus/FileMenu.h"
@@ -26,6 +28,7 @@
 #include "app/menus/SceneMenu.h"
 #include "app/menus/ViewMenu.h"
 #include "app/menus/faults/FaultsMenu.h"
+#include "app/menus/layout/LayoutMenu.h"
 #include "app/panels/JitterPanel.h"
 #include "app/panels/LeftArea.h"
 #include "app/panels/LineagePanel.h"
@@ -45,6 +48,7 @@
 #include "app/style/Icons.h"
 #include "app/style/Text.h"
 #include "app/style/TextSize.h"
+#include "app/views/LoadingNote.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
@@ -72,12 +76,13 @@
 
 #include <QCloseEvent>
 #include <QDragEnterEvent>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
-#include <QSplitter>
 #include <QStyle>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -116,8 +121,8 @@ MainWindow::MainWindow(Session& session, QSettings* settings, QWidget* parent)
   showSettings();
   commands_->refresh();
   restore();
-  // What rows_ holds besides the columns lies below them.
-  orderFocus(*this, {messages_, left_, views_, learn_, probe_, rows_, timeline_, statusLine_});
+  orderPanels();
+  connect(workspace_, &Workspace::layoutChanged, this, &MainWindow::orderPanels, Qt::QueuedConnection);
 }
 
 MainWindow::~MainWindow() {
@@ -146,6 +151,7 @@ void MainWindow::makePanels() {
   statusLine_ = new StatusLine;
   work_ = new WorkBar(views_, ViewHeader::barHeight());
   flightBar_ = new FlightBar(views_, legendHeight() + 8);
+  new LoadingNote(session_, views_);
   sourceLabel_ = new QLabel;
   sourceLabel_->setFont(secondaryFont());
   sourceLabel_->setForegroundRole(QPalette::PlaceholderText);
@@ -164,27 +170,14 @@ void MainWindow::makePanels() {
 }
 
 void MainWindow::layOut() {
-  columns_ = new QSplitter;
-  columns_->setHandleWidth(1);
-  columns_->setChildrenCollapsible(false);
-  columns_->addWidget(left_);
-  columns_->addWidget(views_);
-  columns_->addWidget(new RightArea(learn_, probe_));
-  columns_->setStretchFactor(1, 1);
-  rows_ = new QSplitter(Qt::Vertical);
-  rows_->setHandleWidth(1);
-  rows_->setChildrenCollapsible(false);
-  rows_->addWidget(columns_);
-  rows_->addWidget(lower_);
-  rows_->setStretchFactor(0, 1);
-
+  workspace_ = new Workspace({views_, left_, learn_, probe_, probe_->head(), lower_});
   auto* content = new QWidget;
   auto* rows = new QVBoxLayout(content);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(0);
   rows->addWidget(new Line);
   rows->addWidget(messages_);
-  rows->addWidget(rows_, 1);
+  rows->addWidget(workspace_, 1);
   rows->addWidget(new Line);
   rows->addWidget(timeline_);
   rows->addWidget(new Line);
@@ -194,16 +187,26 @@ void MainWindow::layOut() {
   menuBar()->setCornerWidget(sourceLabel_);
 }
 
+// As the eye goes; what is torn off has an order of its own.
+std::vector<QWidget*> MainWindow::panelsInOrder() const {
+  const std::vector<PanelDock*>& docks = workspace_->docks(); // left, learn, probe, then what lies below
+  std::vector<QWidget*> panels{messages_, docks.front(), views_};
+  panels.insert(panels.end(), docks.begin() + 1, docks.end());
+  panels.insert(panels.end(), {timeline_, statusLine_});
+  return panels;
+}
+
+void MainWindow::orderPanels() {
+  orderFocus(*this, panelsInOrder());
+}
+
 void MainWindow::makeKeeper() {
-  state_ = std::make_unique<WindowState>(WindowState::Holders{session_, *views_, *left_, *pipeline_, *scene_,
-                                                              *probe_, *lower_, *plots_, *timeline_,
-                                                              *columns_, *rows_});
+  state_ = std::make_unique<WindowState>(WindowState::Holders{
+      session_, *views_, *left_, *pipeline_, *scene_, *probe_, *lower_, *plots_, *timeline_, *workspace_});
   const SessionKeeper::StateAccess access{[this] { return state_->capture(); },
                                           [this](const QJsonObject& state) { state_->apply(state); }};
   keeper_ = new SessionKeeper(session_, access, settings_, this);
-  connect(keeper_, &SessionKeeper::offerMade, this, [this](QWidget* bar) {
-    qobject_cast<QBoxLayout*>(centralWidget()->layout())->insertWidget(0, bar);
-  });
+  connect(keeper_, &SessionKeeper::offerMade, this, &MainWindow::showOffer);
 }
 
 void MainWindow::makeCommands() {
@@ -222,13 +225,12 @@ void MainWindow::makeCommands() {
   learning_ = new Learning(
       {session_, *keeper_, *learn_, settings_, [this](const QString& name) { return partNamed(name); }},
       this);
+  panels_ = new PanelCycle(panelsInOrder(), this);
   commands_ = std::make_unique<Commands>();
   lists_ = new CommandLists(*commands_, session_.presets(), this);
 }
 
 void MainWindow::makeRoom() {
-  std::vector<QSplitter*> splitters{columns_, rows_};
-  if (auto* right = qobject_cast<QSplitter*>(learn_->parentWidget())) splitters.push_back(right);
   presenter_ = new Presenter(
       {*this,
        session_,
@@ -236,7 +238,7 @@ void MainWindow::makeRoom() {
        *learning_,
        *theme_,
        {left_, probe_, timeline_, statusLine_, messages_},
-       splitters,
+       *workspace_,
        [this](int view) { return hoverText(*views_->view(view), session_.status().info.startsHistory); }});
   centralWidget()->layout()->addWidget(presenter_->line());
   const FigurePanels panels{session_, *views_, *probe_, *profiler_, *plots_, *jitter_, *weights_, *lineage_};
@@ -250,10 +252,12 @@ void MainWindow::makeMenus() {
   bar->addMenu(new FileMenu(all, {*keeper_, *imports_, *exports_, *doctorCommands_, *figures_}, bar));
   bar->addMenu(new EditMenu(
       all, {session_, *escape_, *probeCommands_, *exports_, *profiler_, *left_, *pipeline_, *lists_}, bar));
-  bar->addMenu(new ViewMenu(all,
+  auto* view = new ViewMenu(all,
                             {session_.presets(), session_.scene(), *views_, *choices_, *left_, *pipeline_,
                              *probe_, *lower_, *plots_, *theme_, *presenter_, *messages_},
-                            bar));
+                            bar);
+  view->addMenu(new LayoutMenu(all, *workspace_, *panels_, view));
+  bar->addMenu(view);
   bar->addMenu(new FrameMenu(all, session_, *timeline_, *prompts_, bar));
   bar->addMenu(new SceneMenu(all, {session_.scene(), *flight_, *cameras_, *left_, *scene_}, bar));
   bar->addMenu(new PipelineMenu(all, {session_, *pipeline_, *presets_, *views_, *lower_, *exports_}, bar));
@@ -283,6 +287,7 @@ void MainWindow::connectMenus() {
   connect(views_, &ViewArea::shownChanged, all, &Commands::refresh);
   connect(left_, &LeftArea::changed, all, &Commands::refresh);
   connect(lower_, &LowerArea::changed, all, &Commands::refresh);
+  connect(workspace_, &Workspace::layoutChanged, all, &Commands::refresh);
   connect(scene_, &ScenePanel::selectionChanged, all, &Commands::refresh);
   connect(timeline_, &TimelinePanel::playbackEdited, all, &Commands::refresh);
   connect(timeline_, &TimelinePanel::metricChosen, all, &Commands::refresh);
@@ -454,7 +459,21 @@ void MainWindow::offerTour() {
       tr("New here? Your first ghost: a tour of five minutes. Help, Learn opens it at any time."),
       tr("Start the tour"), tr("Not now"));
   connect(bar, &OfferBar::accepted, learning_, &Learning::openTour);
+  showOffer(bar);
+}
+
+// One strip at a time: the hint comes when the offer has gone.
+void MainWindow::showOffer(QWidget* bar) {
   qobject_cast<QBoxLayout*>(centralWidget()->layout())->insertWidget(0, bar);
+  messages_->hideHint();
+  if (const auto* offer = qobject_cast<OfferBar*>(bar))
+    connect(offer, &OfferBar::refused, this, &MainWindow::showHint);
+}
+
+void MainWindow::showHint() {
+  if (settings_ && settings_->value(QStringLiteral("hintClosed")).toBool()) return;
+  messages_->showHint(tr("Step back with the comma key.  Right-click a pixel to see every value at it.  "
+                         "Press ? for all keys."));
 }
 
 void MainWindow::openDialog(const std::string& name) {
@@ -475,10 +494,7 @@ void MainWindow::takeScreenshot(const QString& file, int frame, const std::strin
 }
 
 void MainWindow::restore() {
-  const bool closed = settings_ && settings_->value(QStringLiteral("hintClosed")).toBool();
-  if (!closed)
-    messages_->showHint(tr("Step back with the comma key.  Right-click a pixel to see every value at it.  "
-                           "Press ? for all keys."));
+  showHint();
   // The frame around it is not known before it is shown: room for a title bar and its borders is left.
   const int title = style()->pixelMetric(QStyle::PM_TitleBarHeight) + 4 * kUnit;
   theme_->restoreTextSize();
@@ -489,17 +505,16 @@ void MainWindow::restore() {
 void MainWindow::remember() {
   if (!settings_) return;
   settings_->setValue(QStringLiteral("geometry"), saveGeometry());
-  settings_->setValue(QStringLiteral("columns"), columns_->saveState());
+  settings_->setValue(QStringLiteral("docks"), QJsonDocument(workspace_->state()).toJson());
 }
 
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   if (std::exchange(wasShown_, true)) return;
   fitFonts(textPercent()); // the style sheet has given widgets the fonts back that they were made with
-  const bool isKnown =
-      settings_ && columns_->restoreState(settings_->value(QStringLiteral("columns")).toByteArray());
-  // The probe's last column, what values mean, shows where the window has room for it.
-  if (!isKnown) columns_->setSizes({292, width(), width() >= 1500 ? 468 : 388});
+  const QByteArray docks = settings_ ? settings_->value(QStringLiteral("docks")).toByteArray() : QByteArray();
+  workspace_->setFirstSizes(width());
+  if (!docks.isEmpty()) workspace_->setState(QJsonDocument::fromJson(docks).object());
   sourceLabel_->setMinimumHeight(menuBar()->height()); // in line with the menus
   menuBar()->setCornerWidget(sourceLabel_);
   views_->active()->viewport()->setFocus();

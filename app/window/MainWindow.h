@@ -9,10 +9,10 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 class QLabel;
 class QSettings;
-class QSplitter;
 
 namespace taa::app {
 
@@ -38,6 +38,7 @@ class LineagePanel;
 class LowerArea;
 class MessagesBar;
 class OwnPresets;
+class PanelCycle;
 class PipelinePanel;
 class PlotFeed;
 class PlotsPanel;
@@ -60,6 +61,7 @@ class WeightsPanel;
 class WindowState;
 class WindowUndo;
 class WorkBar;
+class Workspace;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -97,6 +99,8 @@ class MainWindow : public QMainWindow {
   void makePanels();
   QWidget* partNamed(const QString& name) const;
   void layOut();
+  std::vector<QWidget*> panelsInOrder() const;
+  void orderPanels();
   void makeKeeper();
   void makeCommands();
   void makeRoom();
@@ -111,6 +115,8 @@ class MainWindow : public QMainWindow {
   void showStatus();
   void startSource(const Status& status);
   void showTitle();
+  void showOffer(QWidget* bar);
+  void showHint();
   void showSettings();
   void restore();
   void remember();
@@ -138,7 +144,7 @@ class MainWindow : public QMainWindow {
   StatusLine* statusLine_ = nullptr;
   WorkBar* work_ = nullptr;
   FlightBar* flightBar_ = nullptr;
-  QSplitter *columns_ = nullptr, *rows_ = nullptr;
+  Workspace* workspace_ = nullptr;
   QLabel* sourceLabel_ = nullptr;
   // What commands do
   SessionKeeper* keeper_ = nullptr;
@@ -157,6 +163,7 @@ class MainWindow : public QMainWindow {
   Learning* learning_ = nullptr;
   Presenter* presenter_ = nullptr;
   CommandLists* lists_ = nullptr;
+  PanelCycle* panels_ = nullptr;
   // What ends before the panels do: they have more to say while they are destroyed
   std::unique_ptr<WindowState> state_;
   std::unique_ptr<Commands> commands_;

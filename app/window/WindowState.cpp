@@ -1,5 +1,6 @@
 #include "app/window/WindowState.h"
 
+#include "app/docks/Workspace.h"
 #include "app/panels/LeftArea.h"
 #include "app/panels/LowerArea.h"
 #include "app/panels/PipelinePanel.h"
@@ -11,7 +12,6 @@
 #include "app/views/ViewArea.h"
 
 #include <QJsonArray>
-#include <QSplitter>
 
 #include <algorithm>
 #include <vector>
@@ -19,14 +19,6 @@
 namespace taa::app {
 
 namespace {
-
-QJsonValue bytesJson(const QByteArray& bytes) {
-  return QString::fromLatin1(bytes.toBase64());
-}
-
-QByteArray jsonBytes(const QJsonValue& value) {
-  return QByteArray::fromBase64(value.toString().toLatin1());
-}
 
 QJsonArray probesJson(const std::vector<Probe>& probes) {
   QJsonArray array;
@@ -69,9 +61,7 @@ QJsonObject WindowState::capture() const {
   state[QStringLiteral("looping")] = of_.session.isLooping();
   state[QStringLiteral("referenceSamples")] = of_.session.status().referenceGoal;
   state[QStringLiteral("panels")] = panels();
-  state[QStringLiteral("columns")] = bytesJson(of_.columns.saveState());
-  if (of_.lower.shows(of_.lower.current())) // else nothing is divided
-    state[QStringLiteral("rows")] = bytesJson(of_.rows.saveState());
+  state[QStringLiteral("docks")] = of_.workspace.state();
   return state;
 }
 
@@ -86,8 +76,9 @@ QJsonObject WindowState::panels() const {
 void WindowState::apply(const QJsonObject& state) const {
   const UndoStack::Quiet quiet(of_.session.undoStack());
   applyPanels(state[QStringLiteral("panels")].toObject());
-  of_.columns.restoreState(jsonBytes(state[QStringLiteral("columns")]));
-  of_.rows.restoreState(jsonBytes(state[QStringLiteral("rows")]));
+  // A lesson says which panels are read, and leaves them where they are.
+  if (const QJsonValue docks = state[QStringLiteral("docks")]; docks.isObject())
+    of_.workspace.setState(docks.toObject());
   applySession(state);
   of_.views.setState(state[QStringLiteral("views")].toObject());
   of_.timeline.setState(state[QStringLiteral("timeline")].toObject());
@@ -102,8 +93,7 @@ void WindowState::applyPanels(const QJsonObject& panels) const {
     of_.left.setShown(shown.toBool());
   if (const QJsonValue shown = panels[QStringLiteral("probe")]; shown.isBool())
     of_.probe.setVisible(shown.toBool());
-  of_.left.setCurrentIndex(
-      static_cast<int>(panels[QStringLiteral("scene")].toBool() ? LeftPage::Scene : LeftPage::Pipeline));
+  of_.left.setPage(panels[QStringLiteral("scene")].toBool() ? LeftPage::Scene : LeftPage::Pipeline);
   if (const QJsonValue page = panels[QStringLiteral("lower")]; page.isString())
     of_.lower.setShown(lowerPageWithId(page.toString()).value_or(of_.lower.current()),
                        !page.toString().isEmpty());

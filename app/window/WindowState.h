@@ -3,8 +3,6 @@
 
 #include <QJsonObject>
 
-class QSplitter;
-
 namespace taa::app {
 
 class LeftArea;
@@ -16,6 +14,7 @@ class ScenePanel;
 class Session;
 class TimelinePanel;
 class ViewArea;
+class Workspace;
 
 class WindowState {
  public:
@@ -30,8 +29,7 @@ class WindowState {
     LowerArea& lower;
     PlotsPanel& plots;
     TimelinePanel& timeline;
-    QSplitter& columns; ///< left, views, probe
-    QSplitter& rows;    ///< the columns, and `lower`
+    Workspace& workspace; ///< places the panels
   };
   explicit WindowState(const Holders& of) : of_(of) {}
 

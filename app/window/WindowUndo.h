@@ -1,4 +1,5 @@
-// Makes steps of undo of what is changed in the views and on the timeline.
+// Makes steps of undo of what is changed in the views and on the timeline, and has the keys of undo reach the
+// window wherever the focus is.
 #pragma once
 
 #include "app/undo/StateWatch.h"
@@ -14,6 +15,9 @@ class WindowUndo : public QObject {
   Q_OBJECT
  public:
   WindowUndo(UndoStack& stack, ViewArea& views, TimelinePanel& timeline);
+
+ protected:
+  bool eventFilter(QObject* object, QEvent* event) override;
 
  private:
   StateWatch views_, timeline_;

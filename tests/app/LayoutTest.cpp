@@ -9,7 +9,9 @@
 #include "tests/app/WindowFixture.h"
 
 #include <QLabel>
+#include <QPushButton>
 #include <QSplitterHandle>
+#include <QTabBar>
 
 #include <string>
 #include <utility>
@@ -29,14 +31,28 @@ std::string nameOf(const QWidget* widget) {
 int neededWidth(const QWidget* widget) {
   if (const auto* label = qobject_cast<const QLabel*>(widget))
     return label->wordWrap() ? 0 : label->fontMetrics().horizontalAdvance(label->text());
+  if (const auto* button = qobject_cast<const QPushButton*>(widget))
+    return button->fontMetrics().horizontalAdvance(QString(button->text()).remove('&'));
   if (qobject_cast<const ChoiceButton*>(widget) || qobject_cast<const ParameterLabel*>(widget))
     return widget->sizeHint().width();
   return 0;
 }
 
+/// Every tab is whole and in sight, none behind arrows.
+void expectWholeTabs(const QTabBar& bar) {
+  for (int tab = 0; tab < bar.count(); ++tab) {
+    if (!bar.isTabVisible(tab)) continue;
+    const QRect place = bar.tabRect(tab);
+    EXPECT_GE(place.width(), bar.fontMetrics().horizontalAdvance(bar.tabText(tab)))
+        << bar.tabText(tab).toStdString();
+    EXPECT_TRUE(place.left() >= 0 && place.right() < bar.width()) << bar.tabText(tab).toStdString();
+  }
+}
+
 void expectNothingIsCut(const QWidget& window) {
   for (const QWidget* widget : window.findChildren<QWidget*>()) {
     if (!widget->isVisible()) continue;
+    if (const auto* bar = qobject_cast<const QTabBar*>(widget)) expectWholeTabs(*bar);
     EXPECT_GE(widget->width(), neededWidth(widget)) << nameOf(widget);
     if (const auto* label = qobject_cast<const QLabel*>(widget); label && label->wordWrap()) {
       EXPECT_GE(label->height(), label->heightForWidth(label->width())) << nameOf(widget);
@@ -116,5 +132,6 @@ TEST_F(SmallScreen, HoldsTheWindowWithEachOfItsPages) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Layout,
-                         testing::Values(std::pair(1280, 800), std::pair(1920, 1080), std::pair(1600, 900)),
+                         testing::Values(std::pair(1024, 600), std::pair(1280, 800), std::pair(1920, 1080),
+                                         std::pair(1600, 900)),
                          [](const auto& size) { return std::to_string(size.param.first); });

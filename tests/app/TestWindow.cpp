@@ -7,6 +7,7 @@
 #include "app/commands/OwnPresets.h"
 #include "app/commands/ProbeCommands.h"
 #include "app/commands/ViewChoices.h"
+#include "app/docks/Workspace.h"
 #include "app/doctor/DoctorPanel.h"
 #include "app/menus/CommandLists.h"
 #include "app/panels/JitterPanel.h"
@@ -32,6 +33,10 @@ namespace taa::app::test {
 
 ViewArea* TestWindow::views() const {
   return findChild<ViewArea*>();
+}
+
+Workspace* TestWindow::workspace() const {
+  return findChild<Workspace*>();
 }
 
 LeftArea* TestWindow::left() const {

@@ -13,6 +13,7 @@ class TestWindow : public MainWindow {
   using MainWindow::MainWindow;
 
   ViewArea* views() const;
+  Workspace* workspace() const;
   LeftArea* left() const;
   PipelinePanel* pipeline() const;
   ScenePanel* scene() const;

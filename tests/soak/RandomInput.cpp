@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDialog>
+#include <QKeyEvent>
 #include <QKeySequence>
 #include <QMainWindow>
 #include <QMenu>
@@ -118,7 +119,12 @@ void RandomInput::type(const Tell& tell) {
   const char* text = kTexts[static_cast<std::size_t>(below(static_cast<int>(kTexts.size())))];
   tell(std::string("text ") + text + " to " + nameOf(top));
   QWidget* focus = QApplication::focusWidget();
-  if (focus) QTest::keyClicks(focus, QString::fromUtf8(text));
+  const QPointer<QWidget> into = focus;
+  for (const QChar letter : QString::fromUtf8(text)) {
+    if (!into) return;
+    QKeyEvent pressed(QEvent::KeyPress, Qt::Key_unknown, Qt::NoModifier, QString(letter));
+    QApplication::sendEvent(into, &pressed);
+  }
 }
 
 void RandomInput::click(const Tell& tell) {

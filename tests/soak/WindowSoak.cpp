@@ -14,6 +14,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 #include <chrono>
 #include <cstdio>
@@ -22,6 +23,7 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <utility>
 
 using namespace taa;
 using namespace taa::app;
@@ -29,6 +31,7 @@ using namespace taa::app;
 namespace {
 
 constexpr int kNotRun = 77; ///< as ctest's SKIP_RETURN_CODE
+constexpr int kRescueMs = 2000;
 constexpr int kFirstPictureMs = 120'000;
 constexpr int kStepsBetween = 400; ///< after which the session begins anew, small and cheap
 constexpr glm::ivec2 kSize{160, 90};
@@ -79,8 +82,15 @@ int goOn(double seconds, unsigned seed, const char* log, const QString& home) {
   }
   soak::Watch watch(again);
   soak::RandomInput input(random, window);
+  // A menu that waits within itself, as that of a scroll bar, would wait for ever.
+  QTimer rescue;
+  int steps = 0, seen = -1;
+  QObject::connect(&rescue, &QTimer::timeout, [&] {
+    QWidget* popup = QApplication::activePopupWidget();
+    if (std::exchange(seen, steps) == steps && popup) popup->close();
+  });
+  rescue.start(kRescueMs);
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
-  int steps = 0;
   for (; std::chrono::steady_clock::now() < end; watch.tick()) {
     out << ++steps << " ";
     input.step([&out](const std::string& text) {

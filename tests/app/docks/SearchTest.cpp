@@ -27,6 +27,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 
 using namespace taa;
 using namespace taa::app;
@@ -45,6 +46,7 @@ QString missed(const QWidget* where) {
 
 TEST_F(Search, OfSettingsSaysThatNothingWasFound) {
   SearchField* field = window.pipeline()->searchField();
+  field->setFocus();
   QTest::keyClicks(field, "clip");
   EXPECT_EQ(missed(window.pipeline()), "");
   QTest::keyClicks(field, "xyz");
@@ -73,7 +75,7 @@ TEST_F(Search, OfCommandsAndIntermediatesSaysThatNothingWasFound) {
     ASSERT_TRUE(chooser);
     const auto* list = chooser->findChild<QListWidget*>();
     const QRect whole = chooser->geometry();
-    EXPECT_GE(whole.height(), std::min(list->count() * kRowHeight, window.height() / 2))
+    EXPECT_GE(whole.height(), std::min(list->count() * rowHeight(), window.height() / 2))
         << "as high as its rows";
     QTest::keyClicks(chooser->findChild<QLineEdit*>(), "qqqq");
     ASSERT_EQ(list->count(), 2);
@@ -178,8 +180,8 @@ TEST_F(Search, TheValuesKeepTheirRoomBelowAVerdict) {
   settle();
   settle();
   const QTreeView* table = window.probe()->table();
-  EXPECT_GE(table->viewport()->height(), 7 * kRowHeight);
+  EXPECT_GE(table->viewport()->height(), 7 * rowHeight());
   window.resize(1024, 600);
   settle();
-  EXPECT_GE(table->viewport()->height(), 3 * kRowHeight);
+  EXPECT_GE(table->viewport()->height(), 3 * rowHeight());
 }

@@ -1,5 +1,6 @@
 // Presenting to a room: what goes away and comes back, a presenter's keys, and the value beside the mouse.
 #include "app/room/Presenter.h"
+#include "app/docks/Workspace.h"
 #include "app/learn/LearnPanel.h"
 #include "app/learn/Learning.h"
 #include "app/panels/LeftArea.h"
@@ -13,6 +14,7 @@
 #include "app/views/Viewport.h"
 #include "tests/app/WindowFixture.h"
 
+#include <QDockWidget>
 #include <QLabel>
 #include <QMenuBar>
 #include <QSplitter>
@@ -34,7 +36,9 @@ class PresenterTest : public FakeWindow {
 };
 
 TEST_F(PresenterTest, LeavesPicturesAloneInLargeTextAndEscapeGivesEverythingBack) {
-  window.findChild<QSplitter*>()->setSizes({311, 600, 369});
+  window.workspace()->resizeDocks(
+      {window.findChild<QDockWidget*>("left"), window.findChild<QDockWidget*>("probe")}, {311, 369},
+      Qt::Horizontal);
   settle();
   const QList<QList<int>> sizes = splitters();
   const QRect geometry = window.geometry();
