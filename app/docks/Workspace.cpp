@@ -216,14 +216,17 @@ void Workspace::setState(const QJsonObject& state) {
     if (!tornOff[page]) setTornOff(pages_[page], false);
   const QByteArray places =
       QByteArray::fromBase64(state.value(QLatin1String("places")).toString().toLatin1());
-  restoreState(places, kStateVersion);
-  for (PanelDock* dock : docks_) dock->follow();
-  comeBack();
   const QJsonArray size = state.value(QLatin1String("size")).toArray();
   savedSize_ = {size.at(0).toInt(), size.at(1).toInt()};
-  makeRoomForViews();
-  // A window that is about to get its size is laid out after this.
-  QTimer::singleShot(0, this, &Workspace::makeRoomForViews);
+  const auto restorePlaces = [this, places] {
+    restoreState(places, kStateVersion);
+    for (PanelDock* dock : docks_) dock->follow();
+    comeBack();
+    makeRoomForViews();
+  };
+  restorePlaces();
+  // Again when a window that is about to get its size, or its texts theirs, has been laid out.
+  QTimer::singleShot(0, this, restorePlaces);
   Q_EMIT layoutChanged();
 }
 

@@ -67,8 +67,8 @@ constexpr int kValueMargins = 14; ///< beside the text of a cell: 4 a side by th
 class ValuesTree : public QTreeView {
  public:
   using QTreeView::QTreeView;
-  QSize sizeHint() const override { return {380, 24 * rowHeight()}; }
-  QSize minimumSizeHint() const override { return {120, 3 * rowHeight()}; }
+  QSize sizeHint() const override { return {380, 24 * app::rowHeight()}; }
+  QSize minimumSizeHint() const override { return {120, 3 * app::rowHeight()}; }
 };
 
 } // namespace

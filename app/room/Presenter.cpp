@@ -54,7 +54,7 @@ void Presenter::setOn(bool on) {
 void Presenter::enter() {
   QMenuBar* menus = of_.window.menuBar();
   Before before{of_.window.windowState(), of_.window.geometry(), textPercent(), menus->maximumHeight(), {},
-                of_.workspace.state()};
+                of_.workspace.state(),    of_.workspace.width()};
   for (const QWidget* part : of_.chrome) before.hidden.push_back(part->isHidden());
   before_ = std::move(before);
   menus->setMaximumHeight(0);
@@ -74,16 +74,17 @@ void Presenter::leave() {
   for (std::size_t part = 0; part < of_.chrome.size(); ++part)
     of_.chrome[part]->setHidden(before.hidden[part]);
   pendingLayout_ = before.layout;
-  pendingSize_ = before.geometry.size();
+  pendingWidth_ = before.workspaceWidth;
   of_.window.setWindowState(before.window);
   if (!before.window.testFlag(Qt::WindowFullScreen) && !before.window.testFlag(Qt::WindowMaximized))
     of_.window.setGeometry(before.geometry);
-  if (of_.window.size() == pendingSize_) restoreLayout();
+  if (of_.workspace.width() == pendingWidth_) restoreLayout();
 }
 
 // They share out a size of the window: another one would spread their rounding.
 void Presenter::restoreLayout() {
   const QJsonObject layout = std::exchange(pendingLayout_, {});
+  if (layout.isEmpty()) return; // done already
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
   of_.workspace.setState(layout);
 }
@@ -128,8 +129,8 @@ void Presenter::point(QObject* object, QPoint place) {
 }
 
 bool Presenter::eventFilter(QObject* object, QEvent* event) {
-  if (!pendingLayout_.isEmpty() && object == &of_.window && event->type() == QEvent::Resize &&
-      of_.window.size() == pendingSize_)
+  if (!pendingLayout_.isEmpty() && object == &of_.workspace && event->type() == QEvent::Resize &&
+      of_.workspace.width() == pendingWidth_)
     QMetaObject::invokeMethod(this, &Presenter::restoreLayout, Qt::QueuedConnection);
   if (!isOn()) return false;
   switch (event->type()) {

@@ -66,6 +66,7 @@ class Presenter : public QObject {
     int textPercent = 100, menuHeight = 0;
     std::vector<bool> hidden; ///< of the chrome
     QJsonObject layout;
+    int workspaceWidth = 0;
   };
   void enter();
   void leave();
@@ -79,8 +80,8 @@ class Presenter : public QObject {
   PointerLabel* pointer_;
   QLabel* line_;
   std::optional<Before> before_;
-  QJsonObject pendingLayout_; ///< for when the window has the size again that it had
-  QSize pendingSize_;
+  QJsonObject pendingLayout_; ///< for when the panels have the width again that they had
+  int pendingWidth_ = 0;
 };
 
 } // namespace taa::app

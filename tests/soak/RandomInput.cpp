@@ -109,7 +109,9 @@ void RandomInput::press(const Tell& tell) {
   const Qt::Key key = kKeys[static_cast<std::size_t>(below(static_cast<int>(kKeys.size())))];
   const Qt::KeyboardModifiers held = modifiers();
   tell("key " + QKeySequence(static_cast<int>(held) | key).toString().toStdString() + " to " + nameOf(top));
-  QTest::keyClick(top->windowHandle(), key, held);
+  const QPointer<QWindow> handle = top->windowHandle();
+  QTest::keyPress(handle, key, held);
+  if (handle) QTest::keyRelease(handle, key, held); // a menu may have gone
 }
 
 // No slash and no dot: a text is never the path of something that is there.
@@ -135,16 +137,17 @@ void RandomInput::click(const Tell& tell) {
   const bool isDouble = oneIn(6);
   tell((isDouble ? "double click " : "click ") + std::to_string(button) + " at " + textOf(point) + " in " +
        nameOf(top));
-  QTest::mouseMove(top->windowHandle(), point);
-  if (isDouble)
-    QTest::mouseDClick(top->windowHandle(), button, held, point);
-  else
-    QTest::mouseClick(top->windowHandle(), button, held, point);
+  const QPointer<QWindow> handle = top->windowHandle();
+  QTest::mouseMove(handle, point);
+  for (int times = isDouble ? 2 : 1; times > 0 && handle; --times) {
+    QTest::mousePress(handle, button, held, point);
+    if (handle) QTest::mouseRelease(handle, button, held, point);
+  }
 }
 
 void RandomInput::drag(const Tell& tell) {
-  const QPointer<QWindow> handle = target()->windowHandle();
   QWidget* top = target();
+  const QPointer<QWindow> handle = top->windowHandle();
   const QPoint from = pointIn(top), to = pointIn(top);
   const Qt::MouseButton button = kButtons[static_cast<std::size_t>(below(static_cast<int>(kButtons.size())))];
   tell("drag " + std::to_string(button) + " " + textOf(from) + " to " + textOf(to) + " in " + nameOf(top));

@@ -58,6 +58,21 @@ class Fence : public QObject {
   }
 };
 
+/// The platform without a display, with two screens.
+QByteArray screensIn(const QString& folder) {
+  const QString path = folder + QStringLiteral("/screens.json");
+  const auto screen = [](const char* name, int x) {
+    return QStringLiteral(
+               R"({"name": "%1", "x": %2, "y": 0, "width": 1920, "height": 1200, "logicalDpi": 96,)"
+               R"( "logicalBaseDpi": 96, "dpr": 1})")
+        .arg(QLatin1String(name))
+        .arg(x);
+  };
+  std::ofstream(path.toStdString())
+      << ("{\"screens\": [" + screen("first", 0) + ", " + screen("second", 1920) + "]}").toStdString();
+  return "offscreen:configfile=" + path.toLocal8Bit();
+}
+
 void beginAnew(Session& session) {
   session.open(QStringLiteral("builtin:fan"), false);
   session.setSize(kSize.x, kSize.y);
@@ -121,7 +136,7 @@ int main(int count, char** words) {
   const QByteArray home = folder.path().toLocal8Bit();
   for (const char* name : {"HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_STATE_HOME"})
     qputenv(name, home);
-  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", screensIn(folder.path()));
   QDir::setCurrent(folder.path());
   QApplication application(count, words);
   QApplication::setQuitOnLastWindowClosed(false);
