@@ -116,7 +116,7 @@ void addUnmended(std::ostream& out, const std::vector<JudgedLabel>& judged) {
   }
 }
 
-std::string mendedText(const VerdictShares& shares) {
+std::string firstRemediesText(const VerdictShares& shares) {
   if (shares.tried == 0) return "Remedies have not been tried on them.";
   return "Remedies were tried on " + std::to_string(shares.tried) +
          " of these; the first lowers the pixel's error in " + confusionPercent(shares.mended) + ".";
@@ -145,7 +145,7 @@ std::string confusionsText(const std::vector<JudgedLabel>& judged) {
   out << "\nThe verdict names the kind right in " << confusionPercent(shares.kind) << " of " << judged.size()
       << " labelled pixels and the stage in " << confusionPercent(shares.stage)
       << "; of those with something wrong the kind in " << confusionPercent(shares.faultsKind)
-      << " and the stage in " << confusionPercent(shares.faultsStage) << ". " << mendedText(shares)
+      << " and the stage in " << confusionPercent(shares.faultsStage) << ". " << firstRemediesText(shares)
       << " The rules of verdicts were mended by the same labels: of other pixels the shares may be lower.\n\n"
          "Rows are what was said, columns what verdicts name; the last column is the share of right "
          "stages.\n\n";
