@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <set>
 #include <tuple>
@@ -222,4 +223,25 @@ TEST(ColorSpaceView, NamesWhatIsUnderTheMouse) {
   EXPECT_EQ(view.textAt({-100, -100}), QString());
   view.setScene({});
   EXPECT_EQ(view.textAt({100, 100}), QString());
+}
+
+TEST(ColorSpace, SamplesKeepTheirOwnColors) {
+  Pixel pixel;
+  pixel.settings.space = {ColorSpace::YCoCg, ToneSpace::Linear};
+  const ColorScene scene = pixel.scene(PlotSpace::Rgb);
+  for (int k = 0; k < 9; ++k) {
+    const float y = 0.1f * static_cast<float>(k), co = 0.01f * static_cast<float>(k),
+                cg = -0.02f * static_cast<float>(k);
+    expectNear(scene.sampleColors[static_cast<std::size_t>(k)], {y + co - cg, y + cg, y - co - cg});
+  }
+}
+
+TEST(ColorSpace, TicksAreRoundNumbersOnEachAxis) {
+  const auto ticks = ticksOf(ColorRange{{0.0f, -0.25f, 0.0f}, {1.0f, 0.25f, 0.25f}}, 4);
+  EXPECT_EQ(ticks[0].size(), 3u) << "0, 0.5, 1";
+  ASSERT_EQ(ticks[1].size(), 3u);
+  EXPECT_NEAR(ticks[1][0], -0.2, 1e-12);
+  EXPECT_NEAR(ticks[1][1], 0.0, 1e-12);
+  ASSERT_EQ(ticks[2].size(), 3u) << "0, 0.1, 0.2";
+  EXPECT_NEAR(ticks[2][2], 0.2, 1e-12);
 }
