@@ -1,4 +1,4 @@
-#include "app/views/LoadingNote.h"
+#include "app/docks/LoadingNote.h"
 
 #include "app/session/Session.h"
 #include "app/style/Theme.h"
