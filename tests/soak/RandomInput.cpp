@@ -107,7 +107,8 @@ QPoint RandomInput::pointIn(const QWidget* top) {
 void RandomInput::press(const Tell& tell) {
   QWidget* top = target();
   const Qt::Key key = kKeys[static_cast<std::size_t>(below(static_cast<int>(kKeys.size())))];
-  const Qt::KeyboardModifiers held = modifiers();
+  // QTest presses modifiers first, and goes on with a menu that Alt has closed and ended.
+  const Qt::KeyboardModifiers held = top->windowType() == Qt::Popup ? Qt::NoModifier : modifiers();
   tell("key " + QKeySequence(static_cast<int>(held) | key).toString().toStdString() + " to " + nameOf(top));
   const QPointer<QWindow> handle = top->windowHandle();
   QTest::keyPress(handle, key, held);
