@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -52,10 +52,10 @@ TEST(Outline, KeepsPartsApart) {
 TEST(Outline, LiesBetweenPixelsThatAreInAndOthers) {
   std::set<std::pair<int, int>> pixels;
   std::vector<PixelRun> runs;
-  std::srand(7);
+  std::minstd_rand random(7);
   for (int y = 0; y < 12; ++y)
     for (int x = 0; x < 12; ++x)
-      if (std::rand() % 2 == 0) {
+      if (random() % 2 == 0) {
         pixels.insert({x, y});
         runs.push_back({y, x, x + 1});
       }
