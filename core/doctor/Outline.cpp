@@ -47,6 +47,18 @@ void addVertical(int y, const RowEnds& row, std::map<int, std::size_t>& open, st
 
 } // namespace
 
+std::vector<PixelRun> runsOf(std::vector<glm::ivec2> pixels) {
+  std::ranges::sort(
+      pixels, [](const glm::ivec2& a, const glm::ivec2& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
+  std::vector<PixelRun> out;
+  for (const glm::ivec2& pixel : pixels)
+    if (!out.empty() && out.back().y == pixel.y && pixel.x <= out.back().to)
+      out.back().to = pixel.x + 1;
+    else
+      out.push_back({pixel.y, pixel.x, pixel.x + 1});
+  return out;
+}
+
 std::vector<OutlineEdge> outlineOf(const std::vector<PixelRun>& runs) {
   std::vector<OutlineEdge> out;
   std::map<int, std::size_t> open; ///< vertical edges that end where the row before does

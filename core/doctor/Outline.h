@@ -13,6 +13,9 @@ struct PixelRun {
   bool operator==(const PixelRun&) const = default;
 };
 
+/// The runs of pixels in any order, each once or more.
+std::vector<PixelRun> runsOf(std::vector<glm::ivec2> pixels);
+
 /// Between corners of pixels, to the right or down: pixel (0, 0) lies between (0, 0) and (1, 1).
 struct OutlineEdge {
   glm::ivec2 from{0}, to{0};

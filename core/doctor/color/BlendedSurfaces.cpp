@@ -3,6 +3,7 @@
 #include "core/base/Say.h"
 #include "core/capture/import/FrameSamples.h"
 #include "core/doctor/NumberText.h"
+#include "core/doctor/Outline.h"
 #include "core/doctor/frames/Detail.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/motion/MotionEvidence.h"
@@ -86,6 +87,7 @@ void takePlace(BlendedTrial& out, const Shape& pixels, int frame) {
   out.most = pixels.size();
   out.place.frame = frame;
   out.place.pixel = pixels[pixels.size() / 2];
+  out.place.pixels = runsOf(pixels);
   out.place.box = {pixels.front(), pixels.front() + 1};
   for (const glm::ivec2& pixel : pixels)
     out.place.box = glm::ivec4(glm::min(glm::ivec2(out.place.box), pixel),

@@ -1,6 +1,7 @@
 #include "core/doctor/color/CoplanarFlips.h"
 
 #include "core/base/Say.h"
+#include "core/doctor/Outline.h"
 
 #include <glm/common.hpp>
 
@@ -99,14 +100,14 @@ class FlipMap {
 struct FlippedArea {
   std::size_t toFirst = 0, toSecond = 0;
   glm::ivec4 box{0};
-  glm::ivec2 pixel{0};
+  std::vector<glm::ivec2> pixels;
 
   void add(const glm::ivec2& at, bool isToFirst) {
     const bool isNew = toFirst + toSecond == 0;
     ++(isToFirst ? toFirst : toSecond);
     box = isNew ? glm::ivec4(at, at + 1)
                 : glm::ivec4(glm::min(glm::ivec2(box), at), glm::max(glm::ivec2(box.z, box.w), at + 1));
-    pixel = at;
+    pixels.push_back(at);
   }
 };
 
@@ -140,7 +141,8 @@ void CoplanarEvidence::add(const FrameNeighbors& frames) {
     out.most = area.toFirst + area.toSecond;
     out.place.frame = now.frame;
     out.place.box = area.box;
-    out.place.pixel = area.pixel;
+    out.place.pixel = area.pixels.back();
+    out.place.pixels = runsOf(area.pixels);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/Say.h"
 #include "core/doctor/NumberText.h"
+#include "core/doctor/Outline.h"
 
 #include <glm/common.hpp>
 
@@ -189,18 +190,22 @@ RegionPlace groupPlace(const ScreenGroup& group, const ScreenTiles& tiles) {
   RegionPlace out;
   out.frame = tiles.frame;
   out.box = boxOf(tiles, group.tiles.front());
-  double pixels = 0.0;
+  std::vector<glm::ivec2> pixels;
   for (const int tile : group.tiles) {
     const glm::ivec4 box = boxOf(tiles, tile);
     out.box = {glm::min(out.box.x, box.x), glm::min(out.box.y, box.y), glm::max(out.box.z, box.z),
                glm::max(out.box.w, box.w)};
-    pixels += static_cast<double>(box.z - box.x) * (box.w - box.y);
+    forPixelsOf(tiles, tile, [&](std::size_t pixel) {
+      const int index = static_cast<int>(pixel);
+      pixels.emplace_back(index % tiles.sizePx.x, index / tiles.sizePx.x);
+    });
   }
   const glm::ivec4 middle = boxOf(tiles, group.tiles[group.tiles.size() / 2]);
   out.pixel = {(middle.x + middle.z) / 2, (middle.y + middle.w) / 2};
   out.name =
       say<"%1 × %2 pixels at %3, %4">(out.box.z - out.box.x, out.box.w - out.box.y, out.box.x, out.box.y);
-  out.share = pixels / (static_cast<double>(tiles.sizePx.x) * tiles.sizePx.y);
+  out.share = static_cast<double>(pixels.size()) / (static_cast<double>(tiles.sizePx.x) * tiles.sizePx.y);
+  out.pixels = runsOf(std::move(pixels));
   return out;
 }
 

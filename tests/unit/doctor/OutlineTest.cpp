@@ -69,4 +69,10 @@ TEST(Outline, LiesBetweenPixelsThatAreInAndOthers) {
   EXPECT_EQ(lengthOf(outlineOf(runs)), between);
 }
 
+TEST(Outline, HasRunsOfPixelsInAnyOrder) {
+  const std::vector<PixelRun> runs = runsOf({{4, 2}, {1, 1}, {2, 1}, {3, 2}, {1, 1}, {5, 1}});
+  EXPECT_EQ(runs, (std::vector<PixelRun>{{1, 1, 3}, {1, 5, 6}, {2, 3, 5}}));
+  EXPECT_TRUE(runsOf({}).empty());
+}
+
 } // namespace taa::doctor

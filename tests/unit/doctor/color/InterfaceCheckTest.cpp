@@ -56,6 +56,8 @@ TEST(InterfaceCheck, TellsOneThatRestsOnTheScreenAndNothingElse) {
   EXPECT_EQ(finding.regions[0].box, glm::ivec4(0, test::kBarTop, test::kPaintedPx.x, test::kBarBottom));
   EXPECT_EQ(finding.regions[0].name, "160 × 24 pixels at 0, 56");
   EXPECT_DOUBLE_EQ(finding.regions[0].share, 0.25); // 24 of 96 rows
+  ASSERT_EQ(finding.regions[0].pixels.size(), 24u);
+  EXPECT_EQ(finding.regions[0].pixels[0], (PixelRun{test::kBarTop, 0, test::kPaintedPx.x}));
   ASSERT_EQ(finding.residuals.size(), 4u);
   EXPECT_EQ(finding.residuals[0].id, "inPlace");
   EXPECT_EQ(finding.residuals[0].value, 0.0);
