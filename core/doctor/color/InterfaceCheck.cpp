@@ -25,7 +25,7 @@ constexpr double kMovingFactor = 3.0, kMovingLuma = 0.004;
 /// Between pixels edges are read less well: what is left but for jitter, as a share of all else.
 constexpr double kJitteredShare = 0.8, kClearlyJittered = 0.67;
 /// Squares of a group; those of one that is jittered not so clearly.
-constexpr std::size_t kLeastFixed = 4, kLeastJittered = 8, kLeastUnclear = 24;
+constexpr std::size_t kLeastFixed = 4, kLeastJittered = 12, kLeastUnclear = 24;
 /// px a frame in the mean: the world moves.
 constexpr double kWorldMovesPx = 0.5;
 /// Of the edges that rest on the screen where the world rests, too: so many others have to shift with the
