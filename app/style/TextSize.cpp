@@ -52,9 +52,10 @@ void resizeMargins(QLayout& layout, double before) {
   layout.setContentsMargins(margins);
 }
 
-/// Parts of Qt's own widgets, and docks, which are as small and as large as what they hold.
+/// Parts of Qt's own widgets, and windows and docks, which are as small and as large as what they hold.
 bool isSizedByQt(const QWidget& widget) {
-  return widget.objectName().startsWith(QLatin1String("qt_")) || widget.inherits("QDockWidget");
+  return (widget.isWindow() && widget.layout()) || widget.objectName().startsWith(QLatin1String("qt_")) ||
+         widget.inherits("QDockWidget");
 }
 
 void resizeLimits(QWidget& widget, double before) {

@@ -349,10 +349,12 @@ PictureRequest ViewPanel::pictureRequest(const QStringList& presets, PictureExte
                          .other = shown.other,
                          .showing = shown.other ? showing() : Showing::First};
   if (extent == PictureExtent::Viewport) {
+    const QRect part = viewport_->shownPart();
     picture.transform = viewport_->transform();
     picture.width = viewport_->viewGeometry().viewport.x;
     picture.height = viewport_->viewGeometry().viewport.y;
-    picture.divider = viewport_->dividerColumn();
+    picture.part = {part.x(), part.y(), part.width(), part.height()};
+    picture.divider = std::clamp(viewport_->dividerColumn() - part.x(), 0, part.width());
   } else {
     const double column = pictureColumn(viewport_->transform(), viewport_->dividerColumn());
     picture.divider = static_cast<int>(std::lround(std::clamp(column, 0.0, 1.0 * picture.width)));

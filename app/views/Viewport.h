@@ -87,6 +87,8 @@ class Viewport : public QWidget, public Draggable {
   QImage picture(bool withLegend) const;
   /// What of it is covered by the picture, logical px.
   QRect pictureRect() const;
+  /// The same in device px; all of it where nothing of the picture is in it. Expects a result.
+  QRect shownPart() const;
   /// What the picture means, without what is only held for a moment.
   LegendFlow legendBelow() const { return legend(sides_.showing()); }
   /// Who is on a side: row, settings, frame.
@@ -143,7 +145,6 @@ class Viewport : public QWidget, public Draggable {
   /// All that lies over the pictures but the legend.
   void paintOver(QPainter& painter, Showing showing, const QRect& area) const;
   void dragRegion(glm::ivec2 pixel);
-  QRect shownPart() const; ///< of the picture, device px
   LegendFlow legend(Showing showing, bool isFolded = false) const;
   int legendTop(int height) const;
   void paintLegend(QPainter& painter) const;

@@ -78,7 +78,9 @@ gl::Rect regionOf(const ProbeArguments& arguments) {
 void checkPlace(const ProbeArguments& arguments) {
   const int places = (arguments.pixel.empty() ? 0 : 1) + (arguments.find.empty() ? 0 : 1) +
                      (arguments.region.empty() ? 0 : 1);
-  if (places != 1) throw UsageError("one of --pixel, --find and --region is required");
+  if (places != 1)
+    throw UsageError(
+        "one of --pixel, --find and --region is required; taa-batch probe --help says what they are");
   if (!arguments.region.empty() && (arguments.whatIf || !arguments.compare.empty()))
     throw UsageError("--what-if and --compare are of a pixel, not of a region");
   if (arguments.region.empty() && !arguments.emit.empty())

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstddef>
 #include <string>
 
 namespace taa {
@@ -38,6 +39,20 @@ PictureSource madeOther(Inspector& inspector, const PictureRequest& request, con
       otherSource(*request.other, inspector.shot().frame(), inspector.shot().frameCount());
   if (other.frame) inspector.views().keepComparisonFrames({*other.frame}, progress);
   return other;
+}
+
+/// Drawn whole and cut: drawn from another corner, texels at the edge of two pixels may round to the other.
+Picture cut(Picture whole, const gl::Rect& part) {
+  if (part.width <= 0) return whole;
+  assert(part.x >= 0 && part.y >= 0 && part.x + part.width <= whole.width &&
+         part.y + part.height <= whole.height);
+  Picture picture{part.width, part.height, {}};
+  picture.rgba.reserve(std::size_t{4} * part.width * part.height);
+  for (int y = part.y; y < part.y + part.height; ++y) {
+    const auto row = whole.rgba.begin() + std::ptrdiff_t{4} * (std::ptrdiff_t{y} * whole.width + part.x);
+    picture.rgba.insert(picture.rgba.end(), row, row + std::ptrdiff_t{4} * part.width);
+  }
+  return picture;
 }
 
 } // namespace
@@ -81,7 +96,9 @@ Picture shownPicture(Inspector& inspector, const PictureRequest& request, const 
   const PictureSource first{request.id, request.lane, {}};
   const auto draw = [&](const PictureSource& source, const ViewStyle& style,
                         const std::optional<PictureSource>& minus = {}) {
-    return inspector.views().picture(source, minus, style, request.transform, request.width, request.height);
+    return cut(
+        inspector.views().picture(source, minus, style, request.transform, request.width, request.height),
+        request.part);
   };
   if (!showsOther(request)) {
     makeReference(inspector, request, first, progress);

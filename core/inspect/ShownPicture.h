@@ -2,10 +2,13 @@
 #pragma once
 
 #include "core/base/Progress.h"
+#include "core/gl/Rect.h"
 #include "core/inspect/Comparison.h"
 #include "core/measure/compare/FrameBefore.h"
 #include "core/picture/PictureSource.h"
 #include "core/picture/ViewRequest.h"
+
+#include <glm/vec2.hpp>
 
 #include <optional>
 
@@ -18,13 +21,20 @@ struct PictureRequest {
   IntermediateId id = IntermediateId::resolved;
   ViewStyle style; ///< of the row; of a difference where that is shown
   ViewTransform transform;
-  int width = 0, height = 0; ///< px
+  int width = 0, height = 0; ///< px that are drawn
+  gl::Rect part{};           ///< of them, what the picture is; empty: all of them
   int lane = 0;
   std::optional<OtherSide> other{}; ///< needed by what `showing` says
   Showing showing = Showing::First;
   int divider = 0;           ///< of a wipe: so many columns at the left are of this side
   int referenceSamples = 64; ///< of the sides that are rows of the reference
 };
+
+/// Of the picture, px.
+inline glm::ivec2 pictureSize(const PictureRequest& request) {
+  return request.part.width > 0 ? glm::ivec2(request.part.width, request.part.height)
+                                : glm::ivec2(request.width, request.height);
+}
 
 /// Whether the other side is seen.
 inline bool showsOther(const PictureRequest& request) {

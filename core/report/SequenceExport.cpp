@@ -101,10 +101,10 @@ struct Writers {
 
 Writers writersOf(Inspector& inspector, const SequenceRequest& request, const Workshop& workshop) {
   Writers writers;
+  const glm::ivec2 sizePx = pictureSize(request.picture);
   if (request.kind == SequenceKind::Gif)
-    writers.gif =
-        std::make_unique<GifWriter>(workshop.place(request.target), request.target, request.picture.width,
-                                    request.picture.height, request.framesPerSecond);
+    writers.gif = std::make_unique<GifWriter>(workshop.place(request.target), request.target, sizePx.x,
+                                              sizePx.y, request.framesPerSecond);
   if (request.kind == SequenceKind::Capture)
     writers.capture =
         std::make_unique<CaptureExport>(inspector, request.capture, request.first, request.last);

@@ -5,6 +5,7 @@
 #include "tests/app/TestWindow.h"
 
 #include <QApplication>
+#include <QJsonObject>
 #include <QTest>
 #include <gtest/gtest.h>
 
@@ -17,6 +18,15 @@ namespace taa::app::test {
 template <class Condition>
 bool waitFor(Condition condition, int limit = 120000) {
   return QTest::qWaitFor([&] { return condition(); }, limit);
+}
+
+/// Of a window's state: less what Qt writes of its panels, which has sizes of hidden ones in it.
+inline QJsonObject withoutPlaces(QJsonObject window) {
+  const QString docks = QStringLiteral("docks");
+  QJsonObject rest = window.value(docks).toObject();
+  EXPECT_FALSE(rest.take(QStringLiteral("places")).toString().isEmpty());
+  window[docks] = rest;
+  return window;
 }
 
 /// The window on a synthetic renderer with "builtin:fan" of 64×36 pixels open.

@@ -93,8 +93,11 @@ TEST_F(ViewPictures, PicturesOfARangeAreAskedForWithBothSides) {
   EXPECT_EQ(picture.showing, Showing::Wipe);
   ASSERT_TRUE(picture.other);
   EXPECT_EQ(picture.other->lane, 1);
-  EXPECT_EQ(picture.divider, viewport()->dividerColumn());
-  EXPECT_EQ(picture.width, viewport()->width());
+  EXPECT_EQ(picture.width, viewport()->width()) << "drawn whole";
+  const double left = std::round(screenFromPicture(viewport()->transform(), {0.0, 0.0}).x);
+  EXPECT_EQ(picture.part.x, left) << "and cut: nothing around the picture";
+  EXPECT_EQ(picture.part.width, std::ceil(64 * viewport()->zoom() - 0.01));
+  EXPECT_EQ(picture.divider, viewport()->dividerColumn() - left);
   picture = view()->pictureRequest(presets, PictureExtent::Whole);
   EXPECT_EQ(picture.width, 64);
   const glm::dvec2 there = screenFromPicture(viewport()->transform(), {picture.divider, 0.0});

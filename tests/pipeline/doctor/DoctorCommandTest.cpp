@@ -78,7 +78,7 @@ TEST_F(BatchDoctor, IsTriedOnCasesThatTheFileDoesNotHold) {
   EXPECT_EQ(taa::readFile(file),
             "source,camera,size,frames,faults,strength,shows,named,same,open\n"
             "builtin:gallery,orbit,192x108,6,,full,no,,,no\n"
-            "builtin:gallery,orbit,192x108,6,motionShifted,full,yes,motionShifted,,yes\n");
+            "builtin:gallery,orbit,192x108,6,motionShifted,full,yes,motionShifted,,no\n");
   EXPECT_EQ(batch(command).out, "2 cases, 2 there already\n");
 }
 
