@@ -38,10 +38,14 @@ QString cellText(const Intermediate& row, const glm::vec4& value, const SpaceSet
   return lines.join(QLatin1Char('\n'));
 }
 
+// Of texts as large as they are now.
+int lineHeight() {
+  return QFontMetrics(numberFont()).lineSpacing();
+}
+
 } // namespace
 
-ProbeModel::ProbeModel(QObject* parent)
-    : QAbstractItemModel(parent), lineHeight_(QFontMetrics(numberFont()).lineSpacing()) {
+ProbeModel::ProbeModel(QObject* parent) : QAbstractItemModel(parent) {
   for (const StageInfo& stage : kStages) {
     Branch branch{stage.stage, {}};
     for (const Intermediate& row : kIntermediates)
@@ -201,7 +205,7 @@ QVariant ProbeModel::stageData(const Branch& branch, int column, int role) const
 
 QVariant ProbeModel::foldData(const Branch& branch, int column, int role) const {
   if (role == Qt::FontRole) return secondaryFont();
-  if (role == Qt::SizeHintRole) return QSize(1, lineHeight_ + kUnit);
+  if (role == Qt::SizeHintRole) return QSize(1, lineHeight() + kUnit);
   if (column != Name ||
       (role != Qt::DisplayRole && role != Qt::ToolTipRole && role != Qt::AccessibleTextRole))
     return {};
@@ -251,7 +255,7 @@ QVariant ProbeModel::data(const QModelIndex& index, int role) const {
   const Intermediate& row = intermediate(*idOf(index));
   switch (role) {
   case Qt::SizeHintRole:
-    return QSize(1, row.channels * lineHeight_ + kUnit);
+    return QSize(1, row.channels * lineHeight() + kUnit);
   case Qt::DisplayRole:
     return cell(row, index.column());
   case Qt::ToolTipRole:

@@ -84,7 +84,6 @@ class ProbeModel : public QAbstractItemModel {
   std::vector<Branch> branches_;
   /// A row is as high as its channels, whatever their values: a view need not lay out all texts anew for each
   /// pixel, which took it longer than everything else that a new pixel changes.
-  int lineHeight_;
   std::vector<IntermediateId> decided_;
   std::shared_ptr<const SceneOutline> outline_;
   std::optional<twin::PixelRecord> record_;

@@ -7,6 +7,7 @@
 #include "app/views/plots/ColorSpacePage.h"
 #include "app/views/plots/ColorSpaceView.h"
 #include "app/views/plots/WhatIfPage.h"
+#include "app/widgets/ElidedLabel.h"
 #include "app/widgets/FittingArea.h"
 #include "app/widgets/IconButton.h"
 #include "app/widgets/Line.h"
@@ -152,6 +153,7 @@ QWidget* ProbePanel::makeValues() {
   column->addWidget(table_); // no stretch: that would leave it the least where there is too little
   description_ = new QLabel;
   description_->setFont(secondaryFont());
+  description_->setToolTip(tr("What happened in the selected row; Enter shows the row in the active view."));
   description_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   description_->setWordWrap(true);
   description_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -186,7 +188,7 @@ QWidget* ProbePanel::makeTop() {
   line->setSpacing(2 * kUnit);
   auto* title = new QLabel(tr("Probe"));
   title->setFont(titleFont());
-  place_ = new QLabel;
+  place_ = new ElidedLabel;
   place_->setFont(numberFont(10));
   place_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   copy_ = new IconButton(QStringLiteral("copy"), tr("Copy every value, exact (Ctrl+Shift+C)"));
@@ -274,7 +276,7 @@ bool ProbePanel::eventFilter(QObject* object, QEvent* event) {
 
 void ProbePanel::setOutline(const std::shared_ptr<const SceneOutline>& outline) {
   model_->setOutline(outline);
-  if (result_) place_->setText(placeText(*result_));
+  if (result_) place_->setWhole(placeText(*result_));
 }
 
 void ProbePanel::setPlaying(bool playing) {
@@ -326,13 +328,13 @@ void ProbePanel::setPixel(std::optional<glm::ivec2> pixel) {
   remove_->setVisible(pixel.has_value());
   if (!pixel) {
     result_.reset();
-    place_->clear();
+    place_->setWhole({});
     model_->setRecord({});
     colorSpace_->setResult({});
     whatIf_->setResult({});
     return;
   }
-  place_->setText(QStringLiteral("(%1, %2)").arg(pixel->x).arg(pixel->y));
+  place_->setWhole(QStringLiteral("(%1, %2)").arg(pixel->x).arg(pixel->y));
 }
 
 void ProbePanel::setProbes(const std::vector<Probe>& probes, int active) {
@@ -343,7 +345,7 @@ void ProbePanel::setResult(const ProbeResult& result) {
   if (result.around.size() <= kProbedMiddle) return showLost(result);
   result_ = result;
   const PixelRecord& record = result.around[kProbedMiddle];
-  place_->setText(placeText(result));
+  place_->setWhole(placeText(result));
   QStringList lines;
   for (const std::string& line : probeHeadline(record, result.settings, result.info)) lines << qtext(line);
   if (result.spot.state == ProbeState::Hidden)
@@ -385,7 +387,7 @@ void ProbePanel::showColors() {
 void ProbePanel::showLost(const ProbeResult& result) {
   result_.reset();
   model_->setRecord({});
-  place_->setText(tr("frame %1").arg(result.frame));
+  place_->setWhole(tr("frame %1").arg(result.frame));
   summary_->setText(result.spot.state == ProbeState::Gone ? tr("The surface is not drawn in this frame")
                                                           : tr("The surface is off screen in this frame"));
   for (Swatches* swatches : swatches_) swatches->setColors({});
@@ -396,10 +398,9 @@ void ProbePanel::showLost(const ProbeResult& result) {
 void ProbePanel::describeCurrentRow() {
   const auto id = model_->idOf(table_->currentIndex());
   const QString other = id ? model_->comparedText(*id, comparison_) : QString();
-  description_->setText(
-      id ? (other.isEmpty() ? other : other.toHtmlEscaped() + QStringLiteral("<br>")) +
-               storyHtml(*id, model_->storyOf(*id))
-         : tr("Select a row to read what happened there; Enter shows it in the active view."));
+  description_->setText(id ? (other.isEmpty() ? other : other.toHtmlEscaped() + QStringLiteral("<br>")) +
+                                 storyHtml(*id, model_->storyOf(*id))
+                           : tr("Select a row to read what happened there."));
 }
 
 QString ProbePanel::story() const {

@@ -24,6 +24,7 @@ struct SceneOutline;
 namespace taa::app {
 
 class ColorSpacePage;
+class ElidedLabel;
 class IconButton;
 class ProbeBar;
 class ProbeModel;
@@ -110,7 +111,8 @@ class ProbePanel : public QWidget {
   ProbeBar* bar_ = nullptr;
   VerdictLine* verdict_ = nullptr;
   VerdictDetails* verdictDetails_ = nullptr;
-  QLabel *place_ = nullptr, *summary_ = nullptr, *invitation_ = nullptr, *description_ = nullptr;
+  ElidedLabel* place_ = nullptr;
+  QLabel *summary_ = nullptr, *invitation_ = nullptr, *description_ = nullptr;
   QWidget *content_ = nullptr, *conclusions_ = nullptr, *head_ = nullptr;
   bool isPlaying_ = false;
   QTabBar* tabs_ = nullptr;

@@ -1,20 +1,24 @@
 // A part of a panel that is as high as what it shows where there is room, else it scrolls.
 #pragma once
 
+#include "app/style/Theme.h"
+
 #include <QEvent>
 #include <QResizeEvent>
 #include <QScrollArea>
 
 #include <algorithm>
+#include <cmath>
 
 namespace taa::app {
 
 class FittingArea : public QScrollArea {
  public:
   /// `minPx`: how low it becomes before others have to give way. `alwaysPx`: how high it is where there is
-  /// room, whatever it shows; 0: as high as that.
+  /// room, whatever it shows; 0: as high as that. Both are of texts as large as they are now, and grow with
+  /// them.
   explicit FittingArea(int minPx, int alwaysPx = 0, QWidget* parent = nullptr)
-      : QScrollArea(parent), minPx_(minPx), alwaysPx_(alwaysPx) {
+      : QScrollArea(parent), minPx_(minPx / textScale()), alwaysPx_(alwaysPx / textScale()) {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setFocusPolicy(Qt::NoFocus); // the way of the Tab key scrolls it
@@ -25,12 +29,12 @@ class FittingArea : public QScrollArea {
 
   QSize sizeHint() const override {
     const int wide = viewport()->width();
-    if (alwaysPx_ > 0) return {wide, alwaysPx_};
+    if (alwaysPx_ > 0.0) return {wide, rounded(alwaysPx_)};
     const QWidget* shown = widget();
     const int high = shown->hasHeightForWidth() ? shown->heightForWidth(wide) : shown->sizeHint().height();
     return {wide, std::max(high, shown->minimumHeight())};
   }
-  QSize minimumSizeHint() const override { return {120, std::min(sizeHint().height(), minPx_)}; }
+  QSize minimumSizeHint() const override { return {120, std::min(sizeHint().height(), rounded(minPx_))}; }
 
  protected:
   void resizeEvent(QResizeEvent* event) override {
@@ -44,7 +48,9 @@ class FittingArea : public QScrollArea {
   }
 
  private:
-  int minPx_, alwaysPx_;
+  static int rounded(double length) { return static_cast<int>(std::lround(scaled(length))); }
+
+  double minPx_, alwaysPx_; ///< of texts of 100 %
 };
 
 /// As high as there is room, whatever it shows: what needs more scrolls. Takes `content`.

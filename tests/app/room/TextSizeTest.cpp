@@ -2,6 +2,7 @@
 // back.
 #include "app/style/TextSize.h"
 #include "app/commands/ThemeSetting.h"
+#include "app/panels/ProbePanel.h"
 #include "app/panels/StatusLine.h"
 #include "app/style/Theme.h"
 #include "app/views/ViewArea.h"
@@ -12,6 +13,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QTreeView>
 
 #include <map>
 #include <tuple>
@@ -78,6 +80,8 @@ TEST_F(TextSizeTest, ThereAndBackEverythingIsAsItWas) {
 }
 
 TEST_F(TextSizeTest, AtTwoHundredPercentAWindowOf1280By800HoldsAllThatItShows) {
+  window.views()->setViewCount(2);
+  session.probes().setPixel(glm::ivec2(20, 10));
   window.setTextPercent(200);
   settle();
   ASSERT_EQ(window.size(), QSize(1280, 800)) << "it fits";
@@ -91,6 +95,19 @@ TEST_F(TextSizeTest, AtTwoHundredPercentAWindowOf1280By800HoldsAllThatItShows) {
     EXPECT_GE(button->width(), button->fontMetrics().horizontalAdvance(button->text()))
         << button->text().toStdString();
   }
+}
+
+TEST_F(TextSizeTest, RowsOfTheProbeAreAsHighAsTheirLines) {
+  session.probes().setPixel(glm::ivec2(20, 10));
+  window.setTextPercent(200);
+  settle();
+  const QTreeView* table = nullptr;
+  for (const QTreeView* each : window.probe()->findChildren<QTreeView*>())
+    if (each->accessibleName() == QLatin1String("Every intermediate at the pixel")) table = each;
+  ASSERT_TRUE(table);
+  const QAbstractItemModel& model = *table->model();
+  const QModelIndex color = model.index(0, 1, model.index(0, 0));
+  EXPECT_GE(table->visualRect(color).height(), 3 * QFontMetrics(numberFont()).lineSpacing()) << "R, G, B";
 }
 
 TEST_F(TextSizeTest, IsRememberedWhereItIsSet) {

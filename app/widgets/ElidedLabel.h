@@ -1,0 +1,46 @@
+// A line of text that is cut, with dots, where there is no room for it; the rest of it is its tip.
+#pragma once
+
+#include <QLabel>
+#include <QResizeEvent>
+
+namespace taa::app {
+
+class ElidedLabel : public QLabel {
+ public:
+  using QLabel::QLabel;
+
+  void setWhole(const QString& text) {
+    whole_ = text;
+    elide();
+    updateGeometry();
+  }
+
+  QSize sizeHint() const override { return {widthOf(whole_), QLabel::sizeHint().height()}; }
+  QSize minimumSizeHint() const override {
+    return {widthOf(whole_.left(kLeastLetters)), QLabel::minimumSizeHint().height()};
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QLabel::resizeEvent(event);
+    elide();
+  }
+
+ private:
+  static constexpr int kLeastLetters = 12;
+
+  int widthOf(const QString& text) const {
+    const QMargins around = contentsMargins();
+    return fontMetrics().horizontalAdvance(text) + around.left() + around.right();
+  }
+  void elide() {
+    const QString shown = fontMetrics().elidedText(whole_, Qt::ElideRight, contentsRect().width());
+    setText(shown);
+    setToolTip(shown == whole_ ? QString() : whole_);
+  }
+
+  QString whole_;
+};
+
+} // namespace taa::app
