@@ -2,6 +2,7 @@
 #include "core/base/Files.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
+#include "core/sweep/tune/ShotTune.h"
 #include "core/taa/glsl/GlslExport.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/Paths.h"
@@ -10,7 +11,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <filesystem>
+#include <future>
 #include <string>
 #include <vector>
 
@@ -103,6 +106,35 @@ TEST_F(TuneBatchTest, WritesTheResolveAsGlslToo) {
   EXPECT_NE(result.out.find(preset().string() + "\n" + glsl.string() + "\n"), std::string::npos)
       << result.out;
   EXPECT_NE(result.out.find("cost"), std::string::npos);
+}
+
+// The window tunes by tuneShot(), on a thread of its own.
+TEST_F(TuneBatchTest, PrintsTheFiguresOfTheWindow) {
+  taa::ShotTuneRequest window;
+  window.shot.source = "builtin:fan";
+  window.shot.size = {48, 28};
+  window.start = taa::preset("balanced").settings;
+  window.tuning = {"rmse=1,flicker=0.5", {"weight.minimum", "rectify.method"}, {6, 7, {}, 4}, 5, 24};
+  taa::TuneWay way;
+  const auto keepLast = [&way](const taa::TuneWay& told) { way = told; };
+  std::async(std::launch::async, [&] { taa::tuneShot(window, keepLast, {}); }).get();
+  const ProcessResult result = taa::test::runProcess(
+      {taa::test::binary("taa-batch").string(), "tune", window.shot.source, "--size", "48x28", "--frames",
+       "6..7", "--reference-samples", "4", "--goal", window.tuning.goal, "--vary", "weight.minimum", "--vary",
+       "rectify.method", "--seed", "5", "--budget", "24", "--json", "--out", preset().string()});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const ordered_json json = ordered_json::parse(result.out);
+  EXPECT_EQ(json["startGoal"], way.result.startGoal);
+  EXPECT_EQ(json["bestGoal"], way.result.goal);
+  EXPECT_EQ(json["evaluations"], way.result.evaluations);
+  EXPECT_EQ(json["complete"], way.result.isComplete);
+  ASSERT_FALSE(way.result.steps.empty());
+  ASSERT_EQ(json["steps"].size(), way.result.steps.size());
+  for (std::size_t step = 0; step < way.result.steps.size(); ++step) {
+    EXPECT_EQ(json["steps"][step]["change"], way.result.steps[step].change);
+    EXPECT_EQ(json["steps"][step]["goal"], way.result.steps[step].goal);
+  }
+  EXPECT_TRUE(taa::preset(preset().string()).settings == way.result.settings);
 }
 
 TEST_F(TuneBatchTest, NeverEndsWorseThanItBegan) {
