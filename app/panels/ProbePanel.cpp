@@ -235,6 +235,7 @@ void ProbePanel::makeTable() {
   table_->header()->setStretchLastSection(true);
   table_->header()->setSectionsMovable(false);
   table_->header()->setMinimumSectionSize(24);
+  table_->header()->setTextElideMode(Qt::ElideRight);
   table_->expandAll();
   for (int row = 0; row < model_->rowCount(); ++row) table_->setFirstColumnSpanned(row, {}, true);
   connect(model_, &ProbeModel::foldsChanged, this, &ProbePanel::showFolds);
@@ -400,7 +401,7 @@ void ProbePanel::describeCurrentRow() {
   const QString other = id ? model_->comparedText(*id, comparison_) : QString();
   description_->setText(id ? (other.isEmpty() ? other : other.toHtmlEscaped() + QStringLiteral("<br>")) +
                                  storyHtml(*id, model_->storyOf(*id))
-                           : tr("Select a row to read what happened there."));
+                           : tr("Select a row to read about it."));
 }
 
 QString ProbePanel::story() const {

@@ -3,6 +3,7 @@
 #include "app/style/Numbers.h"
 #include "app/style/Theme.h"
 #include "app/views/plots/CurveChart.h"
+#include "app/widgets/FittingArea.h"
 
 #include "core/probe/SampleWeights.h"
 
@@ -53,7 +54,9 @@ WeightsPanel::WeightsPanel(QWidget* parent)
   charts->addWidget(weights_, 1);
   charts->addWidget(samples_, 1);
   rows->addLayout(charts, 1);
-  rows->addWidget(summaryLabel());
+  auto* summary = new FittingArea(rowHeight()); // in a low window the curves go first
+  summary->setWidget(summaryLabel());
+  rows->addWidget(summary);
   connect(samples_, &CurveChart::xClicked, this,
           [this](double frame) { Q_EMIT seekRequested(static_cast<int>(frame)); });
   connect(weights_, &CurveChart::xClicked, this, [this](double back) {
