@@ -4,6 +4,7 @@
 #include "core/base/Say.h"
 
 #include <tiny_gltf.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
@@ -46,14 +47,75 @@ Size jpegSize(Bytes bytes) {
   return {};
 }
 
+bool isPng(Bytes bytes) {
+  constexpr std::array<unsigned char, 8> kPng{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+  return startsWith(bytes, kPng);
+}
+
 /// The picture's size from its header, before anything is allocated for it.
 Size sizeOf(Bytes bytes) {
-  constexpr std::array<unsigned char, 8> kPng{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
   constexpr std::array<unsigned char, 3> kJpeg{0xFF, 0xD8, 0xFF};
-  if (startsWith(bytes, kPng))
+  if (isPng(bytes))
     return bytes.size() < 24 ? Size{} : Size{bigEndian(bytes, 16, 4), bigEndian(bytes, 20, 4)};
   if (startsWith(bytes, kJpeg)) return jpegSize(bytes);
   throw Error(say<"it is neither PNG nor JPEG">());
+}
+
+/// How much unpacked data of a PNG has room in its picture, with what interlacing adds to small ones.
+std::size_t mostUnpacked(Bytes bytes, const Size& size) {
+  const std::size_t depth = std::min<std::size_t>(bytes[24], 16);
+  const std::size_t bits = depth * (bytes[25] == 2 ? 3 : bytes[25] == 6 ? 4 : 2);
+  constexpr std::size_t kInterlaced = 4096;
+  return 2 * size.height * (1 + (size.width * bits + 7) / 8) + kInterlaced;
+}
+
+/// Unpacks and counts, keeping nothing.
+class Unpacked {
+ public:
+  Unpacked() {
+    if (inflateInit(&stream_) != Z_OK) throw Error(say<"there is not enough memory to unpack its picture">());
+  }
+  Unpacked(const Unpacked&) = delete;
+  Unpacked& operator=(const Unpacked&) = delete;
+  ~Unpacked() { inflateEnd(&stream_); }
+
+  /// The bytes so far; no more are read once they are above `most`. What is damaged ends it.
+  std::size_t add(Bytes packed, std::size_t most) {
+    stream_.next_in = const_cast<unsigned char*>(packed.data()); // zlib only reads it
+    stream_.avail_in = static_cast<uInt>(packed.size());
+    while (stream_.avail_in > 0 && stream_.total_out <= most) {
+      stream_.next_out = buffer_.data();
+      stream_.avail_out = static_cast<uInt>(buffer_.size());
+      if (inflate(&stream_, Z_NO_FLUSH) != Z_OK) break;
+    }
+    return stream_.total_out;
+  }
+
+ private:
+  z_stream stream_{};
+  std::array<unsigned char, 1 << 15> buffer_;
+};
+
+/// The decoder takes as much memory as a part of a PNG says that it has, and as its data unpack to.
+void checkPng(Bytes bytes, const Size& size) {
+  constexpr std::array<unsigned char, 4> kData{'I', 'D', 'A', 'T'}, kEnd{'I', 'E', 'N', 'D'};
+  constexpr std::size_t kAround = 12; ///< of a part: its length, its name and its checksum
+  constexpr std::size_t kHead = 26;   ///< all that is known of its pixels
+  if (bytes.size() < kHead) return;
+  const std::size_t most = mostUnpacked(bytes, size);
+  Unpacked unpacked;
+  std::size_t at = 8;
+  while (at + kAround <= bytes.size()) {
+    const std::size_t length = bigEndian(bytes, at, 4);
+    if (length > bytes.size() - at - kAround)
+      throw Error(say<"its picture is damaged: a part of it ends behind its end">());
+    const Bytes name = bytes.subspan(at + 4, 4);
+    if (startsWith(name, kEnd)) return;
+    if (startsWith(name, kData) && unpacked.add(bytes.subspan(at + 8, length), most) > most)
+      throw Error(
+          say<"its picture is damaged: it unpacks to more than its %1×%2 pixels">(size.width, size.height));
+    at += kAround + length;
+  }
 }
 
 } // namespace
@@ -63,6 +125,7 @@ SceneImage decodeImage(Bytes bytes) {
   if (size.width == 0 || size.height == 0) throw Error(say<"its picture is damaged: it has no size">());
   if (size.width > kMaxImageSide || size.height > kMaxImageSide || size.width * size.height > kMaxImagePixels)
     throw Error(say<"its picture of %1×%2 pixels is too large">(size.width, size.height));
+  if (isPng(bytes)) checkPng(bytes, size);
   tinygltf::Image decoded;
   std::string error, warning;
   if (!tinygltf::LoadImageData(&decoded, 0, &error, &warning, 0, 0, bytes.data(),

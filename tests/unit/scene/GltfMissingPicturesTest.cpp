@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -69,6 +70,36 @@ TEST(GltfMissingPictures, MayBeDamagedInAnyWay) {
   const Scene scene = opened([](GltfSample& sample) { sample.json["images"][0].erase("uri"); });
   ASSERT_EQ(scene.warnings.size(), 1u);
   EXPECT_EQ(scene.warnings[0], told("it must have either a uri or a bufferView"));
+}
+
+/// A part of a PNG; nobody reads its checksum.
+std::string pngPart(const std::string& name, const std::string& data, std::uint32_t length) {
+  std::string part;
+  for (const int shift : {24, 16, 8, 0}) part += static_cast<char>(length >> shift & 0xFF);
+  return part + name + data + std::string(4, '\0');
+}
+
+std::string pngPart(const std::string& name, const std::string& data) {
+  return pngPart(name, data, static_cast<std::uint32_t>(data.size()));
+}
+
+TEST(GltfMissingPictures, TakeNoMemoryThatTheirPixelsDoNotNeed) {
+  const std::string picture =
+      "\x89PNG\r\n\x1A\n" + pngPart("IHDR", std::string("\0\0\0\1\0\0\0\1\x8\x2\0\0\0", 13));
+  const auto told = [](const std::string& reason) {
+    return "The picture images[0] (red) is not shown: its picture is damaged: " + reason +
+           ". What it covers is plain.";
+  };
+  EXPECT_EQ(toldOfBytes(picture + pngPart("IDAT", "abc", 0x40000000)),
+            told("a part of it ends behind its end"));
+  // One block that is not packed: 65,535 zeros where a pixel needs four bytes.
+  const std::string block = std::string("\x78\x1\x1\xFF\xFF\0\0", 7) + std::string(65535 + 4, '\0');
+  EXPECT_EQ(toldOfBytes(picture + pngPart("IDAT", block) + pngPart("IEND", "")),
+            told("it unpacks to more than its 1×1 pixels"));
+  EXPECT_EQ(toldOfBytes(picture + pngPart("IDAT", block.substr(0, 9)) + pngPart("IDAT", block.substr(9)) +
+                        pngPart("IEND", "")),
+            told("it unpacks to more than its 1×1 pixels"))
+      << "in two parts as well";
 }
 
 TEST(GltfMissingPictures, AreNotLookedForOutsideTheFolder) {
