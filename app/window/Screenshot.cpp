@@ -126,7 +126,8 @@ void Screenshot::look() {
     frame_ = std::clamp(frame_, 0, session.status().frameCount - 1);
     session.seek(frame_);
   }
-  if (!areTracesComplete() || !isLineageComplete() || !isDoctorComplete() || !isComplete() ||
+  // The rest asks about the shot that is shown: a session's size and camera come after its scene.
+  if (!isComplete() || !areTracesComplete() || !isLineageComplete() || !isDoctorComplete() ||
       !areProfilesComplete() || !areDialogsComplete()) {
     quiet_ = 0;
     if (isGivenUp()) finish(1, lastError_);

@@ -380,7 +380,7 @@ void tellOthers(const std::vector<JudgedRegion>& judged, const std::vector<Motio
         say<"Motion of %1 regions fits their own pixels, and other explanations do not.">(right));
   if (small > 0)
     out.undecided.push_back(
-        {say<"Motion of %1 small regions">(small),
+        {small == 1 ? say<"Motion of a small region">() : say<"Motion of %1 small regions">(small),
          say<"they have too few pixels that can be followed, or move and change too little">(),
          say<"Bring the camera nearer to them, or capture more and larger frames.">(), ofSmall});
 }

@@ -115,14 +115,28 @@ void spreadTold(std::size_t trial, std::vector<JudgedRegion>& judged) {
   }
 }
 
+/// A region that depth and matrices tell by something else, as a hub that turns and looks the same: where its
+/// pixels fit what nearly all is told by nearly as well, that is its fault, too. Takes it out of `open`.
+void tellAlike(std::size_t trial, std::vector<JudgedRegion*>& open) {
+  constexpr double kNearlyAsWell = 0.8;
+  std::erase_if(open, [trial](JudgedRegion* region) {
+    const double gain = region->evidence->trials[trial].gain();
+    double own = 0.0;
+    for (const std::size_t other : region->witness.explanations)
+      own = std::max(own, region->evidence->trials[other].gain());
+    if (gain <= 0.0 || gain < kNearlyAsWell * own) return false;
+    region->decision = {MotionVerdict::Wrong, {trial}};
+    region->trial = trial;
+    return true;
+  });
+}
+
 void judgeByWitness(Judged& out, const MotionEvidence& evidence) {
   std::vector<JudgedRegion*> open;
-  double known = pixelsWith(out.regions, WitnessVerdict::OfCamera);
   for (JudgedRegion& region : out.regions)
-    if (region.witness.verdict == WitnessVerdict::Explained) {
-      open.push_back(&region);
-      known += region.region->pixels;
-    }
+    if (region.witness.verdict == WitnessVerdict::Explained) open.push_back(&region);
+  const double explained = pixelsWith(out.regions, WitnessVerdict::Explained);
+  const double known = pixelsWith(out.regions, WitnessVerdict::OfCamera) + explained;
   while (!open.empty()) {
     const WitnessedRegions told = broadestWitness(open, out.regions, evidence.trials().size());
     std::erase_if(open, [&](JudgedRegion* region) { return std::ranges::count(told.regions, region) > 0; });
@@ -137,6 +151,7 @@ void judgeByWitness(Judged& out, const MotionEvidence& evidence) {
       region->isWitnessed = true;
       region->pixelsSay = pixelsSay;
     }
+    if (told.pixels() >= kMostOfAll * explained) tellAlike(told.trial, open);
     if (told.pixels() >= kMostOfAll * known) spreadTold(told.trial, out.regions);
   }
 }

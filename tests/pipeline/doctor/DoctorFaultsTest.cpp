@@ -54,4 +54,13 @@ TEST_F(DoctorFaults, AreNamedFirst) {
   }
 }
 
+// The fan's hub turns and looks the same: by depth and matrices it rests.
+TEST_F(DoctorFaults, AreOneFindingWhereAPartMovesAsOneCannotSee) {
+  SourceRequest request{"builtin:fan", "dolly", {480, 270}, {}};
+  inject(Fault::MotionNegatedY, request.settings);
+  const Diagnosis diagnosis = examine(examinationOf(openForDoctor(request), kFaultyFrames));
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  EXPECT_EQ(diagnosis.findings[0].id, faultInfo(Fault::MotionNegatedY).id);
+}
+
 } // namespace taa::doctor
