@@ -31,7 +31,7 @@ struct PictureRequest {
 };
 
 /// Of the picture, px.
-inline glm::ivec2 pictureSize(const PictureRequest& request) {
+inline glm::ivec2 writtenSize(const PictureRequest& request) {
   return request.part.width > 0 ? glm::ivec2(request.part.width, request.part.height)
                                 : glm::ivec2(request.width, request.height);
 }

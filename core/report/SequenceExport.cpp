@@ -101,7 +101,7 @@ struct Writers {
 
 Writers writersOf(Inspector& inspector, const SequenceRequest& request, const Workshop& workshop) {
   Writers writers;
-  const glm::ivec2 sizePx = pictureSize(request.picture);
+  const glm::ivec2 sizePx = writtenSize(request.picture);
   if (request.kind == SequenceKind::Gif)
     writers.gif = std::make_unique<GifWriter>(workshop.place(request.target), request.target, sizePx.x,
                                               sizePx.y, request.framesPerSecond);

@@ -5,6 +5,7 @@
 #include "core/base/ShownText.h"
 #include "core/capture/planes/PictureParts.h"
 #include "core/capture/planes/PlaneFiles.h"
+#include "core/capture/planes/PngParts.h"
 #include "core/capture/planes/StoredRows.h"
 
 #include <OpenImageIO/imageio.h>
@@ -81,6 +82,7 @@ std::string failureOf(const OIIO::ImageInput& input) {
 
 std::unique_ptr<OIIO::ImageInput> openPicture(const UntrustedFile& file, const std::string& name) {
   const FileKind& kind = kindOf(file, name);
+  if (std::string_view(kind.plugin) == "png") checkPngParts(file, name);
   std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(kind.plugin);
   if (!input) throw Error(say<"cannot open %1: OpenImageIO was built without %2">(name, kind.plugin));
   OIIO::ImageSpec asStored, ignored;

@@ -386,6 +386,26 @@ TEST_F(Pictures, ThatAreCutOffAreRefusedWithoutTheirFolders) {
 }
 
 // Whatever happens to a file, it is read or refused in a sentence, soon.
+// By this program: libraries say it on standard error, on a line of their own.
+TEST_F(Pictures, OfDamagedPartsAreNamedWithThem) {
+  writePicture(folder / "a.png", specOf({"R", "G", "B"}, OIIO::TypeUInt8), OIIO::TypeFloat, ramp(3));
+  const std::string whole = readFile(folder / "a.png");
+  add(PlaneKind::Color, "a.png", {});
+  ASSERT_EQ(message(), "");
+  const std::size_t data = whole.find("IDAT") - 4;
+  const std::string place = "a.png is damaged: its part IDAT at byte " + std::to_string(data);
+  std::string damaged = whole;
+  damaged[data + 10] = static_cast<char>(~damaged[data + 10]);
+  writeFile(folder / "a.png", damaged);
+  expectMessage(place + " does not fit its checksum; write it again");
+  damaged = whole;
+  damaged[data] = 1;
+  writeFile(folder / "a.png", damaged);
+  expectMessage(place + " ends behind its end; write it again");
+  writeFile(folder / "a.png", whole.substr(0, data));
+  expectMessage("a.png is damaged: it ends before its last part; write it again");
+}
+
 TEST_F(Pictures, TruncatedAndDamagedAreRefusedInTime) {
   const auto begin = std::chrono::steady_clock::now();
   std::mt19937 random(1);

@@ -1,4 +1,4 @@
-// A line of text that is cut, with dots, where there is no room for it; the rest of it is its tip.
+// A line of text in a bar that is cut, with dots, where there is no room for it; the rest of it is its tip.
 #pragma once
 
 #include <QLabel>
