@@ -49,8 +49,9 @@ class Examiner {
   }
 
   const ColorEvidence& color() const { return color_; }
-  void tellColor(Diagnosis& out) const {
-    doctor::tellColor(color_, patient_, examination_.known.maskUsed, out);
+  /// `brightness`: of the frames as they are.
+  void tellColor(const BrightnessEvidence& brightness, Diagnosis& out) const {
+    doctor::tellColor(color_, brightness, patient_, examination_.known.maskUsed, out);
   }
   /// One of the same frames that has seen none, and does not look at the output.
   Examiner another() const { return {examination_, patient_, progress_, false}; }
@@ -214,8 +215,9 @@ void tellDepthAgain(const FrameReader& read, const MotionTrial& trial, const std
 }
 
 /// What is wrong makes other things look wrong: they are looked at with it made right, until nothing is
-/// hidden. `first`: what was seen of the frames that `read` gives.
-void tellAll(const Examination& examination, const Examiner& first, FrameReader read, Diagnosis& out) {
+/// hidden. `first`: what was seen of the frames that `read` gives; `brightness`: of the frames as they are.
+void tellAll(const Examination& examination, const Examiner& first, const BrightnessEvidence& brightness,
+             FrameReader read, Diagnosis& out) {
   ToldOf told;
   std::optional<Examiner> next;
   Hiding hiding = tellSeen(first, examination, told, out);
@@ -230,7 +232,7 @@ void tellAll(const Examination& examination, const Examiner& first, FrameReader 
   }
   const Examiner& last = next ? *next : first;
   if (hiding.motion) tellDepthAgain(read, *hiding.motion, last.jitter().stated, out);
-  last.tellColor(out);
+  last.tellColor(brightness, out);
 }
 
 } // namespace
@@ -264,14 +266,19 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
     told(early);
   });
   const std::vector<std::uint8_t> covered = tellInterface(first.color(), out);
-  if (covered.empty()) {
-    tellAll(examination, first, examination.read, out);
+  const BrightnessEvidence& brightness = first.color().brightness;
+  const std::map<int, double> stepped = brightness.stepped();
+  if (covered.empty() && stepped.empty()) {
+    tellAll(examination, first, brightness, examination.read, out);
   } else {
-    // An interface makes jitter and motion look wrong: all else is looked at again beside it.
+    // An interface, or a step of brightness, makes jitter and motion look wrong: all else is looked at again
+    // without them.
     Examiner bare = first.another();
-    const FrameReader read = coveredReader(examination.read, covered);
+    FrameReader read = examination.read;
+    if (!covered.empty()) read = coveredReader(read, covered);
+    if (!stepped.empty()) read = withBrightness(std::move(read), stepped);
     bare.look(read, out);
-    tellAll(examination, bare, read, out);
+    tellAll(examination, bare, brightness, read, out);
   }
   if (examination.known.output) tellResolve(first.resolve(), out.findings.empty(), out);
   return out;

@@ -174,6 +174,11 @@ constexpr std::array<std::string_view, 9> kFaultDetails{
     "fault.cameraTurn", "fault.region", "fault.object",     "fault.left",     "fault.top",
     "fault.right",      "fault.bottom", "fault.firstFrame", "fault.lastFrame"};
 
+/// Of the details: rows that hold for all faults that are injected; the others for those of planes.
+bool saysWhen(const Parameter& row) {
+  return row.path == "fault.firstFrame" || row.path == "fault.lastFrame";
+}
+
 bool isFaultDetail(const Parameter& row) {
   return std::ranges::find(kFaultDetails, row.path) != kFaultDetails.end();
 }
@@ -259,12 +264,15 @@ bool excludeEachOther(Fault a, Fault b) {
     const auto found = values.find(&row);
     return found != values.end() && found->second != value;
   };
-  // Of faulty planes all are so in the same region and frames.
+  // Of faulty planes all are so in the same region; of all that is injected all is so in the same frames.
   const bool shareAPlace = isOfPlanes(faultInfo(a)) && isOfPlanes(faultInfo(b));
+  const bool shareFrames =
+      faultInfo(a).assignments.starts_with(kFaultGroup) && faultInfo(b).assignments.starts_with(kFaultGroup);
   return std::ranges::any_of(parameters(), [&](const Parameter& row) {
     const auto wantsOther = [&](const FaultValues& one, const FaultValues& other) {
       if (const auto found = one.find(&row); found != one.end()) return differs(other, row, found->second);
-      return shareAPlace && isFaultDetail(row) && differs(other, row, row.defaultValue());
+      const bool isShared = saysWhen(row) ? shareFrames : shareAPlace && isFaultDetail(row);
+      return isShared && differs(other, row, row.defaultValue());
     };
     return wantsOther(ofA, ofB) || wantsOther(ofB, ofA);
   });

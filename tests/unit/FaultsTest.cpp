@@ -87,6 +87,8 @@ TEST(Faults, ExcludeEachOtherWhereTheyWantDifferentValues) {
   EXPECT_TRUE(excludeEachOther(Fault::SkyWithoutMotion, Fault::MotionNegatedY)) << "of the sky only";
   EXPECT_TRUE(excludeEachOther(Fault::MotionNegatedY, Fault::SkyWithoutMotion));
   EXPECT_FALSE(excludeEachOther(Fault::SkyWithoutMotion, Fault::JitterNegatedY)) << "jitter has no region";
+  EXPECT_TRUE(excludeEachOther(Fault::ExposureStep, Fault::JitterNegatedY)) << "from frame 8 on";
+  EXPECT_TRUE(excludeEachOther(Fault::JitterFrozen, Fault::OldTransformOnReturn)) << "in frame 12 only";
   EXPECT_FALSE(excludeEachOther(Fault::SkyWithoutMotion, Fault::DilatesFarthest));
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -138,6 +139,31 @@ void BrightnessEvidence::add(const FrameNeighbors& frames) {
   pair.given = medianLeft(places, 0.0);
   pair.stepped = medianLeft(places, pair.stops);
   pairs.push_back(pair);
+}
+
+std::map<int, double> BrightnessEvidence::stepped() const {
+  std::map<int, double> out;
+  double sum = 0.0;
+  for (const BrightnessPair& pair : pairs)
+    if (pair.isStep()) out[pair.frame] = sum += pair.stops;
+  return out;
+}
+
+FrameReader withBrightness(FrameReader read, std::map<int, double> stepped) {
+  return [read = std::move(read), stepped = std::move(stepped)](int frame) {
+    DoctorFrame out = read(frame);
+    const auto after = stepped.upper_bound(frame);
+    if (after == stepped.begin()) return out;
+    const double factor = std::exp2(-std::prev(after)->second);
+    for (int y = 0; y < out.luma.height; ++y)
+      for (int x = 0; x < out.luma.width; ++x) {
+        float& luma = out.luma.at(x, y)[0];
+        if (!(luma >= 0.0f && luma < 1.0f)) continue;
+        const double light = factor * PlaceLight::lightOf(luma);
+        luma = static_cast<float>(light / (1.0 + light));
+      }
+    return out;
+  };
 }
 
 void tellBrightness(const BrightnessEvidence& evidence, Diagnosis& out) {

@@ -6,6 +6,7 @@
 #include "core/doctor/motion/MotionTrials.h"
 
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace taa::doctor {
@@ -29,7 +30,13 @@ struct BrightnessEvidence {
   std::vector<BrightnessPair> pairs;
 
   void add(const FrameNeighbors& frames);
+  /// log2 of the light by frame, against what it would be without the steps; empty: there are none.
+  std::map<int, double> stepped() const;
 };
+
+/// The same frames without steps of brightness: as bright as those before the first one. `stepped`: see
+/// BrightnessEvidence; a frame that is not in it is as bright as the one before.
+FrameReader withBrightness(FrameReader read, std::map<int, double> stepped);
 
 /// Adds what is wrong, right or not decided about brightness.
 void tellBrightness(const BrightnessEvidence& evidence, Diagnosis& out);

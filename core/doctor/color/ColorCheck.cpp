@@ -45,9 +45,10 @@ FrameReader coveredReader(const FrameReader& read, std::vector<std::uint8_t> cov
   };
 }
 
-void tellColor(const ColorEvidence& evidence, const Patient& patient, bool isMaskUsed, Diagnosis& out) {
+void tellColor(const ColorEvidence& evidence, const BrightnessEvidence& brightness, const Patient& patient,
+               bool isMaskUsed, Diagnosis& out) {
   tellBlended(evidence.blended, isMaskUsed, out);
-  tellBrightness(evidence.brightness, out);
+  tellBrightness(brightness, out);
   tellCoplanar(evidence.coplanar, patient, out);
   tellTextures(out);
 }

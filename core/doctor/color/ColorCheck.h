@@ -34,8 +34,9 @@ std::vector<std::uint8_t> tellInterface(const ColorEvidence& evidence, Diagnosis
 /// The same frames, in which covered pixels are no witness.
 FrameReader coveredReader(const FrameReader& read, std::vector<std::uint8_t> covered);
 
-/// Adds all else about color. Expects evidence of frames in which interfaces are covered. `isMaskUsed`: see
-/// tellBlended().
-void tellColor(const ColorEvidence& evidence, const Patient& patient, bool isMaskUsed, Diagnosis& out);
+/// Adds all else about color. Expects evidence of frames in which interfaces are covered. `brightness`: of
+/// the frames as they are. `isMaskUsed`: see tellBlended().
+void tellColor(const ColorEvidence& evidence, const BrightnessEvidence& brightness, const Patient& patient,
+               bool isMaskUsed, Diagnosis& out);
 
 } // namespace taa::doctor

@@ -8,6 +8,7 @@
 #include <ostream>
 #include <set>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 namespace taa {
@@ -108,19 +109,52 @@ void addHealthy(std::ostream& out, const Cases& judged) {
   out << ". ";
 }
 
-void addPairs(std::ostream& out, const Cases& judged) {
-  const Cases pairs =
-      casesWhere(judged, [](const JudgedCase& one) { return one.tried.faults.size() == 2 && one.shows; });
-  if (pairs.empty()) return;
-  std::size_t both = 0, one = 0;
-  for (const JudgedCase& pair : pairs) {
+/// Which of two faults are named.
+struct PairCounts {
+  std::size_t pairs = 0, both = 0, one = 0;
+
+  void add(const JudgedCase& pair) {
     const auto named =
         std::ranges::count_if(pair.tried.faults, [&](Fault fault) { return isNamed(fault, pair); });
+    ++pairs;
     if (named == 2) ++both;
     if (named == 1) ++one;
   }
-  out << "Of " << pairs.size() << " pairs of faults of two parts both are named in "
-      << caseShare(both, pairs.size()) << ", one of them in " << caseShare(one, pairs.size()) << ". ";
+  std::string text() const {
+    return "both are named in " + caseShare(both, pairs) + ", one of them in " + caseShare(one, pairs);
+  }
+};
+
+/// Source, camera and fault.
+using ToldAlone = std::set<std::tuple<std::string, std::string, Fault>>;
+
+/// Faults that are named first where they are the only one.
+ToldAlone toldAlone(const Cases& judged) {
+  ToldAlone out;
+  for (const JudgedCase& one : judged)
+    if (isSingle(one) && one.shows && outcomeOf(one) == CaseOutcome::First)
+      out.emplace(one.tried.source, one.tried.camera, one.tried.faults.front());
+  return out;
+}
+
+/// What does not show by itself cannot show beside something else: such pairs are counted apart.
+void addPairs(std::ostream& out, const Cases& judged) {
+  const ToldAlone alone = toldAlone(judged);
+  PairCounts all, told;
+  for (const JudgedCase& one : judged) {
+    if (one.tried.faults.size() != 2 || !one.shows) continue;
+    all.add(one);
+    if (std::ranges::all_of(one.tried.faults, [&](Fault fault) {
+          return alone.contains({one.tried.source, one.tried.camera, fault});
+        }))
+      told.add(one);
+  }
+  if (all.pairs == 0) return;
+  out << "Of " << all.pairs << " pairs of faults of two parts " << all.text() << ". ";
+  if (told.pairs > 0)
+    out << "Of the " << told.pairs
+        << " of them whose faults are each named first by themselves in the same frames " << told.text()
+        << ". ";
 }
 
 /// "`motionScaled` 3, `jitterLate`": first names of those that are wrong, the most frequent first.

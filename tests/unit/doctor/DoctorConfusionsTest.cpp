@@ -50,6 +50,21 @@ TEST(DoctorConfusions, AreATableWithEveryFault) {
   EXPECT_EQ(text.find("`motionZero` |"), std::string::npos);
 }
 
+TEST(DoctorConfusions, CountPairsApartThatShowByThemselves) {
+  std::vector<JudgedCase> cases = fiveCases();
+  EXPECT_EQ(doctorConfusions(cases).find("of them whose faults"), std::string::npos) << "motionZero alone";
+  cases.push_back(judgedCase({Fault::MotionZero}, {"motionZero"}));
+  cases.push_back(judgedCase({Fault::MotionZero, Fault::JitterLate}, {"motionZero", "jitterLate"}));
+  cases.push_back(judgedCase({Fault::MotionZero, Fault::DepthLinear}, {"motionZero"}));
+  const std::string text = doctorConfusions(cases);
+  for (const char* part :
+       {"Of 3 pairs of faults of two parts both are named in 33.3 %, one of them in 66.7 %.",
+        "Of the 2 of them whose faults are each named first by themselves in the same frames both are named "
+        "in "
+        "50.0 %, one of them in 50.0 %."})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
 TEST(DoctorConfusions, NameHealthyFramesInWhichSomethingIsFound) {
   EXPECT_NE(doctorConfusions({judgedCase({}, {"motionZero"}, false)})
                 .find("in 1: `motionZero` in `builtin:fan` with `pan`"),

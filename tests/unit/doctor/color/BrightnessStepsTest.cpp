@@ -86,6 +86,35 @@ TEST(BrightnessSteps, SayAtWhichFrame) {
   EXPECT_LT(out.findings[0].residuals[0].value, out.findings[0].residuals[1].value);
 }
 
+TEST(BrightnessSteps, TakenOffLeaveTheFramesThatThereWereWithout) {
+  const test::PaintedShot shot;
+  const FrameReader stepping = [&](int frame) {
+    DoctorFrame out = test::paintedFrame(shot, frame);
+    if (frame >= 3) brighten(out, 2.0f);
+    if (frame >= 5) brighten(out, 0.25f);
+    return out;
+  };
+  EXPECT_TRUE(evidenceOf(restingShot(), 1.0f).stepped().empty());
+  const FrameReader even = withBrightness(stepping, {{3, 1.0}, {5, -1.0}});
+  for (const int frame : {2, 3, 4, 5, 9}) {
+    const DoctorFrame expected = test::paintedFrame(shot, frame), seen = even(frame);
+    for (int y = 0; y < expected.luma.height; ++y)
+      for (int x = 0; x < expected.luma.width; ++x)
+        ASSERT_NEAR(*seen.luma.at(x, y), *expected.luma.at(x, y), 1e-5) << frame << " " << x << " " << y;
+  }
+}
+
+TEST(BrightnessSteps, HideNoOtherFault) {
+  constexpr int kManyFrames = 16;
+  const Diagnosis diagnosis = examine(test::paintedExamination({}, kManyFrames, [](DoctorFrame& frame) {
+    frame.jitterPx = -frame.jitterPx;
+    if (frame.frame % 4 >= 2) brighten(frame, 4.0f); // in every second pair
+  }));
+  std::vector<std::string> ids;
+  for (const Finding& finding : diagnosis.findings) ids.push_back(finding.id);
+  EXPECT_EQ(ids, (std::vector<std::string>{"jitterNegated", "exposureStep"}));
+}
+
 TEST(BrightnessSteps, OfABlackPictureAreNotDecided) {
   Diagnosis out;
   tellBrightness(evidenceOf(restingShot(), 0.0f), out); // black from the step on
