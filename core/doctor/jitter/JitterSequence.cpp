@@ -81,8 +81,12 @@ void tellRange(const SequenceFacts& facts, Diagnosis& out) {
             std::lround(100.0 * facts.beyondShare), shortNumber(facts.longestPx)),
         say<"Multiply the jitter that you draw with, and pass, by %1.">(shortNumber(0.5 / facts.longestPx))));
   else if (facts.longestPx > kHalfPixel)
-    out.notes.push_back(say<"Jitter reaches %1 px: beyond half a pixel it blurs, unless a wide filter is "
-                            "meant.">(shortNumber(facts.longestPx)));
+    out.undecided.push_back(
+        {say<"Jitter's range">(),
+         say<"it reaches %1 px: beyond half a pixel it blurs, unless a wide filter is meant, which frames do "
+             "not say">(shortNumber(facts.longestPx)),
+         say<"Compare with the range that is meant.">(),
+         {Fault::JitterOutside}});
 }
 
 bool isTooShort(const SequenceFacts& facts) {

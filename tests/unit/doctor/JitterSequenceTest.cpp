@@ -68,6 +68,20 @@ TEST(JitterSequence, IsFaultyByItsMeanRangeOrPeriodAlone) {
   EXPECT_EQ(sequenceTold(jittersOf(16, [](int f) { return quarter(f % 2 == 0 ? 0 : 3); })), "jitterShort");
 }
 
+// A wide filter may be meant: two of eight reach 0.53 px, the others stay within half a pixel.
+TEST(JitterSequence, ThatReachesALittleFartherIsNotDecided) {
+  Diagnosis out;
+  tellSequence(jittersOf(16,
+                         [](int f) {
+                           return glm::vec2(f % 8 == 0 ? 0.53f : f % 8 == 1 ? -0.53f : 0.0f, quarter(f).y);
+                         }),
+               out);
+  EXPECT_TRUE(out.isHealthy());
+  ASSERT_EQ(out.undecided.size(), 1u);
+  EXPECT_EQ(out.undecided[0].faults, std::vector<Fault>{Fault::JitterOutside});
+  EXPECT_NE(out.undecided[0].reason.find("0.53"), std::string::npos) << out.undecided[0].reason;
+}
+
 TEST(JitterSequence, HasItsMiddleBetweenItsExtremes) {
   const SequenceFacts facts = sequenceFacts(
       jittersOf(3, [](int f) { return glm::vec2(f == 0 ? -0.25f : 0.5f, 0.125f * static_cast<float>(f)); }));
