@@ -240,8 +240,9 @@ void tellAll(const Examination& examination, const Examiner& first, const Bright
 Examination examinationOf(const DoctorSource& source, int frames, int first) {
   const int count = std::max(0, source.frameCount - first);
   if (count < kLeastDoctorFrames)
-    throw Error(say<"there are %1 frames, and the doctor compares each with the one before it: capture at "
-                    "least 8, better 32">(count));
+    throw Error(
+        say<"there are too few frames (%1): the doctor compares each with the one before it; capture at "
+            "least 8, better 32">(count));
   Examination out;
   out.read = readerOf(source);
   out.first = first;

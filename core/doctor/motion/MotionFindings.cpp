@@ -377,7 +377,9 @@ void tellOthers(const std::vector<JudgedRegion>& judged, const std::vector<Motio
   }
   if (right > 0)
     out.healthy.push_back(
-        say<"Motion of %1 regions fits their own pixels, and other explanations do not.">(right));
+        right == 1
+            ? say<"Motion of one region fits its own pixels, and other explanations do not.">()
+            : say<"Motion of %1 regions fits their own pixels, and other explanations do not.">(right));
   if (small > 0)
     out.undecided.push_back(
         {small == 1 ? say<"Motion of a small region">() : say<"Motion of %1 small regions">(small),
