@@ -55,13 +55,20 @@ void tellMarks(const MotionEvidence& evidence, const std::vector<Region>& region
       Fault::ZeroTakenAsMissing,
       say<"It is said to have no previous position in every frame, and what was there before fits it.">(),
       say<"Take motion of 0 for motion: mark what has no previous position by another value.">());
+  bool rests = false;
   for (std::size_t i = 0; i < regions.size() && i < evidence.regions().size(); ++i) {
     const RegionEvidence& region = evidence.regions()[i];
+    rests = rests || (region.pixels >= kEnoughMarks && region.givenPx == 0.0);
     if (isUnwrittenMark(region))
       unwritten.regions.push_back(placeOf(regions[i], patient, allPixels));
     else if (isKeptAsMissing(region))
       missing.regions.push_back(placeOf(regions[i], patient, allPixels));
   }
+  if (missing.regions.empty() && !rests)
+    out.undecided.push_back({say<"Motion of 0">(),
+                             say<"nothing has it: whether it is taken for none does not show">(),
+                             say<"Capture some frames in which the camera rests.">(),
+                             {Fault::ZeroTakenAsMissing}});
   for (Finding* finding : {&unwritten, &missing})
     if (!finding->regions.empty()) {
       std::ranges::stable_sort(finding->regions, std::greater(), &RegionPlace::share);

@@ -1,7 +1,13 @@
 // Marks that are taken for motion, and motion that is taken for a mark: on evidence made by hand.
 #include "core/doctor/motion/MotionMarks.h"
 
+#include "core/doctor/Doctor.h"
+#include "tests/support/doctor/PaintedFrames.h"
+
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
 
 namespace taa::doctor {
 
@@ -31,6 +37,20 @@ TEST(MotionMarks, StandWhereWhatWasThereFits) {
   region.markedPairs = 3;
   region.marked = 899;
   EXPECT_FALSE(isKeptAsMissing(region));
+}
+
+// Whether 0 is taken for none shows where the camera rests, and nowhere else.
+TEST(MotionMarks, OfZeroAreLeftOpenWhereNothingRests) {
+  const auto saysOpen = [](const test::PaintedShot& shot) {
+    const Diagnosis diagnosis = examine(test::paintedExamination(shot, 12));
+    return std::ranges::any_of(diagnosis.undecided, [](const Undecided& open) {
+      return open.faults == std::vector<Fault>{Fault::ZeroTakenAsMissing};
+    });
+  };
+  EXPECT_TRUE(saysOpen({}));
+  test::PaintedShot resting;
+  resting.cameraPx = {0.0, 0.0};
+  EXPECT_FALSE(saysOpen(resting));
 }
 
 } // namespace taa::doctor
