@@ -93,10 +93,10 @@ enum class FaultReach : std::uint8_t {
 
 struct FaultInfo {
   Fault fault;
-  std::string_view id;    ///< in files and flags: "motionNegatedY"
-  std::string_view label; ///< in the window
   FaultPart part;
   FaultReach reach;
+  std::string_view id;          ///< in files and flags: "motionNegatedY"
+  std::string_view label;       ///< in the window
   std::string_view symptom;     ///< what one sees, in a sentence
   std::string_view assignments; ///< "path=value path=value": the settings that inject it
 };
