@@ -118,10 +118,28 @@ TEST_F(TuneBatchTest, PrintsTheFiguresOfTheWindow) {
   taa::TuneWay way;
   const auto keepLast = [&way](const taa::TuneWay& told) { way = told; };
   std::async(std::launch::async, [&] { taa::tuneShot(window, keepLast, {}); }).get();
-  const ProcessResult result = taa::test::runProcess(
-      {taa::test::binary("taa-batch").string(), "tune", window.shot.source, "--size", "48x28", "--frames",
-       "6..7", "--reference-samples", "4", "--goal", window.tuning.goal, "--vary", "weight.minimum", "--vary",
-       "rectify.method", "--seed", "5", "--budget", "24", "--json", "--out", preset().string()});
+  const ProcessResult result = taa::test::runProcess({taa::test::binary("taa-batch").string(),
+                                                      "tune",
+                                                      window.shot.source,
+                                                      "--size",
+                                                      "48x28",
+                                                      "--frames",
+                                                      "6..7",
+                                                      "--reference-samples",
+                                                      "4",
+                                                      "--goal",
+                                                      window.tuning.goal,
+                                                      "--vary",
+                                                      "weight.minimum",
+                                                      "--vary",
+                                                      "rectify.method",
+                                                      "--seed",
+                                                      "5",
+                                                      "--budget",
+                                                      "24",
+                                                      "--json",
+                                                      "--out",
+                                                      preset().string()});
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const ordered_json json = ordered_json::parse(result.out);
   EXPECT_EQ(json["startGoal"], way.result.startGoal);
