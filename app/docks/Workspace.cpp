@@ -4,6 +4,7 @@
 #include "app/panels/LeftArea.h"
 #include "app/style/Theme.h"
 
+#include <QEvent>
 #include <QGuiApplication>
 #include <QJsonArray>
 #include <QLayout>
@@ -225,8 +226,12 @@ void Workspace::setState(const QJsonObject& state) {
     makeRoomForViews();
   };
   restorePlaces();
-  // Again when a window that is about to get its size, or its texts theirs, has been laid out.
-  QTimer::singleShot(0, this, restorePlaces);
+  // Again when a window that is about to get its size, or its texts theirs, has been laid out: least sizes of
+  // before would hold panels wide.
+  QTimer::singleShot(0, this, [restorePlaces] {
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    restorePlaces();
+  });
   Q_EMIT layoutChanged();
 }
 

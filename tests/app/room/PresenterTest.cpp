@@ -67,8 +67,9 @@ TEST_F(PresenterTest, LeavesPicturesAloneInLargeTextAndEscapeGivesEverythingBack
   QJsonObject after = window.state();
   after.remove("docks");
   EXPECT_EQ(after, state);
-  EXPECT_EQ(window.findChild<QDockWidget*>("left")->width(), 311);
-  EXPECT_EQ(window.findChild<QDockWidget*>("probe")->width(), 369);
+  const auto widthOf = [&](const char* dock) { return window.findChild<QDockWidget*>(dock)->width(); };
+  EXPECT_TRUE(waitFor([&] { return widthOf("left") == 311 && widthOf("probe") == 369; }, 5000))
+      << widthOf("left") << ' ' << widthOf("probe");
 }
 
 TEST_F(PresenterTest, KeysOfAPresenterGoFromFrameToFrame) {
