@@ -105,12 +105,13 @@ void ShaderSource::append(const std::string& path, const std::string& includedFr
 
 std::string ShaderSource::readableLog(const std::string& log) const {
   // Mesa: "2:17(3): error …"; NVIDIA: "2(17) : error …".
-  static const std::regex kPlace(R"re(^(\d{1,9})(?::(\d{1,9})\(\d{1,9}\)|\((\d{1,9})\) ?):)re");
+  static const std::regex kPlace(R"re((\d{1,9})(?::(\d{1,9})\(\d{1,9}\)|\((\d{1,9})\) ?):)re");
   std::istringstream lines(log);
   std::string line, out;
   std::smatch match;
   while (std::getline(lines, line)) {
-    if (std::regex_search(line, match, kPlace)) {
+    // At its beginning alone: a place is sought at each letter otherwise.
+    if (std::regex_search(line, match, kPlace, std::regex_constants::match_continuous)) {
       const std::size_t number = std::stoul(match[2].matched ? match[2] : match[3]);
       const std::size_t file = number < kLinesOfFile ? std::stoul(match[1]) : number / kLinesOfFile;
       if (file < files_.size())
