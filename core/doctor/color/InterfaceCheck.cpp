@@ -32,9 +32,12 @@ constexpr double kWorldMovesPx = 0.5;
 /// jitter.
 constexpr double kShiftingShare = 0.3;
 constexpr double kRestsPx = 0.05;
-/// Or jitter as stated leaves so much less in so many squares, and in more than those in which none does.
+/// Or jitter as stated leaves so much less in so many squares, and not in far fewer than those in which none
+/// does; where it is the other way, and by so much, pictures have none.
 constexpr double kSeenShare = 0.8;
-constexpr std::size_t kEnoughSeen = 12, kSeenFactor = 4;
+constexpr std::size_t kEnoughSeen = 12, kSeenFactor = 2, kUnseenFactor = 4;
+/// Of what the motion given leaves as stated: so much remains without jitter.
+constexpr double kMovingWithoutJitter = 0.5;
 constexpr int kEnoughKnown = 12; ///< squares
 /// A group of so much of one region, which it covers so much of, is that object or the sky.
 constexpr double kOfOneRegion = 0.7, kMostOfRegion = 0.5;
@@ -104,33 +107,45 @@ bool isFixedBeforeWorld(const ScreenTile& tile) {
 bool areRestingShifting(const ScreenTiles& tiles) {
   std::size_t resting = 0, shifting = 0;
   for (const ScreenTile& tile : tiles.tiles) {
-    if (tile.pairs < kEnoughTilePairs || tile.meanWorldPx() > kRestsPx) continue;
+    if (tile.pairs < kEnoughTilePairs || tile.meanPx() > kRestsPx) continue;
     if (isFixed(tile)) ++resting;
     if (tile.changing >= kMostTilePairs * tile.pairs) ++shifting;
   }
   return static_cast<double>(shifting) >= kShiftingShare * static_cast<double>(resting);
 }
 
-/// Whether the jitter that is stated is in all that does not rest on the screen.
-bool isStatedSeen(const ScreenTiles& tiles) {
+enum class StatedJitter : std::uint8_t { Unknown, Seen, Missing };
+
+/// Whether the jitter that is stated is in what does not rest on the screen.
+StatedJitter statedJitter(const ScreenTiles& tiles) {
   std::size_t with = 0, without = 0;
   for (const ScreenTile& tile : tiles.tiles) {
     if (tile.pairs < kEnoughTilePairs || isFixed(tile)) continue;
     if (tile.sums.asGiven <= kSeenShare * tile.sums.unjittered) ++with;
     if (tile.sums.unjittered <= kSeenShare * tile.sums.asGiven) ++without;
   }
-  return with >= kEnoughSeen && with >= kSeenFactor * without;
+  if (with >= kEnoughSeen && kSeenFactor * with >= without) return StatedJitter::Seen;
+  return without >= kEnoughSeen && without >= kUnseenFactor * with ? StatedJitter::Missing
+                                                                   : StatedJitter::Unknown;
+}
+
+/// Where pictures have no jitter, what moves as given but for it seems to rest beside what is given.
+bool isFixedUnjittered(const ScreenTile& tile) {
+  return isFixedBeforeWorld(tile) && tile.sums.unjittered >= kMovingWithoutJitter * tile.sums.asGiven;
 }
 
 std::vector<TileKind> tileKinds(const ScreenTiles& tiles) {
   // One that rests while the world moves is an interface without jitter: then others are likely.
   const bool isKnown = std::ranges::count_if(tiles.tiles, isFixedBeforeWorld) >= kEnoughKnown;
-  const bool isShifting = isKnown || areRestingShifting(tiles) || isStatedSeen(tiles);
+  const StatedJitter stated = statedJitter(tiles);
+  const bool isMissing = stated == StatedJitter::Missing && !isKnown;
+  const bool isShifting =
+      isKnown || stated == StatedJitter::Seen || (!isMissing && areRestingShifting(tiles));
   const std::set<RegionIndex> right = rightRegions(tiles);
   std::vector<TileKind> out;
   for (int i = 0; i < static_cast<int>(tiles.tiles.size()); ++i) {
     const ScreenTile& tile = tiles.tiles[static_cast<std::size_t>(i)];
-    if (isShifting ? isFixed(tile) : isFixedBeforeWorld(tile))
+    if (isShifting ? isFixed(tile) : isMissing ? isFixedUnjittered(tile) : isFixedBeforeWorld(tile))
       out.push_back(TileKind::Fixed);
     else if (isJittered(tile, right.contains(regionOf(tiles, i))))
       out.push_back(TileKind::Jittered);

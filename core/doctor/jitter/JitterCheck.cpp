@@ -94,6 +94,10 @@ double measuredPx(const JitterEvidence& evidence) {
   return shiftResidual({JitterKind::NotApplied}, evidence);
 }
 
+bool isNone(const glm::vec2& jitterPx) {
+  return !(static_cast<double>(glm::length(jitterPx)) > kNoJitterPx);
+}
+
 bool isConstant(const JitterEvidence& evidence) {
   return std::ranges::all_of(evidence.stated, [&](const auto& frame) {
     return glm::distance(frame.second, evidence.stated.begin()->second) < 1e-4f;
@@ -200,6 +204,15 @@ Finding frozenJitter(const glm::vec2& statedPx, const Patient& patient) {
   return out;
 }
 
+/// The same where pictures do not say whether they shift: what is stated is wrong whatever they do.
+Finding frozenStatement(const glm::vec2& statedPx, const Patient& patient) {
+  Finding out = frozenJitter(statedPx, patient);
+  out.sureness = Sureness::Likely;
+  out.reason = say<"All frames state the same jitter, %1. Whether pictures shift nevertheless they have too "
+                   "little detail to tell.">(shortVector(passedJitter(patient, statedPx)));
+  return out;
+}
+
 /// What pictures hold by their shifts alone, but for a constant that no difference shows: from the first
 /// frame of each run of measured pairs on.
 JitterMender measuredJitter(const JitterEvidence& evidence) {
@@ -220,8 +233,7 @@ JitterMender tellUnstated(const JitterEvidence& evidence, bool isCameraKnown, co
                           Diagnosis& out) {
   const double shiftPx = measuredPx(evidence);
   const glm::vec2 stated = evidence.stated.begin()->second;
-  const double statedPx = glm::length(glm::dvec2(stated));
-  if (shiftPx < kShiftingPx && statedPx > kNoJitterPx) {
+  if (shiftPx < kShiftingPx && !isNone(stated)) {
     out.findings.push_back(frozenJitter(stated, patient));
     return {};
   }
@@ -279,11 +291,32 @@ void tellNoFit(double missPx, Diagnosis& out) {
                            say<"Capture 8 frames or more with camera and objects still.">(), jitterFaults()});
 }
 
+/// Pictures fit no better, and yet shifts that are measured are nearer to jitter of another length.
+void tellLength(const JitterFit& fit, const std::vector<JitterTrial>& trials, Diagnosis& out) {
+  constexpr double kAsGoodShare = 1.02, kNearerShare = 0.8;
+  for (std::size_t t = 0; t < trials.size(); ++t) {
+    if (trials[t].kind != JitterKind::Scaled || fit.trials[t].share() > kAsGoodShare ||
+        fit.missPx[t] > kNearerShare * fit.missPx.front())
+      continue;
+    out.undecided.push_back(
+        {say<"Jitter's length">(),
+         say<"measured shifts are %1 px from those that are stated, and %2 px from those of jitter like "
+             "this: %3; but pictures fit it no better">(
+             shortNumber(fit.missPx.front()), shortNumber(fit.missPx[t]), jitterTrialText(trials[t])),
+         say<"Capture a still scene with fine detail.">(),
+         {trials[t].factor.x < 1.0f ? Fault::JitterDoubled : Fault::JitterHalved}});
+    return;
+  }
+}
+
 } // namespace
 
 JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& patient, Diagnosis& out) {
   if (evidence.stated.empty()) return {};
   if (evidence.shifts.size() < kEnoughShifts) {
+    const glm::vec2 first = evidence.stated.begin()->second;
+    if (isConstant(evidence) && !isNone(first))
+      out.findings.push_back(frozenStatement(first, patient.patient));
     out.undecided.push_back({say<"Jitter">(),
                              say<"only %1 of %2 pairs of frames have detail enough to measure a shift">(
                                  evidence.shifts.size(), evidence.pairs),
@@ -296,6 +329,7 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
   const double missPx = fit.missPx.front();
   if (fit.isConfirmed() && missPx <= kMissingPx) {
     out.healthy.push_back(say<"Jitter is in the pictures as it is stated, to %1 px.">(shortNumber(missPx)));
+    tellLength(fit, trials, out);
     tellTrial(trials, 0, evidence, patient.sky, out);
     return {};
   }

@@ -1,7 +1,11 @@
 #include "core/doctor/jitter/JitterFit.h"
 
+#include "core/base/Median.h"
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace taa::doctor {
 
@@ -76,6 +80,16 @@ std::optional<bool> isSkyResting(const JitterEvidence& evidence, std::size_t tri
   const TrialFit fit = fitOf(evidence.sky, kNotAppliedTrial, trial);
   if (fit.pairs < kEnoughFits) return {};
   return fit.share() <= kRestingShare && isWon(fit);
+}
+
+std::optional<double> skyFactor(const JitterEvidence& evidence) {
+  constexpr double kSame = 0.12;
+  if (static_cast<int>(evidence.skyShares.size()) < kEnoughFits) return {};
+  const double factor = median(evidence.skyShares);
+  std::vector<double> apart;
+  for (const double share : evidence.skyShares) apart.push_back(std::abs(share - factor));
+  if (median(std::move(apart)) > kSame) return {};
+  return factor;
 }
 
 } // namespace taa::doctor

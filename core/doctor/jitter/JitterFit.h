@@ -43,4 +43,8 @@ JitterFit jitterFit(const JitterEvidence& evidence, const std::vector<JitterTria
 /// Whether the sky rests while the world shifts as a trial has it; nothing where it does not say.
 std::optional<bool> isSkyResting(const JitterEvidence& evidence, std::size_t trial);
 
+/// What the sky shifts by, of what is stated: 1 as all else, 0 not at all. Nothing where too few shifts are
+/// measured, or they are no share of it.
+std::optional<double> skyFactor(const JitterEvidence& evidence);
+
 } // namespace taa::doctor

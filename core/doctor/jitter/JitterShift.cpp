@@ -134,7 +134,6 @@ double lumaLeft(const std::vector<SearchedPixel>& samples, const Image& previous
 
 std::optional<glm::vec2> measureShift(const std::vector<SearchedPixel>& samples,
                                       const FrameNeighbors& frames) {
-  if (!areEnough(samples)) return {};
   const auto rough = searchMotion(samples, frames.before.luma, glm::vec2(0.0f), kShiftReachPx);
   if (!rough) return {};
   // What repeats fits at many places: then the one that is stated is as good as any other. None is no start:
@@ -149,6 +148,40 @@ std::optional<glm::vec2> measureShift(const std::vector<SearchedPixel>& samples,
     least = left;
   }
   return best;
+}
+
+std::optional<double> measureShare(const std::vector<SearchedPixel>& samples, const FrameNeighbors& frames) {
+  constexpr float kLeastStepPx = 0.1f, kHalfSlope = 0.25f;
+  constexpr double kFarthestShare = 3.0, kClearlyLess = 0.6;
+  const glm::vec2 step = frames.jitterStep();
+  if (!(glm::length(step) >= kLeastStepPx)) return {};
+  const Image& luma = frames.before.luma;
+  const auto left = [&](double share) {
+    return medianDifference(samples, luma, static_cast<float>(share) * step);
+  };
+  double share = left(0.0) < left(1.0) ? 0.0 : 1.0;
+  for (int i = 0; i < kShiftSteps; ++i) {
+    const double scale = std::max(1e-6, kTukey * left(share));
+    double slopes = 0.0, products = 0.0;
+    for (const SearchedPixel& sample : samples) {
+      const auto at = [&](float more) {
+        const glm::vec2 place = sample.place + (static_cast<float>(share) + more) * step;
+        return static_cast<double>(capture::betweenPixels(luma, place));
+      };
+      const double difference = static_cast<double>(sample.luma) - at(0.0f);
+      const double outlying = difference / scale;
+      if (std::abs(outlying) >= 1.0) continue;
+      const double weight = (1.0 - outlying * outlying) * (1.0 - outlying * outlying);
+      const double slope = (at(kHalfSlope) - at(-kHalfSlope)) / (2.0 * static_cast<double>(kHalfSlope));
+      slopes += weight * slope * slope;
+      products += weight * slope * difference;
+    }
+    if (!(slopes > 0.0)) return {};
+    share += products / slopes;
+    if (!(std::abs(share) <= kFarthestShare)) return {};
+  }
+  if (!(left(share) <= kClearlyLess * std::max(left(0.0), left(1.0)))) return {};
+  return share;
 }
 
 } // namespace taa::doctor

@@ -36,4 +36,9 @@ double lumaLeft(const std::vector<SearchedPixel>& samples, const Image& previous
 std::optional<glm::vec2> measureShift(const std::vector<SearchedPixel>& samples,
                                       const FrameNeighbors& frames);
 
+/// The share of the jitter that is stated by which the samples are shifted, besides motion: 1 as stated, 0
+/// not at all. A gradient is enough, but for one across the jitter. Nothing where other shares leave hardly
+/// more.
+std::optional<double> measureShare(const std::vector<SearchedPixel>& samples, const FrameNeighbors& frames);
+
 } // namespace taa::doctor

@@ -1,6 +1,7 @@
 #include "core/doctor/jitter/JitterSky.h"
 
 #include "core/base/Say.h"
+#include "core/doctor/NumberText.h"
 #include "core/doctor/jitter/JitterFit.h"
 
 #include <cmath>
@@ -28,12 +29,32 @@ Finding restingSky(const TrialFit& fit, const RegionPlace& place) {
   return out;
 }
 
+Finding otherSky(const TrialFit& fit, double factor, const RegionPlace& place) {
+  Finding out = restingSky(fit, place);
+  out.name = say<"Sky with another jitter">();
+  out.reason =
+      say<"Measured in the middle of all pairs of frames, the sky shifts by %1 times the jitter that "
+          "is stated; all else shifts with the jitter.">(shortNumber(factor));
+  out.measure = say<"shift of the sky, of the jitter that is stated">();
+  out.residuals = {{"measured", say<"measured">(), factor, false, true},
+                   {"asStated", say<"as in all else">(), 1.0, true, false}};
+  return out;
+}
+
+/// Whether the sky shifts by another share of the jitter than the world, which shifts as is stated. A small
+/// share is none: what rests is told by what it leaves.
+bool isOtherShare(std::optional<double> factor) {
+  constexpr double kLeastShare = 0.25, kLeastOff = 0.3;
+  return factor && *factor >= kLeastShare && std::abs(*factor - 1.0) >= kLeastOff;
+}
+
 } // namespace
 
 void tellSky(const JitterEvidence& evidence, std::size_t trial, const RegionPlace& place, Diagnosis& out) {
   // The world itself shifts as if there were none: then the sky is as all else.
   if (trial == kNotAppliedTrial || evidence.skyShare < kLeastSky * evidence.pairs) return;
   const std::optional<bool> isResting = isSkyResting(evidence, trial);
+  const std::optional<double> factor = trial == 0 ? skyFactor(evidence) : std::nullopt;
   if (!isResting)
     out.undecided.push_back({say<"Jitter of the sky">(),
                              say<"it has too little detail to measure a shift">(),
@@ -41,6 +62,8 @@ void tellSky(const JitterEvidence& evidence, std::size_t trial, const RegionPlac
                              {Fault::SkyNotJittered}});
   else if (*isResting)
     out.findings.push_back(restingSky(fitOf(evidence.sky, kNotAppliedTrial, trial), place));
+  else if (isOtherShare(factor))
+    out.findings.push_back(otherSky(fitOf(evidence.sky, kNotAppliedTrial, trial), *factor, place));
 }
 
 } // namespace taa::doctor

@@ -54,6 +54,20 @@ TrialLuma trialLuma(const std::vector<SearchedPixel>& samples, const FrameNeighb
   return out;
 }
 
+/// Whether the sky fits clearly better without the jitter that is stated, and what little else there is with
+/// it.
+bool isSkyApart(const ShiftSamples& samples, const FrameNeighbors& frames) {
+  constexpr std::size_t kLeastBesideSky = 40;
+  constexpr double kClearly = 1.0 / 3.0;
+  if (samples.world.size() < kLeastBesideSky) return false;
+  const glm::vec2 step = frames.jitterStep();
+  const auto left = [&](const std::vector<SearchedPixel>& of, const glm::vec2& shiftPx) {
+    return lumaLeft(of, frames.before.luma, shiftPx);
+  };
+  return left(samples.sky, glm::vec2(0.0f)) < kClearly * left(samples.sky, step) &&
+         left(samples.world, step) < left(samples.world, glm::vec2(0.0f));
+}
+
 } // namespace
 
 void JitterEvidence::add(const FrameNeighbors& frames) {
@@ -63,11 +77,14 @@ void JitterEvidence::add(const FrameNeighbors& frames) {
   skyShare += samples.skyShare;
   std::map<int, glm::vec2> around = stated;
   if (frames.after) around[now.frame + 1] = frames.after->jitterPx;
-  if (areEnough(samples.sky)) sky.push_back(trialLuma(samples.sky, frames, around));
-  // A picture of little else is measured by its sky.
-  if (!areEnough(samples.world))
-    samples.world.insert(samples.world.end(), samples.sky.begin(), samples.sky.end());
-  if (!areEnough(samples.world)) return;
+  if (areEnough(samples.sky)) {
+    sky.push_back(trialLuma(samples.sky, frames, around));
+    if (const auto share = measureShare(samples.sky, frames)) skyShares.push_back(*share);
+  }
+  // A picture of little else is measured by its sky, but for one that rests while the rest shifts.
+  const bool isMixed = !areEnough(samples.world) && !(areEnough(samples.sky) && isSkyApart(samples, frames));
+  if (isMixed) samples.world.insert(samples.world.end(), samples.sky.begin(), samples.sky.end());
+  if (isMixed && !areEnough(samples.world)) return;
   world.push_back(trialLuma(samples.world, frames, around));
   if (const auto shift = measureShift(samples.world, frames)) shifts.push_back({now.frame, *shift});
 }

@@ -45,6 +45,7 @@ struct JitterEvidence {
   };
   std::map<int, glm::vec2> stated;   ///< px, displacement of content, by frame
   std::vector<Shift> shifts;         ///< measureShift()
+  std::vector<double> skyShares;     ///< measureShare() of the sky
   int pairs = 0;                     ///< that were tried to measure
   std::vector<TrialLuma> world, sky; ///< of pairs that have detail enough there
   double skyShare = 0.0;             ///< of the pictures, summed over pairs

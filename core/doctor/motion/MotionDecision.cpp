@@ -12,10 +12,13 @@ constexpr std::size_t kEnoughOfRegion = 150, kEnoughCells = 5, kEnoughPairs = 3;
 constexpr double kNearlyAllPixels = 0.98;
 constexpr double kDetailedShare = 0.02; ///< of a region's pixels: less is no texture
 constexpr double kMovesPx = 0.25;       ///< in the mean
+constexpr double kRestInWorldPx = 0.01; ///< likewise
 /// Of luma, in the mean: less may be rounding and shading.
 constexpr double kLeastLumaGain = 0.004;
 /// A trial fits as well as the best one where it gains this share of it.
 constexpr double kSameGain = 0.95;
+/// Motion given is in doubt where an explanation leaves so many times less, in so many squares.
+constexpr double kDoubtFactor = 1.1, kDoubtSquares = 0.6;
 /// Motion given is right where another explanation leaves so much more.
 constexpr double kRightFactor = 1.2;
 
@@ -84,6 +87,14 @@ bool isBetterThanAnother(const RegionEvidence& evidence) {
   });
 }
 
+/// Whether some explanation leads elsewhere, and leaves less.
+bool isWorseThanAnother(const RegionEvidence& evidence) {
+  return std::ranges::any_of(evidence.trials, [](const TrialEvidence& trial) {
+    return trial.pixels >= kEnoughOfRegion && trial.given >= kDoubtFactor * trial.tried &&
+           shareIn(trial.cellsWon, trial.cells) >= kDoubtSquares;
+  });
+}
+
 } // namespace
 
 bool isUnwritten(const RegionEvidence& evidence) {
@@ -96,6 +107,19 @@ bool isConfirmed(const RegionEvidence& evidence) {
          evidence.cameraPx >= kMovesPx * pixels;
 }
 
+bool isAtRestInWorld(const RegionEvidence& evidence) {
+  return shareIn(evidence.cameraKnown, evidence.pixels) >= kNearlyAllPixels &&
+         evidence.cameraPx <= kRestInWorldPx * static_cast<double>(evidence.pixels);
+}
+
+std::optional<Fault> wrongCamera(const RegionEvidence& evidence) {
+  constexpr double kEven = 0.35, kLessEven = 2.0;
+  const double turned = evidence.offCamera.spread(), beside = evidence.offCameraByDistance.spread();
+  if (turned <= kEven && beside >= kLessEven * turned) return Fault::CameraTurned;
+  if (beside <= kEven && turned >= kLessEven * beside) return Fault::CameraOfSecondView;
+  return {};
+}
+
 MotionDecision decideMotion(const RegionEvidence& evidence, const std::vector<MotionTrial>& trials) {
   if (evidence.pixels < kEnoughOfRegion || evidence.pairs < kEnoughPairs)
     return {MotionVerdict::TooSmall, {}};
@@ -104,6 +128,7 @@ MotionDecision decideMotion(const RegionEvidence& evidence, const std::vector<Mo
   if (isFoundElsewhere(evidence)) return {MotionVerdict::Wrong, {}};
   if (evidence.textured < kEnoughOfRegion || shareIn(evidence.textured, evidence.pixels) < kDetailedShare)
     return {MotionVerdict::NoTexture, {}};
+  if (!isConfirmed(evidence) && isWorseThanAnother(evidence)) return {MotionVerdict::Doubtful, {}};
   if (isBetterThanAnother(evidence)) return {MotionVerdict::Right, {}};
   const bool differs = std::ranges::any_of(
       evidence.trials, [](const TrialEvidence& trial) { return trial.pixels >= kEnoughOfRegion; });

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/doctor/motion/MotionEvidence.h"
+#include "core/settings/Faults.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace taa::doctor {
@@ -16,6 +18,7 @@ enum class MotionVerdict : std::uint8_t {
   Still,        ///< no explanation leads elsewhere
   NoTexture,    ///< no detail
   Contradicted, ///< neither motion given nor an explanation fits
+  Doubtful,     ///< an explanation fits better, but not clearly
 };
 
 struct MotionDecision {
@@ -34,5 +37,10 @@ MotionDecision decideMotion(const RegionEvidence& evidence, const std::vector<Mo
 bool isUnwritten(const RegionEvidence& evidence);
 /// Whether it is that of the camera, which is known and moves.
 bool isConfirmed(const RegionEvidence& evidence);
+/// Whether depth and cameras say that it rests on the screen if it rests in the world.
+bool isAtRestInWorld(const RegionEvidence& evidence);
+/// Which camera made motion that is not that of the frame's: one that is turned, by which everything moves by
+/// the same besides, or one beside it, by what is in inverse ratio to the distance. Nothing: neither.
+std::optional<Fault> wrongCamera(const RegionEvidence& evidence);
 
 } // namespace taa::doctor

@@ -355,13 +355,14 @@ void tellUnwrittenSky(std::vector<JudgedRegion>& judged, const Patient& patient,
 }
 
 /// Sentences of what is right and of what is not known.
-void tellOthers(const std::vector<JudgedRegion>& judged, const std::vector<MotionTrial>& trials,
-                const Patient& patient, double allPixels, Diagnosis& out) {
+void tellOthers(const Judged& all, const std::vector<MotionTrial>& trials, const Patient& patient,
+                double allPixels, Diagnosis& out) {
   // A hundred small things are not worth a hundred sentences.
   constexpr double kWorthNaming = 0.002;
-  std::size_t small = 0, right = 0;
+  std::size_t small = all.unseen, right = 0;
   std::vector<Fault> ofSmall;
-  for (const JudgedRegion& region : judged) {
+  if (all.unseen > 0) ofSmall = openFaultsOfUnseen();
+  for (const JudgedRegion& region : all.regions) {
     const MotionVerdict verdict = region.decision.verdict;
     const RegionPlace place = placeOf(*region.region, patient, allPixels);
     if (verdict == MotionVerdict::Wrong) continue;
@@ -428,7 +429,7 @@ std::optional<MotionTrial> tellMotion(const MotionEvidence& evidence, const std:
   tellJumps(evidence, regions, patient, allPixels, out);
   if (judged.contradicted)
     out.undecided.push_back(contradictedMatrices(evidence.trials()[*judged.contradicted]));
-  tellOthers(judged.regions, evidence.trials(), patient, allPixels, out);
+  tellOthers(judged, evidence.trials(), patient, allPixels, out);
   return most;
 }
 

@@ -166,6 +166,19 @@ bool isLate(const std::vector<JudgedRegion>& judged) {
   return isLateAtRims(rims);
 }
 
+/// Where the camera rests, what rests in the world rests on the screen, and anything that shrinks fits it:
+/// such a region is told by which camera made its motion, where that shows, and is no interface.
+void preferWorld(JudgedRegion& region, const std::vector<MotionTrial>& trials) {
+  std::vector<std::size_t>& fitting = region.decision.explanations;
+  const auto ofCamera =
+      std::ranges::find(fitting, MotionKind::OfCamera, [&](std::size_t t) { return trials[t].kind; });
+  if (ofCamera == fitting.end() || !isAtRestInWorld(*region.evidence)) return;
+  if (wrongCamera(*region.evidence))
+    fitting = {*ofCamera};
+  else
+    std::erase_if(fitting, [&](std::size_t t) { return trials[t].kind == MotionKind::Resting; });
+}
+
 /// The explanation that fits the most pixels of regions that are still open; of those that fit as many, the
 /// first that gains nearly as much as any.
 std::size_t broadestTrial(const std::vector<JudgedRegion*>& open, std::size_t trialCount) {
@@ -187,14 +200,17 @@ std::size_t broadestTrial(const std::vector<JudgedRegion*>& open, std::size_t tr
 
 /// Tells the most with the fewest: the explanation that fits the most pixels is that of all regions that it
 /// fits, then the next one.
-void explainByFewest(std::vector<JudgedRegion>& judged, std::size_t trialCount) {
+void explainByFewest(std::vector<JudgedRegion>& judged, const std::vector<MotionTrial>& trials) {
   std::vector<JudgedRegion*> open;
-  for (JudgedRegion& region : judged)
-    if (region.decision.verdict == MotionVerdict::Wrong && !region.decision.explanations.empty() &&
-        !region.trial)
-      open.push_back(&region);
+  for (JudgedRegion& region : judged) {
+    if (region.decision.verdict != MotionVerdict::Wrong || region.decision.explanations.empty() ||
+        region.trial)
+      continue;
+    preferWorld(region, trials);
+    open.push_back(&region);
+  }
   while (!open.empty()) {
-    const std::size_t best = broadestTrial(open, trialCount);
+    const std::size_t best = broadestTrial(open, trials.size());
     std::erase_if(open, [&](JudgedRegion* region) {
       if (std::ranges::count(region->decision.explanations, best) == 0) return false;
       region->trial = best;
@@ -223,9 +239,10 @@ std::vector<std::size_t> rivalsOf(const JudgedRegion& region) {
 Judged judgeMotion(const MotionEvidence& evidence, const std::vector<Region>& regions) {
   Judged out;
   out.regions = judgedRegions(evidence, regions);
+  out.unseen = static_cast<std::size_t>(std::ranges::count(evidence.regions(), 0u, &RegionEvidence::seen));
   judgeByWitness(out, evidence);
   out.isLate = isLate(out.regions);
-  explainByFewest(out.regions, evidence.trials().size());
+  explainByFewest(out.regions, evidence.trials());
   return out;
 }
 

@@ -31,7 +31,8 @@ struct Judged {
   std::vector<JudgedRegion> regions; ///< that were measured, and whose motion is one
   /// An explanation that depth and matrices make, and pixels contradict: these may be wrong instead.
   std::optional<std::size_t> contradicted;
-  bool isLate = false; ///< isLateAtRims() of all that rests
+  std::size_t unseen = 0; ///< regions that have no pixel well inside them
+  bool isLate = false;    ///< isLateAtRims() of all that rests
 };
 
 /// `regions`: those of the evidence, which live as long as what is returned.

@@ -37,6 +37,14 @@ bool isSeenElsewhere(Fault fault) {
          fault == Fault::MotionShifted || fault == Fault::MotionCoarse;
 }
 
+std::vector<Fault> faultsOfRegion(bool isSky) {
+  std::vector<Fault> out;
+  for (const FaultInfo& info : faultTable())
+    if (info.part == FaultPart::Motion && isOfRegion(info.fault, isSky) && !isSeenElsewhere(info.fault))
+      out.push_back(info.fault);
+  return out;
+}
+
 /// Faults that an explanation is.
 void closeFault(const JudgedRegion& region, const MotionTrial& trial, std::vector<Fault>& open) {
   const std::string id = motionFault(&trial, *region.region, *region.evidence).id;
@@ -55,16 +63,17 @@ std::vector<Fault> openFaults(const JudgedRegion& region, const std::vector<Moti
   if (isConfirmed(*region.evidence))
     return isSky ? std::vector<Fault>{Fault::InterfaceBefore}
                  : std::vector<Fault>{Fault::InterfaceBefore, Fault::MotionCameraOnly, Fault::SkinningOfNow};
-  std::vector<Fault> open;
-  for (const FaultInfo& info : faultTable())
-    if (info.part == FaultPart::Motion && isOfRegion(info.fault, isSky) && !isSeenElsewhere(info.fault))
-      open.push_back(info.fault);
+  std::vector<Fault> open = faultsOfRegion(isSky);
   for (std::size_t t = 1; t < trials.size(); ++t) {
     const TrialEvidence& evidence = region.evidence->trials[t];
     if (evidence.pixels >= kEnoughToRefute && evidence.tried >= kRefutingFactor * evidence.given)
       closeFault(region, trials[t], open);
   }
   return open;
+}
+
+std::vector<Fault> openFaultsOfUnseen() {
+  return faultsOfRegion(false);
 }
 
 void addFaults(const std::vector<Fault>& more, std::vector<Fault>& faults) {

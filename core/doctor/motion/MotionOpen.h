@@ -12,6 +12,9 @@ namespace taa::doctor {
 /// `trials`: those of the evidence.
 std::vector<Fault> openFaults(const JudgedRegion& region, const std::vector<MotionTrial>& trials);
 
+/// The same of objects so thin that none of their pixels is looked at.
+std::vector<Fault> openFaultsOfUnseen();
+
 /// Adds those of `more` that are not there.
 void addFaults(const std::vector<Fault>& more, std::vector<Fault>& faults);
 

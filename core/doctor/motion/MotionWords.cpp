@@ -51,25 +51,19 @@ MotionFault unitFault(const MotionTrial& trial) {
   return ofTable(trial.isDevice ? Fault::MotionInNdc : Fault::MotionInUv, change);
 }
 
-/// Which camera makes motion that is not the camera's: of one that is turned everything moves by the same
-/// besides, of one beside it by what is in inverse ratio to the distance.
-std::optional<MotionFault> wrongCamera(const RegionEvidence& evidence) {
-  constexpr double kEven = 0.35, kLessEven = 2.0;
-  const double turned = evidence.offCamera.spread(), beside = evidence.offCameraByDistance.spread();
-  if (turned <= kEven && beside >= kLessEven * turned)
-    return ofTable(Fault::CameraTurned,
+/// Motion that is not the camera's, and by what other camera it is made.
+MotionFault wrongCameraFault(Fault fault) {
+  if (fault == Fault::CameraTurned)
+    return ofTable(fault,
                    say<"It rests in the world, and its motion is the camera's and the same amount more: make "
                        "it with the view of the frame before, unchanged.">());
-  if (beside <= kEven && turned >= kLessEven * beside)
-    return ofTable(Fault::CameraOfSecondView,
-                   say<"It rests in the world, and its motion is that of a camera beside this one: make it "
-                       "with the matrices of the frame before of the same view.">());
-  return {};
+  return ofTable(fault, say<"It rests in the world, and its motion is that of a camera beside this one: make "
+                            "it with the matrices of the frame before of the same view.">());
 }
 
 MotionFault cameraFault(const Region& region, const RegionEvidence& evidence) {
   if (isUnwritten(evidence)) return unwrittenFault(region);
-  if (const auto fault = wrongCamera(evidence)) return *fault;
+  if (const auto fault = wrongCamera(evidence)) return wrongCameraFault(*fault);
   return {"motionNotCameras", say<"Motion of what rests is not the camera's">(),
           say<"A double image of what rests.">(),
           say<"It rests in the world, and its motion is not that of the camera: make it with the matrices of "
@@ -264,6 +258,10 @@ Undecided undecidedMotion(MotionVerdict verdict, const RegionPlace& place, const
   case MotionVerdict::NoTexture:
     out.reason = say<"it has too little detail to tell one place from another">();
     out.capture = say<"Put a texture with fine detail on it.">();
+    break;
+  case MotionVerdict::Doubtful:
+    out.reason = say<"another explanation fits a little better than the motion given, and none clearly">();
+    out.capture = say<"Let it move by some pixels a frame, before the camera and in even light.">();
     break;
   case MotionVerdict::Contradicted:
     out.reason = say<"neither the motion given nor another explanation fits: its light, its material or what "

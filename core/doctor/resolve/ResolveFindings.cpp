@@ -191,12 +191,31 @@ double leastOfOthers(const ResolveEvidence& evidence) {
   return least;
 }
 
-/// Whether α is stuck at 0 or 1, and the finding of it.
-bool tellStuckAlpha(const ResolveEvidence& evidence, Diagnosis& out) {
+/// The output is that of α 0 or 1 to the last bits, and hardly anything else would be another one.
+bool isStuckExactly(double error, double others) {
+  constexpr double kExactlyLess = 1e-5;
+  return error <= kExactShare * others && others - error >= kExactlyLess;
+}
+
+/// What fits best is α 0 or 1, and other weights fit hardly worse.
+void tellOpenAlpha(const ResolveFit& sound, double others, Diagnosis& out) {
+  out.undecided.push_back(
+      {say<"The weight of the current frame">(),
+       say<"the output fits α %1 best, to %2 thousandths, and another one hardly worse, to %3">(
+           alphaText(sound.alpha), shortNumber(kPer1000 * sound.error), shortNumber(kPer1000 * others)),
+       say<"Capture a scene in which history is kept: still, with fine detail.">(),
+       {sound.alpha == kAllNew ? Fault::AlphaOne : Fault::AlphaZero}});
+}
+
+/// Whether α is stuck at 0 or 1, and the finding of it. `mistake`: what leaves least of what is no weight.
+bool tellStuckAlpha(const ResolveEvidence& evidence, const std::optional<ResolveFit>& mistake,
+                    Diagnosis& out) {
   const double others = leastOfOthers(evidence);
   for (const std::size_t alpha : {kAllNew, kNothingNew}) {
     const auto fit = evidence.bestWith(ResolveKind::Sound, PixelSet::Anywhere, alpha);
-    if (!fit || fit->error > kAlike || !isMuchBetter(fit->error, others)) continue;
+    if (!fit || fit->error > kAlike) continue;
+    if (!isMuchBetter(fit->error, others) && !isStuckExactly(fit->error, others)) continue;
+    if (mistake && isMuchBetter(mistake->error, fit->error)) continue;
     if (alpha == kAllNew && !evidence.isJittered()) {
       out.notes.push_back(
           say<"The output is the frame itself: nothing accumulates, and nothing is jittered.">());
@@ -351,7 +370,7 @@ void tellResolve(const ResolveEvidence& evidence, bool areInputsRight, Diagnosis
   const double least = mistake ? mistake->error : sound->error;
   if (!areInputsRight && least > kExact)
     return leaveUndecided(say<"the frames that it is made of are wrong">(), say<"Mend these first.">(), out);
-  if (tellStuckAlpha(evidence, out)) return;
+  if (tellStuckAlpha(evidence, mistake, out)) return;
   const bool isMistaken = mistake && pairsWon(evidence, *mistake, *sound) >= kPairsWon;
   if (isMistaken)
     tellMistake(evidence, *mistake, out);
@@ -360,7 +379,12 @@ void tellResolve(const ResolveEvidence& evidence, bool areInputsRight, Diagnosis
   tellCuts(evidence, *sound, out);
   // Nothing is as it should be beside a finding of the resolve.
   const bool isFound = out.findings.size() > before;
-  if (!isMistaken && (sound->error > kAlike || !isFound)) tellNearest(*sound, out);
+  if (isMistaken || (isFound && sound->error <= kAlike)) return;
+  const bool isStuck = sound->alpha == kNothingNew || (sound->alpha == kAllNew && evidence.isJittered());
+  if (isStuck && sound->error <= kAlike)
+    tellOpenAlpha(*sound, leastOfOthers(evidence), out);
+  else
+    tellNearest(*sound, out);
 }
 
 } // namespace taa::doctor

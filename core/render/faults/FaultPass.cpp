@@ -150,7 +150,7 @@ void FaultPass::begin(const FaultSettings& faults, const FrameInputs& inputs, co
 }
 
 void FaultPass::draw(const gl::Program& with, const gl::Framebuffer& target, const FrameInputs& regions,
-                     const gl::Texture& plane, const gl::Texture& other) {
+                     const gl::Texture& plane, const gl::Texture& other, const gl::Texture& otherDepth) {
   gl::RenderPass pass(target, {.depthWrite = true, .scissor = {}}, "FaultPass"); // where there is depth
   pass.program(with);
   pass.uniformBlock(kFrameBinding, frame_);
@@ -160,13 +160,14 @@ void FaultPass::draw(const gl::Program& with, const gl::Framebuffer& target, con
   pass.texture(2, regions.normal, nearest_);
   pass.texture(3, regions.objectId, nearest_);
   pass.texture(4, other, nearest_);
+  pass.texture(5, otherDepth, nearest_);
   pass.drawFullscreen();
 }
 
 void FaultPass::follow(const gl::Texture& older, FrameInputs& out) {
   fitTexture(motion_, texturePx(out.motion), out.motion.format(), "motion");
   draw(program("follow_motion.frag"), gl::Framebuffer({{&motion_}}, nullptr, "older transforms"), out,
-       out.motion, older);
+       out.motion, older, out.depth);
   std::swap(out.motion, motion_);
 }
 
@@ -174,14 +175,14 @@ void FaultPass::drawMotion(const gl::Texture& from, FrameInputs& out) {
   fitTexture(motion_, texturePx(out.motion), out.motion.format(), "motion");
   const bool isWrong = faults_.previousCamera != CameraFault::None;
   draw(program("faulty_motion.frag", faultFlag("kWrongCamera", isWrong)),
-       gl::Framebuffer({{&motion_}}, nullptr, "faulty motion"), out, out.motion, from);
+       gl::Framebuffer({{&motion_}}, nullptr, "faulty motion"), out, out.motion, from, out.depth);
   std::swap(out.motion, motion_);
 }
 
-void FaultPass::drawColor(const gl::Texture& sky, FrameInputs& out) {
+void FaultPass::drawColor(const FrameInputs& sky, FrameInputs& out) {
   fitTexture(color_, texturePx(out.color), out.color.format(), "color");
   draw(program("faulty_color.frag", faultFlag("kSkyAlone", faults_.skyJitter != 1.0f)),
-       gl::Framebuffer({{&color_}}, nullptr, "faulty color"), out, out.color, sky);
+       gl::Framebuffer({{&color_}}, nullptr, "faulty color"), out, out.color, sky.color, sky.depth);
   std::swap(out.color, color_);
 }
 
@@ -189,7 +190,7 @@ void FaultPass::drawDepth(FrameInputs& out) {
   fitTexture(depth_, texturePx(out.depth), out.depth.format(), "depth");
   fitTexture(previousDepth_, texturePx(out.previousDepth), out.previousDepth.format(), "previous depth");
   const gl::Framebuffer target({{&previousDepth_}}, &depth_, "faulty depth");
-  draw(program("faulty_depth.frag"), target, out, out.previousDepth, out.previousDepth);
+  draw(program("faulty_depth.frag"), target, out, out.previousDepth, out.previousDepth, out.depth);
   std::swap(out.depth, depth_);
   std::swap(out.previousDepth, previousDepth_);
 }

@@ -38,8 +38,8 @@ class FaultPass {
   void follow(const gl::Texture& older, FrameInputs& out);
   /// Motion, made of `from` in place of the frame's own.
   void drawMotion(const gl::Texture& from, FrameInputs& out);
-  /// Color, with the sky of another picture.
-  void drawColor(const gl::Texture& sky, FrameInputs& out);
+  /// Color, with the sky of another picture of the frame; of `out` itself: with its own.
+  void drawColor(const FrameInputs& sky, FrameInputs& out);
   void drawDepth(FrameInputs& out);
   /// One with the programs of this one, compiled again.
   FaultPass reloaded() const;
@@ -49,7 +49,7 @@ class FaultPass {
   using Variant = std::pair<std::string, std::string>;
   const gl::Program& program(const std::string& file, const std::string& prelude = "");
   void draw(const gl::Program& with, const gl::Framebuffer& target, const FrameInputs& regions,
-            const gl::Texture& plane, const gl::Texture& other);
+            const gl::Texture& plane, const gl::Texture& other, const gl::Texture& otherDepth);
 
   std::map<Variant, gl::Program> programs_; ///< made when they are first asked for
   FaultSettings faults_;

@@ -85,7 +85,7 @@ void FaultySource::drawFaulty(const FrameRequest& request, int frame, FrameInput
   if (changesColor(faults)) {
     const bool isSkyApart = faults.skyJitter != 1.0f && isDrawn();
     if (isSkyApart) source_->draw(plain(request, frame, faults.skyJitter), frame, other_);
-    pass_->drawColor(isSkyApart ? other_.color : out.color, out);
+    pass_->drawColor(isSkyApart ? other_ : out, out);
   }
   if (faults.depthJitter != 1.0f && isDrawn()) {
     source_->draw(plain(request, frame, faults.depthJitter), frame, other_);

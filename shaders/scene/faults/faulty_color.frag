@@ -4,7 +4,8 @@
 #include "scene/faults/region.glsl"
 
 layout(binding = 0) uniform sampler2D u_color;
-layout(binding = 4) uniform sampler2D u_sky; // the whole picture again, drawn for its sky
+layout(binding = 4) uniform sampler2D u_sky; // the whole picture again, drawn for its sky …
+layout(binding = 5) uniform sampler2D u_skyDepth; // … which is where nothing is in it either
 
 layout(location = 0) out vec4 o_color;
 
@@ -34,7 +35,8 @@ vec3 underInterface(vec3 color, vec2 at) {
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   vec4 color = texelFetch(u_color, texel, 0);
-  if (kSkyAlone && texelFetch(u_depth, texel, 0).r == 0.0) color = texelFetch(u_sky, texel, 0);
+  bool isSky = texelFetch(u_depth, texel, 0).r == 0.0 && texelFetch(u_skyDepth, texel, 0).r == 0.0;
+  if (kSkyAlone && isSky) color = texelFetch(u_sky, texel, 0);
   if (fault.colorTerms.x != 1.0 && isInRegion(texel)) color = storedColor(color.rgb * fault.colorTerms.x);
   if (fault.colorTerms.y > 0.0) {
     bool isJittered = fault.colorTerms.y > 1.5; // InterfaceFault
