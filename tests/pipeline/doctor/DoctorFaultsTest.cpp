@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,15 @@ TEST_F(DoctorFaults, AreNamedFirst) {
       {"disocclusion",
        "",
        {Fault::MotionHalved, Fault::MotionInUv, Fault::MotionCameraOnly, Fault::JitterSwapped,
-        Fault::JitterFrozen}}};
+        Fault::JitterFrozen}},
+      // What rests in the world rests on the screen: none of it is an interface.
+      {"gallery", "still", {Fault::CameraOfSecondView, Fault::MotionRoot}},
+      // Thin things that move before a sky; without jitter some of their edges stay where they are.
+      {"crowd", "pan", {Fault::JitterNotApplied, Fault::SkyNotJittered}},
+      {"crowd", "still", {Fault::JitterNotApplied, Fault::BoxOfCorners}},
+      {"fence", "still", {Fault::InterfaceBefore}},
+      {"foliage", "still", {Fault::AlphaZero}},
+      {"foliage", "pan", {Fault::JitterFrozen}}};
   for (const FaultyShot& shot : shots) {
     EXPECT_TRUE(diagnosisWith(shot, nullptr).isHealthy()) << shot.scene;
     for (const Fault fault : shot.faults) {
@@ -51,6 +60,47 @@ TEST_F(DoctorFaults, AreNamedFirst) {
       ASSERT_FALSE(diagnosis.isHealthy()) << faultInfo(fault).id << " in " << shot.scene;
       EXPECT_EQ(diagnosis.findings[0].id, faultInfo(fault).id) << shot.scene;
     }
+  }
+}
+
+TEST_F(DoctorFaults, AreNamedInASkyThatHoldsAShareOfTheJitter) {
+  for (const std::string scene : {"gallery", "crowd"}) {
+    SourceRequest request{"builtin:" + scene, "pan", kFaultyPx, {}};
+    ASSERT_TRUE(injectHalf(Fault::SkyNotJittered, request.settings));
+    const Diagnosis diagnosis = examine(examinationOf(openForDoctor(request), kFaultyFrames));
+    ASSERT_EQ(diagnosis.findings.size(), 1u) << scene;
+    EXPECT_EQ(diagnosis.findings[0].id, faultInfo(Fault::SkyNotJittered).id);
+    EXPECT_EQ(diagnosis.findings[0].name, "Sky with another jitter");
+    // The factor is read off the frames: what was injected, more or less.
+    EXPECT_NEAR(diagnosis.findings[0].residuals[0].value, 0.5, 0.15) << scene;
+  }
+}
+
+// What these frames do not show is said to be open, and nothing is called right that is not.
+TEST_F(DoctorFaults, AreLeftOpenWhereFramesDoNotShowThem) {
+  struct OpenCase {
+    std::string scene, camera;
+    Fault fault;
+    bool isHalf;
+    std::string question;
+  };
+  const std::vector<OpenCase> cases = {
+      {"fence", "still", Fault::JitterHalved, true, "Jitter's length"},
+      {"foliage", "orbit", Fault::AlphaOne, false, "The weight of the current frame"},
+      {"foliage", "pan", Fault::CameraOfSecondView, false, "Motion of object 1 (ground)"},
+      {"crowd", "orbit", Fault::OldTransformOnReturn, false, "small regions"}};
+  for (const OpenCase& open : cases) {
+    SourceRequest request{"builtin:" + open.scene, open.camera, kFaultyPx, {}};
+    if (open.isHalf)
+      ASSERT_TRUE(injectHalf(open.fault, request.settings));
+    else
+      inject(open.fault, request.settings);
+    const Diagnosis diagnosis = examine(examinationOf(openForDoctor(request), kFaultyFrames));
+    EXPECT_TRUE(diagnosis.isHealthy()) << open.question;
+    EXPECT_TRUE(std::ranges::any_of(diagnosis.undecided, [&](const Undecided& undecided) {
+      return undecided.question.find(open.question) != std::string::npos &&
+             std::ranges::count(undecided.faults, open.fault) == 1;
+    })) << open.question;
   }
 }
 
