@@ -26,6 +26,7 @@
 #include <exception>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace taa::app {
@@ -72,9 +73,13 @@ DoctorCommands::DoctorCommands(Session& session, ViewArea& views, DoctorPanel& p
     panel_.details()->setWhyNotMended(whyNotMended());
     Q_EMIT reportChanged();
   });
+  connect(&panel_.work(), &DoctorWork::mended, this,
+          [this](const doctor::MendedLook& look) { writeReportWith(&look); });
+  connect(&panel_.work(), &DoctorWork::ended, this, &DoctorCommands::endReport);
   connect(&session_, &Session::statusChanged, this, &DoctorCommands::takeStatus);
   connect(&session_.presets(), &PresetChoices::settingsChanged, this, [this] {
-    panel_.setOutdated(panel_.diagnosis() && !(examined_ == session_.presets().settings()));
+    const Settings& examined = examined_.shot.settings.settings;
+    panel_.setOutdated(panel_.diagnosis() && !(examined == session_.presets().settings()));
     panel_.details()->setWhyNotMended(whyNotMended());
     Q_EMIT reportChanged();
   });
@@ -92,9 +97,9 @@ void DoctorCommands::takeStatus() {
 
 void DoctorCommands::examine() {
   if (!session_.isOpen() || panel_.work().isRunning() || !panel_.whyNot().isEmpty()) return;
-  const SessionFile shot = session_.file();
-  examined_ = shot.settings.settings;
-  panel_.begin({shot, panel_.first(), panel_.last() - panel_.first() + 1});
+  examined_ = {session_.file(), panel_.first(), panel_.last() - panel_.first() + 1};
+  healthy_ = healthySettings();
+  panel_.begin(examined_);
 }
 
 void DoctorCommands::goToFinding() {
@@ -108,11 +113,14 @@ void DoctorCommands::goToFinding() {
 }
 
 // Faults go back to what the preset does, as the menu of faults has it.
-doctor::Mended DoctorCommands::mendedSettings() const {
-  const PresetChoices& presets = session_.presets();
-  Settings healthy = presets.presetSettings();
+Settings DoctorCommands::healthySettings() const {
+  Settings healthy = session_.presets().presetSettings();
   clearFaults(healthy);
-  return doctor::mended({*panel_.finding()}, presets.settings(), healthy);
+  return healthy;
+}
+
+doctor::Mended DoctorCommands::mendedSettings() const {
+  return doctor::mended({*panel_.finding()}, session_.presets().settings(), healthySettings());
 }
 
 QString DoctorCommands::whyNotMended() const {
@@ -155,6 +163,7 @@ void DoctorCommands::showOutlines() {
 }
 
 QString DoctorCommands::whyNoReport() const {
+  if (panel_.work().isRunning()) return tr("The doctor is at work");
   return panel_.diagnosis() && panel_.isComplete() ? QString() : tr("No frames were examined yet");
 }
 
@@ -171,12 +180,33 @@ void DoctorCommands::askForReport() {
 
 void DoctorCommands::writeReport(const QString& path) {
   if (!whyNoReport().isEmpty()) return;
+  reportPath_ = path;
+  const Settings& examined = examined_.shot.settings.settings;
+  if (doctor::mended(panel_.diagnosis()->findings, examined, healthy_).findings.empty())
+    writeReportWith(nullptr);
+  else
+    panel_.mend(examined_, healthy_);
+}
+
+void DoctorCommands::writeReportWith(const doctor::MendedLook* mended) {
+  const QString path = std::exchange(reportPath_, {});
+  if (path.isEmpty() || !panel_.diagnosis()) return;
   try {
-    writeFile(path.toStdString(), doctorHtml(*panel_.diagnosis(), source_));
+    writeFile(path.toStdString(), doctorHtml(*panel_.diagnosis(), source_, mended));
     Q_EMIT said(tr("Saved %1.").arg(path));
   } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromStdString(shownReason(error)));
   }
+}
+
+// What it says does not depend on pictures: where they cannot be drawn it is written without.
+void DoctorCommands::endReport(const QString& error) {
+  Q_EMIT reportChanged();
+  if (reportPath_.isEmpty()) return;
+  if (error.isEmpty())
+    Q_EMIT said(tr("%1 is not saved: it was stopped.").arg(std::exchange(reportPath_, {})));
+  else
+    writeReportWith(nullptr);
 }
 
 } // namespace taa::app

@@ -1,7 +1,8 @@
 // Has the frames that are open examined by the doctor, goes to what it finds, and hands its report on.
 #pragma once
 
-#include "core/doctor/mending/Mending.h"
+#include "core/doctor/mending/MendedLook.h"
+#include "core/inspect/doctor/ExaminedShot.h"
 #include "core/settings/Settings.h"
 
 #include <QObject>
@@ -35,6 +36,8 @@ class DoctorCommands : public QObject {
   /// Why there is no report to save; empty: there is one.
   QString whyNoReport() const;
   void askForReport();
+  /// With pictures of what can be made right, given and mended, which are drawn first: beside the window, and
+  /// nothing is written where that is stopped.
   void writeReport(const QString& path);
 
  Q_SIGNALS:
@@ -45,16 +48,21 @@ class DoctorCommands : public QObject {
  private:
   void takeStatus();
   void showOutlines();
+  Settings healthySettings() const;
   doctor::Mended mendedSettings() const;
+  void writeReportWith(const doctor::MendedLook* mended);
+  void endReport(const QString& error);
 
   Session& session_;
   ViewArea& views_;
   DoctorPanel& panel_;
   QString folder_;
   QWidget* window_;
-  std::string source_; ///< that the page is about
-  int frameCount_ = 0; ///< of it
-  Settings examined_;  ///< that the frames were examined with
+  std::string source_;          ///< that the page is about
+  int frameCount_ = 0;          ///< of it
+  ExaminationRequest examined_; ///< the last
+  Settings healthy_;            ///< what settings of faults went back to then
+  QString reportPath_;          ///< that waits for its pictures
 };
 
 } // namespace taa::app

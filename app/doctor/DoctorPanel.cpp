@@ -188,7 +188,7 @@ QString DoctorPanel::summary() const {
 }
 
 void DoctorPanel::refresh() {
-  save_->setEnabled(diagnosis_ && isComplete_);
+  save_->setEnabled(diagnosis_ && isComplete_ && !work_.isRunning());
   const QString whyNot = this->whyNot();
   QString note = whyNot;
   if (note.isEmpty() && !diagnosis_)
@@ -209,6 +209,11 @@ void DoctorPanel::begin(const ExaminationRequest& request) {
   pages_->setCurrentIndex(0);
   refresh();
   Q_EMIT changed();
+}
+
+void DoctorPanel::mend(const ExaminationRequest& request, const Settings& healthy) {
+  work_.mend(request, *diagnosis_, healthy);
+  refresh();
 }
 
 QString DoctorPanel::note() const {

@@ -29,6 +29,8 @@ class DoctorPanel : public QWidget {
   void setShot(int frameCount);
   /// Has frames examined; what was known before is forgotten.
   void begin(const ExaminationRequest& request);
+  /// Has the frames of what is known drawn as they would be, see DoctorWork::mended().
+  void mend(const ExaminationRequest& request, const Settings& healthy);
   /// Whether settings have changed since the frames were examined.
   void setOutdated(bool outdated);
   int first() const;

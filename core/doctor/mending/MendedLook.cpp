@@ -73,14 +73,14 @@ std::vector<int> wantedFrames(const Diagnosis& diagnosis, const Mended& mended, 
 } // namespace
 
 MendedLook lookAtMended(DoctorSource& source, const Diagnosis& diagnosis, const Settings& settings,
-                        const Settings& healthy, const Progress& progress) {
+                        const Settings& healthy, const Progress& progress, int first) {
   MendedLook out;
   out.mended = mended(diagnosis.findings, settings, healthy);
   if (out.mended.findings.empty()) return out;
-  out.lastFrame = diagnosis.frames - 1;
+  out.lastFrame = first + diagnosis.frames - 1;
   const std::vector<int> wanted = wantedFrames(diagnosis, out.mended, out.lastFrame);
   const ResolvedFrames mendedFrames = resolvedFrames(source, out.mended.settings, wanted, progress);
-  out.left = examine(examinationOf(source, diagnosis.frames), progress);
+  out.left = examine(examinationOf(source, diagnosis.frames, first), progress);
   const ResolvedFrames given = resolvedFrames(source, settings, wanted, progress);
   for (const std::size_t finding : out.mended.findings) {
     if (out.pictures.size() >= kMaxMendedPictures) break;

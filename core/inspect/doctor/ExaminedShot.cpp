@@ -43,4 +43,15 @@ doctor::Diagnosis examineShot(const ExaminationRequest& request, const doctor::D
   return diagnosis;
 }
 
+doctor::MendedLook lookAtMendedShot(const ExaminationRequest& request, const doctor::Diagnosis& diagnosis,
+                                    const Settings& healthy, const Progress& progress) {
+  gl::Turn turn;
+  const UsedShaders shaders; // before the context: everything is compiled from them
+  const gl::Context context;
+  const Progress passing = turn.passing(progress);
+  doctor::DoctorSource source = openedForDoctor(request.shot, passing);
+  return doctor::lookAtMended(source, diagnosis, request.shot.settings.settings, healthy, passing,
+                              request.first);
+}
+
 } // namespace taa

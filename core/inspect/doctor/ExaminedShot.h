@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/doctor/Doctor.h"
+#include "core/doctor/mending/MendedLook.h"
 #include "core/io/SessionFile.h"
 
 namespace taa {
@@ -16,5 +17,10 @@ struct ExaminationRequest {
 /// which go on while it measures. Throws Error, Cancelled.
 doctor::Diagnosis examineShot(const ExaminationRequest& request, const doctor::DiagnosisTold& told,
                               const Progress& progress);
+
+/// The frames of a diagnosis of the request's, with what can be made right made so. `healthy`: see mended().
+/// With a GL context of its own, as above. Throws Error, Cancelled.
+doctor::MendedLook lookAtMendedShot(const ExaminationRequest& request, const doctor::Diagnosis& diagnosis,
+                                    const Settings& healthy, const Progress& progress);
 
 } // namespace taa

@@ -15,6 +15,7 @@
 #include "core/settings/Presets.h"
 #include "tests/app/WindowFixture.h"
 
+#include <QFile>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -68,6 +69,7 @@ struct Script {
   std::optional<ExaminationRequest> asked;
   std::atomic<bool> isHeld = false; ///< between what the first frames show and all
   std::atomic<bool> fails = false;
+  std::atomic<bool> mendingFails = false, isMendingHeld = false;
   Diagnosis early = wrongSky(), all = wrongSky();
 };
 
@@ -86,6 +88,15 @@ class DoctorPageTest : public FakeWindow {
       told(script->early);
       while (script->isHeld) report(progress, "Examining frames", 8, 32);
       return script->all;
+    });
+    window.doctor()->work().setMend([script = script_](const ExaminationRequest&, const Diagnosis& diagnosis,
+                                                       const Settings& healthy, const Progress& progress) {
+      if (script->mendingFails) throw Error("the capture has no frame 3");
+      while (script->isMendingHeld) report(progress, "Drawing mended frames", 8, 32);
+      doctor::MendedLook look;
+      look.mended = doctor::mended(diagnosis.findings, Settings{}, healthy);
+      look.pictures = {{0, 12, Image(2, 2, 3), Image(2, 2, 3)}};
+      return look;
     });
     key(Qt::Key_F12, Qt::ControlModifier);
   }
@@ -276,6 +287,50 @@ TEST_F(DoctorPageTest, SavesTheReportOnceAllIsKnown) {
   const std::string text = readFile(path.toStdString());
   EXPECT_NE(text.find("Motion's y negated"), std::string::npos) << text;
   EXPECT_NE(text.find("builtin:fan"), std::string::npos);
+}
+
+TEST_F(DoctorPageTest, SavesPicturesOfWhatCanBeMendedWithTheReport) {
+  script_->all.findings[0].mending = {"fault.motionY=-1"};
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("doctor.html");
+  examine();
+  script_->isMendingHeld = true;
+  window.doctorCommands()->writeReport(path);
+  settle();
+  EXPECT_FALSE(QFile::exists(path)) << "its pictures are being drawn";
+  EXPECT_FALSE(panel()->saveButton()->isEnabled());
+  EXPECT_FALSE(window.doctorCommands()->whyNoReport().isEmpty());
+  script_->isMendingHeld = false;
+  ASSERT_TRUE(waitFor([&] { return !panel()->work().isRunning(); }));
+  settle();
+  const std::string text = readFile(path.toStdString());
+  EXPECT_NE(text.find("Frame 12 mended"), std::string::npos);
+  EXPECT_NE(text.find("data:image/png;base64,"), std::string::npos);
+  EXPECT_TRUE(panel()->saveButton()->isEnabled());
+}
+
+TEST_F(DoctorPageTest, SavesTheReportWithoutPicturesWhereTheyCannotBeDrawnAndNoneWhereTheyAreStopped) {
+  script_->all.findings[0].mending = {"fault.motionY=-1"};
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("doctor.html"), other = folder.filePath("other.html");
+  examine();
+  script_->mendingFails = true;
+  window.doctorCommands()->writeReport(path);
+  ASSERT_TRUE(waitFor([&] { return !panel()->work().isRunning(); }));
+  settle();
+  const std::string text = readFile(path.toStdString());
+  EXPECT_NE(text.find("Motion's y negated"), std::string::npos);
+  EXPECT_EQ(text.find("data:image/png"), std::string::npos);
+  script_->mendingFails = false;
+  script_->isMendingHeld = true;
+  window.doctorCommands()->writeReport(other);
+  settle();
+  QTest::mouseClick(button("Stop"), Qt::LeftButton);
+  script_->isMendingHeld = false;
+  ASSERT_TRUE(waitFor([&] { return !panel()->work().isRunning(); }));
+  settle();
+  EXPECT_FALSE(QFile::exists(other));
+  EXPECT_TRUE(panel()->diagnosis()) << "what was found stays";
 }
 
 TEST_F(DoctorPageTest, SaysThatSettingsHaveChangedAndForgetsAnotherShot) {

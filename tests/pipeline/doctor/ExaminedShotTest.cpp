@@ -49,6 +49,18 @@ TEST_F(ExaminedShot, IsFoundFaultyBySettingsOfTheSession) {
   EXPECT_GE(all.findings[0].regions[0].frame, 3) << "numbers are those of the shot";
 }
 
+TEST_F(ExaminedShot, IsDrawnAsItWouldBeWithNumbersOfTheShot) {
+  ExaminationRequest request = requestOf(3, 10);
+  request.shot.settings.settings.fault.motionX = -1.0f;
+  doctor::MendedLook look;
+  beside([&] { look = lookAtMendedShot(request, examineShot(request, {}, {}), Settings{}, {}); });
+  EXPECT_EQ(look.lastFrame, 12);
+  EXPECT_TRUE(look.left.isHealthy());
+  ASSERT_FALSE(look.pictures.empty());
+  EXPECT_GE(look.pictures[0].frame, 3);
+  EXPECT_NE(look.pictures[0].given.pixels, look.pictures[0].mended.pixels);
+}
+
 TEST_F(ExaminedShot, IsLeftWhereItIsCancelled) {
   std::atomic<bool> isCancelled = false;
   beside([&] {
