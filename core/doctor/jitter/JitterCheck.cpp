@@ -293,10 +293,10 @@ void tellNoFit(double missPx, Diagnosis& out) {
 
 /// Pictures fit no better, and yet shifts that are measured are nearer to jitter of another length.
 void tellLength(const JitterFit& fit, const std::vector<JitterTrial>& trials, Diagnosis& out) {
-  constexpr double kAsGoodShare = 1.02, kNearerShare = 0.8;
+  constexpr double kFitsAsWellShare = 1.02, kNearerLengthShare = 0.8;
   for (std::size_t t = 0; t < trials.size(); ++t) {
-    if (trials[t].kind != JitterKind::Scaled || fit.trials[t].share() > kAsGoodShare ||
-        fit.missPx[t] > kNearerShare * fit.missPx.front())
+    if (trials[t].kind != JitterKind::Scaled || fit.trials[t].share() > kFitsAsWellShare ||
+        fit.missPx[t] > kNearerLengthShare * fit.missPx.front())
       continue;
     out.undecided.push_back(
         {say<"Jitter's length">(),

@@ -34,8 +34,8 @@ struct MendedLook {
 inline constexpr std::size_t kMaxMendedPictures = 6;
 inline constexpr int kMendedSamples = 16; ///< of a reference that is drawn
 
-/// Of the frames of a diagnosis, from `first` on. `source` is left as it was: drawn with `settings`. `healthy`:
-/// see mended(). Needs the current context. Throws Error, Cancelled.
+/// Of the frames of a diagnosis, from `first` on. `source` is left as it was: drawn with `settings`.
+/// `healthy`: see mended(). Needs the current context. Throws Error, Cancelled.
 MendedLook lookAtMended(DoctorSource& source, const Diagnosis& diagnosis, const Settings& settings,
                         const Settings& healthy, const Progress& progress = {}, int first = 0);
 
