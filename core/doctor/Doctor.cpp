@@ -2,14 +2,14 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
-#include "core/doctor/DepthCheck.h"
 #include "core/doctor/color/ColorCheck.h"
+#include "core/doctor/depth/DepthCheck.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/jitter/JitterCheck.h"
 #include "core/doctor/mending/MendedFrames.h"
 #include "core/doctor/motion/MotionEvidence.h"
-#include "core/doctor/motion/MotionFindings.h"
 #include "core/doctor/motion/MotionRims.h"
+#include "core/doctor/motion/findings/MotionFindings.h"
 #include "core/doctor/resolve/ResolveEvidence.h"
 #include "core/doctor/resolve/ResolveFindings.h"
 
@@ -92,6 +92,8 @@ class Examiner {
     color_.add(frames, labels);
     jitter_.add(frames);
     depth_.add(now);
+    depth_.order.add(now, *before, labels, labelsBefore);
+    depth_.form.add(now, labels);
     if (examination_.known.motion) motion_.add(frames, labels, labelsBefore);
   }
 

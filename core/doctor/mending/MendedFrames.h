@@ -2,7 +2,7 @@
 // others look wrong.
 #pragma once
 
-#include "core/doctor/DepthCheck.h"
+#include "core/doctor/depth/DepthCheck.h"
 #include "core/doctor/frames/DoctorFrame.h"
 #include "core/doctor/jitter/JitterCheck.h"
 #include "core/doctor/motion/MotionTrials.h"

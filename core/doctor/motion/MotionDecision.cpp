@@ -120,7 +120,10 @@ std::optional<Fault> wrongCamera(const RegionEvidence& evidence) {
   return {};
 }
 
-MotionDecision decideMotion(const RegionEvidence& evidence, const std::vector<MotionTrial>& trials) {
+namespace {
+
+/// By pixels alone.
+MotionDecision decideByPixels(const RegionEvidence& evidence, const std::vector<MotionTrial>& trials) {
   if (evidence.pixels < kEnoughOfRegion || evidence.pairs < kEnoughPairs)
     return {MotionVerdict::TooSmall, {}};
   if (std::vector<std::size_t> best = winners(evidence, trials); !best.empty())
@@ -133,6 +136,19 @@ MotionDecision decideMotion(const RegionEvidence& evidence, const std::vector<Mo
   const bool differs = std::ranges::any_of(
       evidence.trials, [](const TrialEvidence& trial) { return trial.pixels >= kEnoughOfRegion; });
   return {differs ? MotionVerdict::Contradicted : MotionVerdict::Still, {}};
+}
+
+} // namespace
+
+MotionDecision decideMotion(const RegionEvidence& evidence, const std::vector<MotionTrial>& trials) {
+  MotionDecision byPixels = decideByPixels(evidence, trials);
+  const bool isTold = byPixels.verdict == MotionVerdict::Right || byPixels.verdict == MotionVerdict::Wrong;
+  if (isTold || byPixels.verdict == MotionVerdict::TooSmall) return byPixels;
+  std::vector<std::size_t> best = outlineWinners(evidence.outline);
+  std::erase_if(best, [&](std::size_t t) { return !isPossible(trials[t], isConfirmed(evidence)); });
+  if (!best.empty()) return {MotionVerdict::Wrong, std::move(best), true};
+  if (isOutlineFoundElsewhere(evidence.outline)) return {MotionVerdict::Wrong, {}, true};
+  return byPixels;
 }
 
 } // namespace taa::doctor

@@ -26,11 +26,13 @@ struct MotionDecision {
   /// Of Wrong: indices of the explanations that these frames cannot tell apart, simple ones first; none: what
   /// searchMotion() found fits, and no trial.
   std::vector<std::size_t> explanations;
+  bool isByOutline = false; ///< of Wrong: told by where the region lay, not by its pixels
 };
 
 /// A trial has to leave much less than motion given does, in nearly all squares of the picture and pairs of
 /// frames in which the two differ. Where depth and cameras make the motion given, only rest on the screen and
-/// what searchMotion() found can contradict it. `trials`: those of the evidence.
+/// what searchMotion() found can contradict it. Where pixels do not tell, outlines do. `trials`: those of the
+/// evidence.
 MotionDecision decideMotion(const RegionEvidence& evidence, const std::vector<MotionTrial>& trials);
 
 /// Whether motion given is 0 nearly everywhere.

@@ -336,6 +336,8 @@ void MotionEvidence::add(const FrameNeighbors& frames, const std::vector<RegionI
   PairEvidence pair(known, trials_, labels, labelsBefore, regions_);
   pair.add();
   pairs_.push_back(pair.witness());
+  for (const auto& [region, outline] : outlinesOf(known, trials_, labels, labelsBefore))
+    regions_[static_cast<std::size_t>(region)].outline.add(outline);
 }
 
 } // namespace taa::doctor

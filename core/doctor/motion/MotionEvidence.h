@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/doctor/frames/Regions.h"
+#include "core/doctor/motion/MotionOutlines.h"
 #include "core/doctor/motion/MotionTrials.h"
 #include "core/doctor/motion/MotionWitness.h"
 
@@ -96,6 +97,7 @@ struct RegionEvidence {
   MotionExample example;
   std::vector<PairTrace> traces;
   WitnessEvidence witness;
+  OutlineEvidence outline;
 };
 
 /// px: a motion is the camera's where it differs by less, or by less than a thousandth; half floats do.

@@ -3,7 +3,7 @@
 #include "core/base/Say.h"
 #include "core/doctor/mending/Mending.h"
 #include "core/doctor/mending/MotionMending.h"
-#include "core/doctor/motion/MotionFindings.h"
+#include "core/doctor/motion/findings/MotionFindings.h"
 #include "core/settings/Faults.h"
 
 #include <algorithm>

@@ -210,8 +210,9 @@ TEST(Doctor, NamesMotionOfTheFrameBeforeWhereSpeedsChange) {
 TEST(Doctor, SaysWhatItCannotDecideAndWhatToCaptureInstead) {
   PaintedShot shot;
   shot.isBoardTextured = false;
-  const Diagnosis diagnosis =
-      diagnosisOf(shot, onObject(kBoardId, [](const glm::vec2&) { return glm::vec2(0.0f); }));
+  shot.boardPx = {0.5, 0.5}; // no more than an outline's pixels are wide
+  const Diagnosis diagnosis = diagnosisOf(
+      shot, onObject(kBoardId, [](const glm::vec2& motion) { return motion + glm::vec2(0.5f, 0.0f); }));
   EXPECT_EQ(told(diagnosis), "");
   bool isSaid = false;
   for (const Undecided& undecided : diagnosis.undecided)
@@ -219,6 +220,36 @@ TEST(Doctor, SaysWhatItCannotDecideAndWhatToCaptureInstead) {
                         undecided.reason.find("too little detail") != std::string::npos &&
                         undecided.capture.find("texture") != std::string::npos);
   EXPECT_TRUE(isSaid);
+}
+
+TEST(Doctor, GoesByOutlinesWhereThereIsTooLittleDetail) {
+  PaintedShot shot;
+  shot.isBoardTextured = false;
+  shot.cameraPx = {0.0, 0.0};
+  shot.boardPx = {3.0, 2.0};
+  const auto found = [&](const std::function<glm::vec2(const glm::vec2&)>& change) {
+    return diagnosisOf(shot, onObject(kBoardId, change));
+  };
+  EXPECT_EQ(told(diagnosisOf(shot)), "");
+  const Diagnosis zero = found([](const glm::vec2&) { return glm::vec2(0.0f); });
+  EXPECT_EQ(told(zero), "motionZero in object 2 (board)");
+  EXPECT_NE(zero.findings.at(0).reason.find("outline"), std::string::npos) << zero.findings[0].reason;
+  EXPECT_NE(zero.findings[0].measure.find("outline"), std::string::npos);
+  EXPECT_EQ(told(found([](const glm::vec2& m) { return glm::vec2(m.x, -m.y); })),
+            "motionNegatedY in object 2 (board)");
+  EXPECT_EQ(told(found([](const glm::vec2& m) { return 2.0f * m; })), "motionDoubled in object 2 (board)");
+  EXPECT_EQ(told(found([](const glm::vec2& m) { return m / glm::vec2(160.0f, 96.0f); })),
+            "motionInUv in object 2 (board)");
+}
+
+TEST(Doctor, NamesDepthThatIsTheOtherWayAroundByWhatHidesWhat) {
+  PaintedShot shot;
+  shot.cameraPx = {0.0, 0.0};
+  EXPECT_EQ(told(diagnosisOf(shot,
+                             [](DoctorFrame& frame) {
+                               for (float& depth : frame.depth.pixels) depth = 1.0f - depth;
+                             })),
+            "depthReversed in all");
 }
 
 TEST(Doctor, SaysWhatToChangeInTheEnginesOwnConvention) {

@@ -1,6 +1,6 @@
-#include "core/doctor/motion/MotionOpen.h"
+#include "core/doctor/motion/findings/MotionOpen.h"
 
-#include "core/doctor/motion/MotionWords.h"
+#include "core/doctor/motion/findings/MotionWords.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include "core/doctor/Diagnosis.h"
 #include "core/doctor/motion/MotionDecision.h"
-#include "core/doctor/motion/MotionFindings.h"
+#include "core/doctor/motion/findings/MotionFindings.h"
 
 #include <glm/vec2.hpp>
 

@@ -1,10 +1,10 @@
-#include "core/doctor/motion/MotionJumps.h"
+#include "core/doctor/motion/findings/MotionJumps.h"
 
 #include "core/base/Median.h"
 #include "core/base/Say.h"
 #include "core/doctor/mending/Mending.h"
 #include "core/doctor/mending/MotionMending.h"
-#include "core/doctor/motion/MotionFindings.h"
+#include "core/doctor/motion/findings/MotionFindings.h"
 #include "core/settings/Faults.h"
 
 #include <cstddef>

@@ -1,8 +1,10 @@
 // Whether depth is what it is said to be: with the matrices it makes the motion of what rests, or it does
-// not.
+// not; and what hides something else is nearer by it, or it is not.
 #pragma once
 
 #include "core/doctor/Diagnosis.h"
+#include "core/doctor/depth/DepthForm.h"
+#include "core/doctor/depth/DepthOrder.h"
 #include "core/doctor/frames/DoctorFrame.h"
 
 #include <cstdint>
@@ -31,10 +33,13 @@ struct DepthRelation {
   double residual = 0.0; ///< median of |log| of what both sides differ by
 };
 
-/// Over all frames: pixels that the camera's way past them moves, and whose motion some depth explains.
+/// Over all frames.
 struct DepthEvidence {
-  std::vector<DepthSample> samples;
+  std::vector<DepthSample>
+      samples; ///< pixels that the camera's way past them moves, of a motion that some depth makes
   std::vector<double> factors; ///< DoctorFrame::distanceFactor, where it is known
+  DepthOrder order;            ///< added to by whoever knows regions, as is the form
+  DepthForm form;
 
   void add(const DoctorFrame& frame);
 };

@@ -1,5 +1,5 @@
 // Depth against the motion that it makes, of a ground that a camera passes sideways: made by hand.
-#include "core/doctor/DepthCheck.h"
+#include "core/doctor/depth/DepthCheck.h"
 
 #include <glm/mat4x4.hpp>
 
@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace taa::doctor {
 namespace {
@@ -82,6 +83,43 @@ TEST(DepthCheck, LeavesOutWhatMovesByItself) {
   evidence.add(frame);
   EXPECT_TRUE(evidence.samples.empty());
   EXPECT_EQ(diagnosisOf(frame).undecided.size(), 1u);
+}
+
+// Nothing passes the camera sideways; what comes out from behind something tells which way around depth is.
+TEST(DepthCheck, GoesByWhatHidesWhatWhereTheCameraDoesNotTell) {
+  DepthEvidence evidence;
+  evidence.order = {.nearer = 4, .farther = 396, .frames = 8};
+  evidence.form = {.even = 300, .evenReciprocal = 12};
+  Diagnosis reversed;
+  tellDepth(evidence, reversed);
+  ASSERT_EQ(reversed.findings.size(), 1u);
+  EXPECT_EQ(reversed.findings[0].id, "depthReversed");
+  EXPECT_NE(reversed.findings[0].reason.find("396 of 400"), std::string::npos) << reversed.findings[0].reason;
+  EXPECT_TRUE(reversed.findings[0].alike.empty());
+  EXPECT_TRUE(reversed.undecided.empty());
+
+  evidence.form = {.even = 12, .evenReciprocal = 300};
+  Diagnosis linear;
+  tellDepth(evidence, linear);
+  ASSERT_EQ(linear.findings.size(), 1u);
+  EXPECT_EQ(linear.findings[0].id, "depthLinear");
+
+  evidence.form = {};
+  Diagnosis either;
+  tellDepth(evidence, either);
+  ASSERT_EQ(either.findings.size(), 1u);
+  EXPECT_EQ(either.findings[0].alike, std::vector<std::string>{"depthLinear"});
+}
+
+TEST(DepthCheck, LeavesTheScaleOpenWhereOnlyTheOrderIsSeen) {
+  DepthEvidence evidence;
+  evidence.order = {.nearer = 396, .farther = 4, .frames = 8};
+  Diagnosis out;
+  tellDepth(evidence, out);
+  EXPECT_TRUE(out.isHealthy());
+  EXPECT_EQ(out.healthy.size(), 1u);
+  ASSERT_EQ(out.undecided.size(), 1u);
+  EXPECT_EQ(out.undecided[0].faults, std::vector<Fault>{Fault::NearPlaneWrong});
 }
 
 TEST(DepthCheck, NamesANearPlaneThatIsNotTheProjections) {

@@ -1,4 +1,4 @@
-#include "core/doctor/DepthCheck.h"
+#include "core/doctor/depth/DepthCheck.h"
 
 #include "core/base/Median.h"
 #include "core/base/Say.h"
@@ -136,6 +136,43 @@ Finding depthFinding(const std::vector<DepthRelation>& relations, const DepthRel
   return out;
 }
 
+/// By what hides what alone. Which way around a depth is that grows with the distance, its form over flat
+/// surfaces says; where that says nothing, one name stands for both.
+Finding orderFinding(const DepthEvidence& evidence) {
+  const std::optional<bool> isDistance = evidence.form.isDistance();
+  const RelationKind kind = isDistance.value_or(false) ? RelationKind::Linear : RelationKind::Reversed;
+  Finding out = faultFinding(depthFault(kind));
+  out.isWholePicture = true;
+  out.change = depthChange({kind});
+  mendBy(depthMending({kind}), out);
+  out.reason = say<"At %1 of %2 pixels that come out from behind something, what hid them is farther away by "
+                   "the depth stored.">(evidence.order.farther, evidence.order.pixels());
+  if (isDistance)
+    out.reason +=
+        ' ' + (*isDistance ? say<"Over flat surfaces 1 over it grows evenly, as it does over a distance.">()
+                           : say<"Over flat surfaces it grows evenly, as the depth of a projection does.">());
+  else
+    out.alike = {std::string(faultInfo(depthFault(RelationKind::Linear)).id)};
+  out.measure = say<"share of these pixels with what hid them farther away">();
+  const double share = evidence.order.reversedShare();
+  for (const RelationKind tried : {kind, RelationKind::AsStated}) {
+    const bool isGiven = tried == RelationKind::AsStated;
+    out.residuals.push_back({std::string(kRelationIds[static_cast<std::size_t>(tried)]),
+                             relationText({tried}), isGiven ? share : 1.0 - share, isGiven, !isGiven});
+  }
+  return out;
+}
+
+/// What is not decided about depth; what hides what is no witness of its scale.
+Undecided openDepth(const DepthOrder& order, std::string reason) {
+  Undecided out{say<"Depth">(), std::move(reason),
+                say<"Let the camera move sideways past things near and far that rest.">()};
+  if (order.verdict() != OrderVerdict::Agrees) return out;
+  out.question = say<"Depth: its scale">();
+  out.faults = {Fault::NearPlaneWrong};
+  return out;
+}
+
 /// The near plane that is stated is not that of the matrices.
 Finding statedNearFinding(double factor) {
   Finding out = faultFinding(Fault::NearPlaneWrong);
@@ -218,26 +255,28 @@ void tellDepth(const DepthEvidence& evidence, Diagnosis& out) {
     out.findings.push_back(statedNearFinding(factor));
     return;
   }
-  const std::string capture = say<"Let the camera move sideways past things near and far that rest.">();
-  if (evidence.samples.size() < kEnoughDepths) {
-    out.undecided.push_back(
-        {say<"Depth">(), say<"too few pixels move with the camera's way past them">(), capture});
-    return;
-  }
-  const std::vector<DepthRelation> relations = depthRelations(evidence.samples);
-  const DepthRelation& stated = relations.front();
-  if (stated.residual <= kFittingLog) {
+  const bool isMeasured = evidence.samples.size() >= kEnoughDepths;
+  const std::vector<DepthRelation> relations =
+      isMeasured ? depthRelations(evidence.samples) : std::vector<DepthRelation>();
+  if (isMeasured && relations.front().residual <= kFittingLog) {
     out.healthy.push_back(say<"Depth and matrices make the motion of what rests.">());
     return;
   }
-  const DepthRelation* best = clearRelation(relations, evidence.samples);
-  if (!best)
-    out.undecided.push_back({say<"Depth">(),
-                             say<"the depths that the motion given would have do not follow from those "
-                                 "stored: motion or matrices may be wrong">(),
-                             capture});
-  else
+  if (const DepthRelation* best = isMeasured ? clearRelation(relations, evidence.samples) : nullptr) {
     out.findings.push_back(depthFinding(relations, *best, evidence.samples.size()));
+    return;
+  }
+  if (evidence.order.verdict() == OrderVerdict::Reversed) {
+    out.findings.push_back(orderFinding(evidence));
+    return;
+  }
+  if (evidence.order.verdict() == OrderVerdict::Agrees)
+    out.healthy.push_back(say<"What hides something else is nearer by the depth stored, at %1 of %2 pixels.">(
+        evidence.order.nearer, evidence.order.pixels()));
+  out.undecided.push_back(openDepth(
+      evidence.order, isMeasured ? say<"the depths that the motion given would have do not follow from those "
+                                       "stored: motion or matrices may be wrong">()
+                                 : say<"too few pixels move with the camera's way past them">()));
 }
 
 } // namespace taa::doctor

@@ -1,4 +1,4 @@
-#include "core/doctor/motion/MotionWords.h"
+#include "core/doctor/motion/findings/MotionWords.h"
 
 #include "core/base/Say.h"
 #include "core/capture/decode/ScreenUnits.h"

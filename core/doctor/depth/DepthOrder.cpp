@@ -1,0 +1,65 @@
+#include "core/doctor/depth/DepthOrder.h"
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace taa::doctor {
+
+namespace {
+
+constexpr std::size_t kEnoughHidden = 100;
+constexpr int kEnoughHidingFrames = 2;
+constexpr double kOneVoiced = 0.95;
+/// Of what is left of a depth to the nearer end of 0 to 1: depths that differ by less may be one.
+constexpr float kDepthApart = 0.1f;
+
+/// Which of two depths is clearly the greater one: 1 the first, −1 the second, 0 neither.
+int compareDepths(float a, float b) {
+  const float left = std::min({a, b, 1.0f - a, 1.0f - b});
+  if (std::abs(a - b) <= kDepthApart * std::max(left, 1e-7f)) return 0;
+  return a > b ? 1 : -1;
+}
+
+} // namespace
+
+void DepthOrder::add(const DoctorFrame& now, const DoctorFrame& before,
+                     const std::vector<RegionIndex>& labels, const std::vector<RegionIndex>& labelsBefore) {
+  const glm::ivec2 size = now.sizePx();
+  if (now.motionPx.empty() || now.depth.empty() || before.depth.empty() || before.sizePx() != size) return;
+  const glm::vec2 rasterStep = before.depthJitterPx - now.depthJitterPx;
+  const std::size_t found = pixels();
+  for (int y = 1; y + 1 < size.y; ++y)
+    for (int x = 1; x + 1 < size.x; ++x) {
+      const RegionIndex shown = labels[static_cast<std::size_t>(y) * size.x + x];
+      const glm::vec2 motion = now.motionAt(x, y);
+      if (shown == kNoRegion || !isMotion(motion) || !isInside(labels, size, x, y)) continue;
+      const glm::vec2 place = glm::round(glm::vec2(x, y) - motion + rasterStep);
+      if (!(glm::all(glm::greaterThanEqual(place, glm::vec2(1.0f))) &&
+            glm::all(glm::lessThan(place, glm::vec2(size - 1)))))
+        continue;
+      const glm::ivec2 from(place);
+      const RegionIndex hiding = labelsBefore[static_cast<std::size_t>(from.y) * size.x + from.x];
+      if (hiding == kNoRegion || hiding == shown || !isInside(labelsBefore, size, from.x, from.y)) continue;
+      const int order = compareDepths(*before.depth.at(from.x, from.y), *now.depth.at(x, y));
+      if (order > 0) ++nearer;
+      if (order < 0) ++farther;
+    }
+  if (pixels() > found) ++frames;
+}
+
+double DepthOrder::reversedShare() const {
+  return pixels() == 0 ? 0.0 : static_cast<double>(farther) / static_cast<double>(pixels());
+}
+
+OrderVerdict DepthOrder::verdict() const {
+  if (pixels() < kEnoughHidden || frames < kEnoughHidingFrames) return OrderVerdict::TooFew;
+  const double share = reversedShare();
+  if (share >= kOneVoiced) return OrderVerdict::Reversed;
+  return share <= 1.0 - kOneVoiced ? OrderVerdict::Agrees : OrderVerdict::Unclear;
+}
+
+} // namespace taa::doctor
