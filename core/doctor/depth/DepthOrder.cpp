@@ -1,8 +1,6 @@
 #include "core/doctor/depth/DepthOrder.h"
 
-#include <glm/common.hpp>
 #include <glm/vec2.hpp>
-#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +9,7 @@ namespace taa::doctor {
 
 namespace {
 
-constexpr std::size_t kEnoughHidden = 100;
+constexpr std::size_t kEnoughHidden = 40;
 constexpr int kEnoughHidingFrames = 2;
 constexpr double kOneVoiced = 0.95;
 /// Of what is left of a depth to the nearer end of 0 to 1: depths that differ by less may be one.
@@ -32,19 +30,19 @@ void DepthOrder::add(const DoctorFrame& now, const DoctorFrame& before,
   if (now.motionPx.empty() || now.depth.empty() || before.depth.empty() || before.sizePx() != size) return;
   const glm::vec2 rasterStep = before.depthJitterPx - now.depthJitterPx;
   const std::size_t found = pixels();
-  for (int y = 1; y + 1 < size.y; ++y)
-    for (int x = 1; x + 1 < size.x; ++x) {
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
       const RegionIndex shown = labels[static_cast<std::size_t>(y) * size.x + x];
       const glm::vec2 motion = now.motionAt(x, y);
-      if (shown == kNoRegion || !isMotion(motion) || !isInside(labels, size, x, y)) continue;
-      const glm::vec2 place = glm::round(glm::vec2(x, y) - motion + rasterStep);
-      if (!(glm::all(glm::greaterThanEqual(place, glm::vec2(1.0f))) &&
-            glm::all(glm::lessThan(place, glm::vec2(size - 1)))))
-        continue;
-      const glm::ivec2 from(place);
-      const RegionIndex hiding = labelsBefore[static_cast<std::size_t>(from.y) * size.x + from.x];
-      if (hiding == kNoRegion || hiding == shown || !isInside(labelsBefore, size, from.x, from.y)) continue;
-      const int order = compareDepths(*before.depth.at(from.x, from.y), *now.depth.at(x, y));
+      if (shown == kNoRegion || !isMotion(motion)) continue;
+      const auto around = pixelsAround(glm::vec2(x, y) + 0.5f - motion + rasterStep, size);
+      if (!around) continue;
+      const RegionIndex hiding = labelsBefore[around->front()];
+      const bool isHidden =
+          hiding != kNoRegion && hiding != shown &&
+          std::ranges::all_of(*around, [&](std::size_t i) { return labelsBefore[i] == hiding; });
+      if (!isHidden || !isWide(labels, size, x, y)) continue;
+      const int order = compareDepths(before.depth.pixels[around->front()], *now.depth.at(x, y));
       if (order > 0) ++nearer;
       if (order < 0) ++farther;
     }

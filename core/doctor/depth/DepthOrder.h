@@ -18,7 +18,8 @@ enum class OrderVerdict : std::uint8_t {
   Unclear,  ///< now this, now that: motion or regions are not right
 };
 
-/// Pixels that were hidden a frame ago, by what the depth stored says of what hid them.
+/// Pixels that were hidden a frame ago, well inside what hid them, by what the depth stored says of what hid
+/// them.
 struct DepthOrder {
   std::size_t nearer = 0, farther = 0;
   int frames = 0; ///< in which there were some

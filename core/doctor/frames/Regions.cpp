@@ -212,6 +212,29 @@ bool isInside(const std::vector<RegionIndex>& labels, const glm::ivec2& sizePx, 
       [&](std::ptrdiff_t step) { return at[step] == at[0]; });
 }
 
+bool isWide(const std::vector<RegionIndex>& labels, const glm::ivec2& sizePx, int x, int y) {
+  const auto at = [&](int column, int row) {
+    const bool isIn = column >= 0 && row >= 0 && column < sizePx.x && row < sizePx.y;
+    return isIn ? labels[static_cast<std::size_t>(row) * sizePx.x + column] : kNoRegion;
+  };
+  const RegionIndex label = at(x, y);
+  for (const int dx : {-1, 1})
+    for (const int dy : {-1, 1})
+      if (at(x + dx, y) == label && at(x, y + dy) == label && at(x + dx, y + dy) == label) return true;
+  return false;
+}
+
+std::optional<std::array<std::size_t, 4>> pixelsAround(const glm::vec2& place, const glm::ivec2& sizePx) {
+  // A comparison with NaN fails.
+  const glm::vec2 center = place - 0.5f;
+  if (!(center.x >= 0.0f && center.y >= 0.0f && center.x < static_cast<float>(sizePx.x - 1) &&
+        center.y < static_cast<float>(sizePx.y - 1)))
+    return {};
+  const std::size_t row = static_cast<std::size_t>(sizePx.x);
+  const std::size_t first = static_cast<std::size_t>(center.y) * row + static_cast<std::size_t>(center.x);
+  return std::array{first, first + 1, first + row, first + row + 1};
+}
+
 std::vector<RegionIndex> insideOf(const std::vector<RegionIndex>& labels, const glm::ivec2& sizePx) {
   std::vector<RegionIndex> out(labels.size(), kNoRegion);
   for (int y = 1; y + 1 < sizePx.y; ++y)

@@ -8,9 +8,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace taa::doctor {
@@ -60,6 +62,12 @@ inline constexpr std::size_t kLeastPart = 48;
 
 /// Whether all pixels around one, too, are of its region. False at the border of the picture.
 bool isInside(const std::vector<RegionIndex>& labels, const glm::ivec2& sizePx, int x, int y);
+/// Whether four pixels in a square, of which one is this, are all of its region. Where it lay a frame ago, a
+/// pixel of its surface is one of the four around it then; thinner things may lie between pixels.
+bool isWide(const std::vector<RegionIndex>& labels, const glm::ivec2& sizePx, int x, int y);
+/// The four pixels that a place in px lies between, by their indices; nothing where one of them is beyond the
+/// picture, or the place is none.
+std::optional<std::array<std::size_t, 4>> pixelsAround(const glm::vec2& place, const glm::ivec2& sizePx);
 /// Labels of the pixels that are inside; of all others none.
 std::vector<RegionIndex> insideOf(const std::vector<RegionIndex>& labels, const glm::ivec2& sizePx);
 

@@ -13,7 +13,7 @@ namespace taa::doctor {
 namespace {
 
 /// px: explanations that lead to places nearer to each other say the same of an outline.
-constexpr float kApartPx = 1.0f;
+constexpr float kApartPx = 0.5f;
 constexpr double kOutlinePixelsPerPair = 130000.0; ///< looked at of larger pictures
 /// Pixels from the rim: of the picture's width, at least and at most.
 constexpr int kReachShare = 60, kLeastReach = 4, kMostReach = 32;
@@ -63,7 +63,7 @@ class PairOutlines {
     before_ = middlesOf(labelsBefore_, sizePx_);
     for (int y = 1; y + 1 < sizePx_.y; y += step)
       for (int x = 1; x + 1 < sizePx_.x; x += step)
-        if (isNearRim({x, y}) && isInside(labels_, sizePx_, x, y)) add({x, y});
+        if (isNearRim({x, y}) && isWide(labels_, sizePx_, x, y)) add({x, y});
     for (auto& [region, outline] : out_) {
       for (OutlineCounts& trial : outline.trials) endPair(trial);
       endPair(outline.found);
@@ -115,20 +115,19 @@ class PairOutlines {
   /// Whether a pixel that moves like this lay outside of its region; nothing where that cannot be seen:
   /// beyond the picture, or behind something nearer.
   std::optional<bool> isOutside(const glm::ivec2& pixel, const glm::vec2& motionPx) const {
-    const glm::vec2 place = glm::vec2(pixel) + 0.5f - motionPx + rasterStep_;
-    const bool isSeen = place.x >= 0.0f && place.y >= 0.0f && place.x < static_cast<float>(sizePx_.x) &&
-                        place.y < static_cast<float>(sizePx_.y);
-    if (!isSeen) return {};
-    const glm::ivec2 before(place);
-    const auto i = static_cast<std::size_t>(before.y) * sizePx_.x + before.x;
-    if (labelsBefore_[i] == labelAt(pixel)) return false;
-    if (labelsBefore_[i] == kNoRegion || isHidden(pixel, before)) return {};
+    const auto around = pixelsAround(glm::vec2(pixel) + 0.5f - motionPx + rasterStep_, sizePx_);
+    if (!around) return {};
+    for (const std::size_t i : *around)
+      if (labelsBefore_[i] == labelAt(pixel)) return false;
+    const auto isUnknown = [&](std::size_t i) { return labelsBefore_[i] == kNoRegion || isHidden(pixel, i); };
+    if (std::ranges::any_of(*around, isUnknown)) return {};
     return true;
   }
 
-  bool isHidden(const glm::ivec2& pixel, const glm::ivec2& place) const {
+  /// Whether something nearer lay at a pixel of the frame before.
+  bool isHidden(const glm::ivec2& pixel, std::size_t before) const {
     if (frames_.now.depth.empty() || frames_.before.depth.empty()) return false;
-    const float there = *frames_.before.depthView.at(place.x, place.y);
+    const float there = frames_.before.depthView.pixels[before];
     const float expected = *frames_.now.previousDepthView.at(pixel.x, pixel.y);
     if (there == 0.0f) return false;
     return expected == 0.0f || there < kHidingShare * expected;

@@ -1,6 +1,5 @@
-// How well each explanation of a region's motion fits its outline: what lies well inside a region now, and by
-// an explanation lay outside of it a frame ago with nothing nearer before it, speaks against that. It needs
-// no detail.
+// How well each explanation of a region's motion fits its outline: a pixel of it that by an explanation lay
+// outside of it a frame ago, with nothing nearer before it, speaks against that. It needs no detail.
 #pragma once
 
 #include "core/doctor/frames/Regions.h"
@@ -16,7 +15,7 @@ namespace taa::doctor {
 /// places.
 struct OutlineCounts {
   std::size_t pixels = 0;
-  std::size_t given = 0, tried = 0;    ///< of these: outside of the region a frame ago
+  std::size_t given = 0, tried = 0;    ///< of these: outside, between four pixels that are
   std::size_t pairs = 0, pairsWon = 0; ///< pairs of frames in which these differ; won: by the explanation
 
   void add(const OutlineCounts& other);

@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace taa::doctor {
@@ -92,6 +95,29 @@ TEST(Regions, KeepTheirLabelsInsideAlone) {
   EXPECT_EQ(at(inside, 71, 41), at(labels, 71, 41));
   EXPECT_EQ(at(inside, 70, 41), kNoRegion);
   EXPECT_EQ(at(inside, 0, 50), kNoRegion);
+}
+
+// Of region 1 a square of 2×2 pixels and one that hangs on it; of region 2 a row. Beyond the picture is none.
+TEST(Regions, AreWideWhereASquareOfPixelsIsOfOne) {
+  const std::vector<RegionIndex> labels = {1, 1, 0, 0, //
+                                           1, 1, 1, 0, //
+                                           2, 2, 2, 2};
+  const std::string wide = "xx.."
+                           "xx.."
+                           "....";
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 4; ++x)
+      EXPECT_EQ(isWide(labels, {4, 3}, x, y), wide[static_cast<std::size_t>(4 * y + x)] == 'x')
+          << x << ' ' << y;
+}
+
+TEST(Regions, LieBetweenFourPixels) {
+  const glm::ivec2 size(4, 3);
+  EXPECT_EQ(pixelsAround({1.5f, 1.5f}, size), (std::array<std::size_t, 4>{5, 6, 9, 10}));
+  EXPECT_EQ(pixelsAround({2.4f, 1.2f}, size), (std::array<std::size_t, 4>{1, 2, 5, 6}));
+  EXPECT_FALSE(pixelsAround({0.4f, 1.5f}, size)) << "left of the first pixel's middle";
+  EXPECT_FALSE(pixelsAround({3.6f, 1.5f}, size));
+  EXPECT_FALSE(pixelsAround(glm::vec2(std::nanf("")), size));
 }
 
 } // namespace taa::doctor

@@ -39,14 +39,13 @@ void changeDepth(DoctorFrame& frame, const std::function<float(float)>& change) 
 
 } // namespace
 
-// A board moves before a ground that rests. A pixel of the ground counts whose place of a frame ago,
-// which has the ground's motion, lies well inside the board, and which itself lies well inside the ground:
-// the strip that the board leaves, less a pixel at both of its rims.
+// A board moves before a ground that rests. A pixel of the ground counts whose place of a frame ago, which
+// has the ground's motion, lies between four pixels of the board.
 TEST(DepthOrder, AgreesWhereTheBoardIsNearer) {
   const DepthOrder order = orderOf({.cameraPx = {0.0, 0.0}, .boardPx = {8.0, 0.0}, .isJittered = false});
-  // 8 px wide and 36 high, less a pixel on each side of the strip and at both ends of it; five pairs of
-  // frames.
-  EXPECT_EQ(order.nearer, 5u * (8 - 2) * (36 - 2));
+  // The strip that it leaves is 8 px wide and 36 high; below the last row there is none of the board. Five
+  // pairs.
+  EXPECT_EQ(order.nearer, 5u * 8 * 35);
   EXPECT_EQ(order.farther, 0u);
   EXPECT_EQ(order.frames, 5);
   EXPECT_EQ(order.verdict(), OrderVerdict::Agrees);
