@@ -327,7 +327,7 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
   const std::vector<JitterTrial> trials = jitterTrials(patient.patient.sizePx);
   const JitterFit fit = jitterFit(evidence, trials);
   const double missPx = fit.missPx.front();
-  if (fit.isConfirmed() && missPx <= kMissingPx) {
+  if ((fit.isConfirmed() || fit.isMeasured()) && missPx <= kMissingPx) {
     out.healthy.push_back(say<"Jitter is in the pictures as it is stated, to %1 px.">(shortNumber(missPx)));
     tellLength(fit, trials, out);
     tellTrial(trials, 0, evidence, patient.sky, out);

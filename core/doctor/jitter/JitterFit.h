@@ -29,6 +29,9 @@ struct JitterFit {
 
   /// Nothing fits better than what is stated.
   bool isConfirmed() const;
+  /// Shifts that are measured are those of what is stated, nearly exactly, and of nothing else: whatever fits
+  /// better because pictures alias is chance.
+  bool isMeasured() const;
   /// The best fits clearly better in nearly all pairs, and is not farther from measured shifts than what is
   /// stated; or it fits better, and is much nearer to them. Neither is enough alone: thin lines stay on their
   /// pixels whatever the jitter, and what repeats shifts by whatever it is told.

@@ -52,6 +52,16 @@ TEST(JitterFit, ConfirmsWhatIsStatedWhereNothingFitsBetter) {
   EXPECT_FALSE(fitOfEight({1.0, 1.5, 0.9}).isContradicted()); // nor is anything clear
 }
 
+TEST(JitterFit, IsMeasuredWhereShiftsAreThoseStatedAndNoOthers) {
+  JitterFit fit;
+  fit.missPx = {0.01, 0.3, 0.1};
+  EXPECT_TRUE(fit.isMeasured());
+  fit.missPx[2] = 0.09;
+  EXPECT_FALSE(fit.isMeasured()) << "another is as near";
+  fit.missPx = {0.021, 0.3, 0.2};
+  EXPECT_FALSE(fit.isMeasured());
+}
+
 TEST(JitterFit, ContradictsWhatIsStatedWhereMeasuredShiftsSayTheSame) {
   const JitterFit fit = fitOfEight({1.0, 1.5, 0.9}, 0.75f);
   EXPECT_EQ(fit.missPx, (std::vector<double>{0.5, 0.75, 0.0}));
