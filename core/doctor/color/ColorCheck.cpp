@@ -32,9 +32,9 @@ void ColorEvidence::add(const FrameNeighbors& frames, const std::vector<RegionIn
 }
 
 std::vector<std::uint8_t> tellInterface(const ColorEvidence& evidence, Diagnosis& out) {
-  const std::vector<ScreenGroup> groups = interfaceGroups(evidence.tiles);
+  const ScreenGroups groups = interfaceGroups(evidence.tiles);
   tellInterface(groups, evidence.tiles, out);
-  return coveredPixels(groups, evidence.tiles);
+  return coveredPixels(groups.clear, evidence.tiles);
 }
 
 FrameReader coveredReader(const FrameReader& read, std::vector<std::uint8_t> covered) {

@@ -23,9 +23,11 @@ constexpr double kNearlyAllTilePairs = 0.9, kMostTilePairs = 0.8;
 /// What motion leaves of edges that rest on the screen: times what is left in place, and luma in the mean.
 constexpr double kMovingFactor = 3.0, kMovingLuma = 0.004;
 /// Between pixels edges are read less well: what is left but for jitter, as a share of all else.
-constexpr double kJitteredShare = 0.8, kClearlyJittered = 0.67;
-/// Squares of a group; those of one that is jittered not so clearly.
-constexpr std::size_t kLeastFixed = 4, kLeastJittered = 12, kLeastUnclear = 24;
+constexpr double kJitteredShare = 0.8;
+/// Of a group; and the share of its edges that may be rims of what is behind it. A ball that a camera goes
+/// around looks the same from all sides: its rim and its shading rest, and its surface moves.
+constexpr double kClearlyJittered = 0.67, kEdgesAtRims = 0.3;
+constexpr std::size_t kLeastFixed = 4, kLeastJittered = 12; ///< squares of a group
 /// px a frame in the mean: the world moves.
 constexpr double kWorldMovesPx = 0.5;
 /// Of the edges that rest on the screen where the world rests, too: so many others have to shift with the
@@ -289,22 +291,41 @@ void tellOpen(const ScreenTiles& tiles, Diagnosis& out) {
        say<"Let the camera turn by some pixels a frame.">(), std::move(faults)});
 }
 
-/// Squares that a group has to have.
-std::size_t leastOf(const ScreenGroup& group) {
-  if (!group.isJittered) return kLeastFixed;
-  const double other = std::min(group.sums.inPlace, group.sums.asGiven);
-  return group.sums.jittered <= kClearlyJittered * other ? kLeastJittered : kLeastUnclear;
+/// Edges that rest on the screen but for the jitter a little better than they move.
+void tellUnclear(std::size_t squares, Diagnosis& out) {
+  out.undecided.push_back({say<"Interface in the pictures">(),
+                           say<"in %1 squares of %2 pixels edges fit rest on the screen better than the "
+                               "motion given, and not clearly: "
+                               "what looks the same from all sides does, too">(squares, kTilePx),
+                           say<"Let the camera turn by some pixels a frame.">(),
+                           {Fault::InterfaceJittered}});
+}
+
+/// Whether a group is one, and whether it clearly is.
+bool isEnough(const ScreenGroup& group) {
+  return group.tiles.size() >= (group.isJittered ? kLeastJittered : kLeastFixed);
+}
+bool isClear(const ScreenGroup& group) {
+  if (!group.isJittered) return true;
+  return group.sums.jittered <= kClearlyJittered * std::min(group.sums.inPlace, group.sums.asGiven) &&
+         static_cast<double>(group.sums.atRim) <= kEdgesAtRims * static_cast<double>(group.sums.pixels);
 }
 
 } // namespace
 
-std::vector<ScreenGroup> interfaceGroups(const ScreenTiles& tiles) {
+ScreenGroups interfaceGroups(const ScreenTiles& tiles) {
   std::vector<TileKind> kinds = tileKinds(tiles);
-  std::vector<ScreenGroup> out, own;
+  ScreenGroups groups;
+  std::vector<ScreenGroup>& out = groups.clear;
+  std::vector<ScreenGroup> own;
   for (int i = 0; i < static_cast<int>(kinds.size()); ++i) {
     if (kinds[static_cast<std::size_t>(i)] == TileKind::Other) continue;
     ScreenGroup group = takeGroup(tiles, i, kinds);
-    if (group.tiles.size() < leastOf(group)) continue;
+    if (!isEnough(group)) continue;
+    if (!isClear(group)) {
+      groups.unclear += group.tiles.size();
+      continue;
+    }
     (isOwnRegion(group, tiles) ? own : out).push_back(std::move(group));
   }
   // Beside an interface, what hides an object or the sky is more of it.
@@ -313,7 +334,7 @@ std::vector<ScreenGroup> interfaceGroups(const ScreenTiles& tiles) {
     if (std::any_of(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(apart),
                     [&](const ScreenGroup& other) { return other.isJittered == group.isJittered; }))
       out.push_back(std::move(group));
-  return out;
+  return groups;
 }
 
 std::vector<std::uint8_t> coveredPixels(const std::vector<ScreenGroup>& groups, const ScreenTiles& tiles) {
@@ -327,10 +348,13 @@ std::vector<std::uint8_t> coveredPixels(const std::vector<ScreenGroup>& groups, 
   return out;
 }
 
-void tellInterface(const std::vector<ScreenGroup>& groups, const ScreenTiles& tiles, Diagnosis& out) {
-  if (groups.empty()) return tellOpen(tiles, out);
-  tellGroups(groups, tiles, false, out);
-  tellGroups(groups, tiles, true, out);
+void tellInterface(const ScreenGroups& groups, const ScreenTiles& tiles, Diagnosis& out) {
+  tellGroups(groups.clear, tiles, false, out);
+  tellGroups(groups.clear, tiles, true, out);
+  if (groups.unclear > 0)
+    tellUnclear(groups.unclear, out);
+  else if (groups.clear.empty())
+    tellOpen(tiles, out);
 }
 
 } // namespace taa::doctor

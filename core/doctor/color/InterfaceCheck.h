@@ -5,6 +5,7 @@
 #include "core/doctor/Diagnosis.h"
 #include "core/doctor/color/ScreenTiles.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,16 +18,21 @@ struct ScreenGroup {
   TileSums sums;
 };
 
+struct ScreenGroups {
+  std::vector<ScreenGroup> clear;
+  std::size_t unclear = 0; ///< squares of groups that rest but for the jitter, and not clearly
+};
+
 /// Those that are no objects of their own, nor the sky. Rather none than a wrong one: all edges have to stay
 /// where they are in nearly all pairs of frames, and to contradict motion clearly. Where the world rests as
 /// well, other edges that rest have to show that there is jitter in the pictures.
-std::vector<ScreenGroup> interfaceGroups(const ScreenTiles& tiles);
+ScreenGroups interfaceGroups(const ScreenTiles& tiles);
 
 /// Pixels that are no witness of anything behind them, row by row: those of the groups and a square around;
 /// empty where there are no groups.
 std::vector<std::uint8_t> coveredPixels(const std::vector<ScreenGroup>& groups, const ScreenTiles& tiles);
 
 /// Adds a finding for each of the two kinds of interface, or what is right or not decided.
-void tellInterface(const std::vector<ScreenGroup>& groups, const ScreenTiles& tiles, Diagnosis& out);
+void tellInterface(const ScreenGroups& groups, const ScreenTiles& tiles, Diagnosis& out);
 
 } // namespace taa::doctor

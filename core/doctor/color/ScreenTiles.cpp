@@ -21,8 +21,9 @@ constexpr float kJitteredPx = 0.05f;
 /// The edges of a square in a pair of frames.
 class TilePair {
  public:
-  TilePair(const FrameNeighbors& frames, const glm::ivec2& first, const glm::ivec2& end)
-      : frames_(frames), jitterStep_(frames.jitterStep()) {
+  TilePair(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels, const glm::ivec2& first,
+           const glm::ivec2& end)
+      : frames_(frames), labels_(labels), jitterStep_(frames.jitterStep()) {
     for (int y = first.y; y < end.y; ++y)
       for (int x = first.x; x < end.x; ++x) addPixel({x, y});
   }
@@ -51,6 +52,7 @@ class TilePair {
     const glm::vec2 given = givenAt(pixel);
     const glm::vec2 world = cameraMotionPx(frames_.now, pixel).value_or(given);
     ++sums_.pixels;
+    if (!isInside(labels_, frames_.now.sizePx(), pixel.x, pixel.y)) ++sums_.atRim;
     sums_.inPlace += leftBy(pixel, -jitterStep_);
     sums_.jittered += leftBy(pixel, glm::vec2(0.0f));
     sums_.asGiven += leftBy(pixel, -given);
@@ -74,6 +76,7 @@ class TilePair {
   }
 
   const FrameNeighbors& frames_;
+  const std::vector<RegionIndex>& labels_;
   glm::vec2 jitterStep_;
   std::size_t alongX_ = 0, alongY_ = 0;
   TileSums sums_;
@@ -83,6 +86,7 @@ class TilePair {
 
 void TileSums::add(const TileSums& other) {
   pixels += other.pixels;
+  atRim += other.atRim;
   inPlace += other.inPlace;
   jittered += other.jittered;
   asGiven += other.asGiven;
@@ -99,7 +103,8 @@ void ScreenTiles::add(const FrameNeighbors& frames, const std::vector<RegionInde
   for (int row = 0; row < counts.y; ++row)
     for (int column = 0; column < counts.x; ++column) {
       const glm::ivec2 first = kTilePx * glm::ivec2(column, row);
-      const TilePair pair(frames, glm::max(first, glm::ivec2(1)), glm::min(first + kTilePx, sizePx - 1));
+      const TilePair pair(frames, regions, glm::max(first, glm::ivec2(1)),
+                          glm::min(first + kTilePx, sizePx - 1));
       pair.addTo(tiles[static_cast<std::size_t>(row) * counts.x + column]);
     }
   labels = regions;

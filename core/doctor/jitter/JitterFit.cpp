@@ -18,7 +18,7 @@ constexpr double kFittingShare = 0.85, kDoubtShare = 0.98, kRestingShare = 1.0 /
 // Where pictures alias, shifts are measured worse.
 constexpr double kFittingPx = 0.15, kAliasedPx = 0.3, kNearerShare = 0.65;
 // Likewise, where they are measured so well that they decide alone; others have to be so far away.
-constexpr double kMeasuredPx = 0.02, kElsewherePx = 0.1, kMeasuredFactor = 5.0;
+constexpr double kMeasuredPx = 0.02, kFromOthersPx = 0.1, kMeasuredFactor = 5.0;
 constexpr double kNearlyAllPairs = 0.8; ///< of the pairs
 constexpr double kAsGoodShare = 1.05;
 
@@ -53,7 +53,7 @@ bool JitterFit::isConfirmed() const {
 bool JitterFit::isMeasured() const {
   const double stated = missPx.front();
   return stated <= kMeasuredPx && std::all_of(missPx.begin() + 1, missPx.end(), [&](double other) {
-           return other >= std::max(kElsewherePx, kMeasuredFactor * stated);
+           return other >= std::max(kFromOthersPx, kMeasuredFactor * stated);
          });
 }
 

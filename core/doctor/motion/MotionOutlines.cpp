@@ -32,14 +32,15 @@ struct RegionMiddle {
   bool isCut = false; ///< by the picture's border
 };
 
-std::map<RegionIndex, RegionMiddle> middlesOf(const std::vector<RegionIndex>& labels,
-                                              const glm::ivec2& size) {
-  std::map<RegionIndex, RegionMiddle> out;
+/// By region.
+std::vector<RegionMiddle> middlesOf(const std::vector<RegionIndex>& labels, const glm::ivec2& size) {
+  const auto highest = std::ranges::max_element(labels);
+  std::vector<RegionMiddle> out(highest == labels.end() ? 0 : static_cast<std::size_t>(*highest + 1));
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
       const RegionIndex label = labels[static_cast<std::size_t>(y) * size.x + x];
       if (label == kNoRegion) continue;
-      RegionMiddle& middle = out[label];
+      RegionMiddle& middle = out[static_cast<std::size_t>(label)];
       middle.count += 1.0;
       middle.sum += glm::dvec2(x, y);
       middle.isCut = middle.isCut || x == 0 || y == 0 || x + 1 == size.x || y + 1 == size.y;
@@ -134,9 +135,9 @@ class PairOutlines {
   }
 
   std::optional<glm::vec2> motionOfMiddle(RegionIndex region) const {
-    const auto now = now_.find(region), before = before_.find(region);
-    if (now == now_.end() || before == before_.end()) return {};
-    const RegionMiddle &a = now->second, &b = before->second;
+    const auto index = static_cast<std::size_t>(region);
+    if (index >= now_.size() || index >= before_.size()) return {};
+    const RegionMiddle &a = now_[index], &b = before_[index];
     const bool isWhole = !a.isCut && !b.isCut && std::min(a.count, b.count) >= kEnoughOfWhole &&
                          std::abs(a.count - b.count) <= kAsLargeShare * b.count;
     if (!isWhole) return {};
@@ -154,7 +155,7 @@ class PairOutlines {
   glm::ivec2 sizePx_;
   glm::vec2 rasterStep_; ///< of what regions are drawn with
   int reach_ = kLeastReach;
-  std::map<RegionIndex, RegionMiddle> now_, before_;
+  std::vector<RegionMiddle> now_, before_;
   std::map<RegionIndex, OutlineEvidence> out_;
 };
 

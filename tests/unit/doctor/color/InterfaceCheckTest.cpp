@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -68,6 +69,20 @@ TEST(InterfaceCheck, TellsOneThatIsJittered) {
   const Diagnosis diagnosis = diagnosisOf(paintJittered);
   ASSERT_EQ(told(diagnosis), "interfaceJittered");
   EXPECT_EQ(diagnosis.findings[0].residuals[0].id, "jittered");
+}
+
+// Balls that a camera goes around look the same from all sides: their rims rest on the screen and follow the
+// jitter, and the motion of their surfaces is right.
+TEST(InterfaceCheck, LeavesOpenWhatRestsAtRimsOfObjects) {
+  const Diagnosis diagnosis = diagnosisOf([](DoctorFrame& frame) {
+    paintJittered(frame);
+    for (int y = test::kBarTop; y < test::kBarBottom; ++y)
+      for (int x = 0; x < frame.sizePx().x; ++x)
+        frame.objectId[static_cast<std::size_t>(y) * frame.sizePx().x + x] =
+            static_cast<std::uint32_t>(100 + x / 4 + 40 * (y / 4));
+  });
+  EXPECT_EQ(told(diagnosis), "");
+  EXPECT_TRUE(isOpen(diagnosis, Fault::InterfaceJittered));
 }
 
 TEST(InterfaceCheck, IsToldBesideWrongJitter) {
