@@ -12,8 +12,9 @@ namespace taa::doctor {
 
 namespace {
 
-/// px: explanations that lead to places nearer to each other say the same of an outline.
-constexpr float kApartPx = 0.5f;
+/// px: explanations that lead to places nearer to each other say the same of an outline, which lies up to a
+/// pixel beside where it is taken to be where depth has not the jitter that is stated.
+constexpr float kApartPx = 1.5f;
 constexpr double kOutlinePixelsPerPair = 130000.0; ///< looked at of larger pictures
 /// Pixels from the rim: of the picture's width, at least and at most.
 constexpr int kReachShare = 60, kLeastReach = 4, kMostReach = 32;
@@ -23,7 +24,13 @@ constexpr double kAsLargeShare = 0.03;
 constexpr double kEnoughOfWhole = 150.0;
 // What fits, and what does not.
 constexpr std::size_t kEnoughOutline = 150, kEnoughOutside = 40, kEnoughOutlinePairs = 3;
+constexpr double kOfJitter = 0.5; ///< of what it is off by, squared: so much is a factor of the jitter
 constexpr double kOutlineFactor = 4.0, kPairsShare = 0.8, kSameOutlineGain = 0.95;
+
+bool isOfJitter(MotionKind kind) {
+  return kind == MotionKind::JitterOfThis || kind == MotionKind::JitterOfPrevious ||
+         kind == MotionKind::JitterOfBoth || kind == MotionKind::JitterTakenOff;
+}
 
 /// Where a region lies in a frame.
 struct RegionMiddle {
@@ -96,11 +103,22 @@ class PairOutlines {
     const RegionIndex region = labelAt(pixel);
     OutlineEvidence& outline = out_[region];
     outline.trials.resize(trials_.size());
-    for (std::size_t t = 0; t < trials_.size(); ++t)
+    for (std::size_t t = 0; t < trials_.size(); ++t) {
+      if (isOfJitter(trials_[t].kind)) continue;
       if (const auto motion = trueMotion(trials_[t], frames_, pixel))
         compare(pixel, given, *isGivenOutside, *motion, outline.trials[t]);
-    if (const auto motion = motionOfMiddle(region))
+    }
+    if (const auto motion = motionOfMiddle(region)) {
       compare(pixel, given, *isGivenOutside, *motion, outline.found);
+      addOff(*motion - given, outline);
+    }
+  }
+
+  void addOff(const glm::dvec2& off, OutlineEvidence& outline) const {
+    const glm::dvec2 jitter(rasterStep_);
+    outline.offSquares += glm::dot(off, off);
+    outline.jitterSquares += glm::dot(jitter, jitter);
+    outline.offByJitter += glm::dot(off, jitter);
   }
 
   void compare(const glm::ivec2& pixel, const glm::vec2& given, bool isGivenOutside, const glm::vec2& motion,
@@ -180,6 +198,13 @@ void OutlineEvidence::add(const OutlineEvidence& other) {
   trials.resize(std::max(trials.size(), other.trials.size()));
   for (std::size_t t = 0; t < other.trials.size(); ++t) trials[t].add(other.trials[t]);
   found.add(other.found);
+  offSquares += other.offSquares;
+  jitterSquares += other.jitterSquares;
+  offByJitter += other.offByJitter;
+}
+
+bool OutlineEvidence::isOffByJitter() const {
+  return offByJitter * offByJitter > kOfJitter * offSquares * jitterSquares;
 }
 
 std::map<RegionIndex, OutlineEvidence> outlinesOf(const FrameNeighbors& frames,
@@ -212,7 +237,7 @@ bool breaksOutline(std::size_t trial, const OutlineEvidence& evidence) {
 }
 
 bool isOutlineFoundElsewhere(const OutlineEvidence& evidence) {
-  return fitsOutline(evidence.found);
+  return fitsOutline(evidence.found) && !evidence.isOffByJitter();
 }
 
 } // namespace taa::doctor

@@ -23,11 +23,19 @@ struct OutlineCounts {
 
 /// Of one region.
 struct OutlineEvidence {
-  std::vector<OutlineCounts> trials; ///< as motionTrials(); empty: no outline was seen
+  /// As motionTrials(); empty: no outline was seen. Nothing is counted of jitter left in motion: outlines may
+  /// have another one than is stated themselves.
+  std::vector<OutlineCounts> trials;
   /// What the middle of the region moves by, where all of it is seen in both frames.
   OutlineCounts found;
+  /// Of its pixels: sums of squares of that motion less the one given, of the step of jitter, and of their
+  /// product.
+  double offSquares = 0.0, jitterSquares = 0.0, offByJitter = 0.0;
 
   void add(const OutlineEvidence& other);
+  /// Whether it is off by a factor of the jitter: then outlines have another one than is stated, and nothing
+  /// moves.
+  bool isOffByJitter() const;
 };
 
 /// Of one pair of frames, by region.

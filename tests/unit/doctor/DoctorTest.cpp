@@ -242,6 +242,20 @@ TEST(Doctor, GoesByOutlinesWhereThereIsTooLittleDetail) {
             "motionInUv in object 2 (board)");
 }
 
+// Outlines are those of depth and object numbers: where these have another jitter than is stated, all of them
+// shift.
+TEST(Doctor, TakesNoJitterOfDepthForMotionOfOutlines) {
+  PaintedShot shot;
+  shot.isBoardTextured = false;
+  for (const glm::dvec2& board : {glm::dvec2(0.0), glm::dvec2(2.0, 1.0)}) {
+    shot.boardPx = board;
+    const Diagnosis diagnosis =
+        diagnosisOf(shot, [](DoctorFrame& frame) { frame.depthJitterPx = -frame.depthJitterPx; });
+    for (const Finding& finding : diagnosis.findings)
+      EXPECT_FALSE(finding.id.starts_with("motion")) << finding.id;
+  }
+}
+
 TEST(Doctor, NamesDepthThatIsTheOtherWayAroundByWhatHidesWhat) {
   PaintedShot shot;
   shot.cameraPx = {0.0, 0.0};

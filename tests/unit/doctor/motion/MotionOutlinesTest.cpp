@@ -89,13 +89,12 @@ TEST(MotionOutlines, CountWhatCameFromOutside) {
   EXPECT_EQ(winnersOf(still), "") << "no explanation makes a motion of 0";
 }
 
-// Half a pixel the wrong way is seen, and may as well be rest; a tenth is not seen.
-TEST(MotionOutlines, NameNoneAloneOfWhatMovesByHalfAPixel) {
-  const std::string half = winnersOf(boardOutline({0.5, 0.5}, [](const glm::vec2& m) { return -m; }));
-  EXPECT_NE(half.find("opposite"), std::string::npos) << half;
-  EXPECT_NE(half.find("resting"), std::string::npos) << half;
-  EXPECT_EQ(winnersOf(boardOutline({1.5, 1.5}, [](const glm::vec2& m) { return -m; })), "opposite");
-  const OutlineEvidence slow = boardOutline({0.1, 0.1}, [](const glm::vec2& m) { return -m; });
+// Depth that has not the jitter that is stated moves outlines by up to a pixel from frame to frame: what
+// leads no farther from the motion given is not asked.
+TEST(MotionOutlines, SayNothingOfLessThanJitterMayBe) {
+  const Change opposite = [](const glm::vec2& m) { return -m; };
+  EXPECT_EQ(winnersOf(boardOutline({1.5, 1.5}, opposite)), "opposite");
+  const OutlineEvidence slow = boardOutline({0.5, 0.5}, opposite);
   EXPECT_EQ(winnersOf(slow), "");
   EXPECT_FALSE(isOutlineFoundElsewhere(slow));
 }
