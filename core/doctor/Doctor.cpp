@@ -70,7 +70,8 @@ class Examiner {
   }
   const ResolveEvidence& resolve() const { return resolve_; }
   std::optional<MotionTrial> tellMotion(Diagnosis& out) const {
-    return doctor::tellMotion(motion_, tracker_.regions(), patient_, out);
+    const bool areRimsSeen = rims_.depth.verdict() != RimVerdict::Unjittered;
+    return doctor::tellMotion(motion_, tracker_.regions(), patient_, areRimsSeen, out);
   }
 
  private:

@@ -40,7 +40,7 @@ TEST_F(DoctorFaults, AreNamedFirst) {
         Fault::MotionCoarse, Fault::JitterNegated, Fault::JitterLate, Fault::JitterDoubled,
         Fault::SkyWithoutMotion, Fault::HistoryNotSwapped, Fault::HistoryReadJittered, Fault::NanKept,
         Fault::AlphaOne, Fault::AlphaZero, Fault::BoxOfCorners, Fault::DilatesFarthest,
-        Fault::OffScreenClamped, Fault::LowPrecision}},
+        Fault::OffScreenClamped, Fault::LowPrecision, Fault::DepthReversed, Fault::DepthLinear}},
       {"disocclusion",
        "",
        {Fault::MotionHalved, Fault::MotionInUv, Fault::MotionCameraOnly, Fault::JitterSwapped,
@@ -51,6 +51,8 @@ TEST_F(DoctorFaults, AreNamedFirst) {
       {"crowd", "pan", {Fault::JitterNotApplied, Fault::SkyNotJittered}},
       {"crowd", "still", {Fault::JitterNotApplied, Fault::BoxOfCorners}},
       {"fence", "still", {Fault::InterfaceBefore}},
+      // A camera that turns passes nothing; what boards hide tells which way around depth is.
+      {"disocclusion", "pan", {Fault::DepthReversed, Fault::DepthLinear}},
       {"foliage", "still", {Fault::AlphaZero}},
       {"foliage", "pan", {Fault::JitterFrozen}}};
   for (const FaultyShot& shot : shots) {
@@ -61,6 +63,14 @@ TEST_F(DoctorFaults, AreNamedFirst) {
       EXPECT_EQ(diagnosis.findings[0].id, faultInfo(fault).id) << shot.scene;
     }
   }
+}
+
+// Where depth has no jitter, its rims are not those of the pictures, and say nothing of motion.
+TEST_F(DoctorFaults, OfDepthAreNoneOfMotion) {
+  const Fault fault = Fault::DepthNotJittered;
+  const Diagnosis diagnosis = diagnosisWith({"text", "still", {}}, &fault);
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  EXPECT_EQ(diagnosis.findings[0].id, "depthNotJittered");
 }
 
 TEST_F(DoctorFaults, AreNamedInASkyThatHoldsAShareOfTheJitter) {

@@ -196,7 +196,7 @@ RegionPlace placeOf(const Region& region, const Patient& patient, double allPixe
 }
 
 std::optional<MotionTrial> tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
-                                      const Patient& patient, Diagnosis& out) {
+                                      const Patient& patient, bool areRimsSeen, Diagnosis& out) {
   const double allPixels = static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
   tellMarks(evidence, regions, patient, allPixels, out);
   Judged judged = judgeMotion(evidence, regions);
@@ -208,7 +208,7 @@ std::optional<MotionTrial> tellMotion(const MotionEvidence& evidence, const std:
       most = evidence.trials()[*group.trial];
   }
   const Finding late = lateFinding();
-  if (judged.isLate && std::ranges::count(out.findings, late.id, &Finding::id) == 0)
+  if (judged.isLate && areRimsSeen && std::ranges::count(out.findings, late.id, &Finding::id) == 0)
     out.findings.push_back(late);
   tellJumps(evidence, regions, patient, allPixels, out);
   if (judged.contradicted)
