@@ -126,12 +126,21 @@ std::vector<std::string> cellsOf(std::string_view row) {
   return cells;
 }
 
-/// "11.1", "J9", "D8": what techniques are cited by.
+/// "11.1", "3.1a", "J9", "D8": what techniques are cited by.
 bool isRowNumber(std::string_view text) {
+  if (text.size() > 1 && std::islower(static_cast<unsigned char>(text.back()))) text.remove_suffix(1);
   if (!text.empty() && std::isupper(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
   return !text.empty() && std::ranges::all_of(text, [](char letter) {
     return letter == '.' || std::isdigit(static_cast<unsigned char>(letter));
   });
+}
+
+/// "2.1" of "2.1 Into the projection", "16" of "16. History length": techniques without a row are cited by
+/// the number of their section. Empty: the heading has none.
+std::string_view numberOfHeading(std::string_view text) {
+  std::string_view number = text.substr(0, text.find(' '));
+  if (number.ends_with('.')) number.remove_suffix(1);
+  return isRowNumber(number) ? number : std::string_view();
 }
 
 /// What of a line of a numbered list stands before its text, "12. "; 0: it is none.
@@ -177,8 +186,9 @@ class BlockWriter {
   void takeHeading(std::size_t depth, std::string_view text) {
     closeParagraph();
     closeList();
-    const std::string tag = "h" + std::to_string(depth);
-    out_ += "<" + tag + " id=\"" + htmlText(headingAnchor(std::string(text))) + "\">" +
+    const std::string tag = "h" + std::to_string(depth), number(numberOfHeading(text));
+    const std::string anchor = number.empty() ? number : "<a id=\"" + number + "\"></a>";
+    out_ += "<" + tag + " id=\"" + htmlText(headingAnchor(std::string(text))) + "\">" + anchor +
             inlineHtml(text, place_) + "</" + tag + ">\n";
   }
   // The second row only divides the first one from the others.
