@@ -145,7 +145,9 @@ class LessonReader {
   }
 
   void beginStep(std::string_view title) {
+    const int line = line_;
     if (!lesson_.steps.empty()) endStep();
+    line_ = line; // the end of a step goes back to the lines of its solution
     if (lesson_.steps.size() >= kMaxLessonSteps)
       throw Error(say<"a lesson has at most %1 steps">(kMaxLessonSteps));
     LessonStep& step = lesson_.steps.emplace_back();

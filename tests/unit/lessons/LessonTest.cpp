@@ -47,6 +47,13 @@ TEST(Lesson, ReadsTitleSummaryStepsAndText) {
   EXPECT_EQ(lesson.steps[1].text, "More.\n");
 }
 
+TEST(Lesson, AStepKnowsItsLineBehindATaskToo) {
+  const taa::Lesson lesson = taa::lessonFromText(
+      step("task: metric psnr > 30\nsolution: set weight.alpha=0.5\n") + "## Two\n\nMore.\n", "some.md");
+  EXPECT_EQ(lesson.steps[0].line, 5);
+  EXPECT_EQ(lesson.steps[1].line, 13);
+}
+
 TEST(Lesson, AStepGoesOnFromTheOneBefore) {
   const taa::Lesson lesson = taa::lessonFromText(
       step("scene: builtin:fan\nframe: 7\npreset: minimal\nview: resolved\nview: alpha\nprobe: 3,4\n") +
