@@ -9,6 +9,7 @@
 #include <cctype>
 #include <cstddef>
 #include <iterator>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -187,10 +188,12 @@ class BlockWriter {
     closeParagraph();
     closeList();
     const std::string tag = "h" + std::to_string(depth), number(numberOfHeading(text));
-    const std::string anchor = number.empty() ? number : "<a id=\"" + number + "\"></a>";
+    const std::string anchor = takeNumber(number) ? "<a id=\"" + number + "\"></a>" : "";
     out_ += "<" + tag + " id=\"" + htmlText(headingAnchor(std::string(text))) + "\">" + anchor +
             inlineHtml(text, place_) + "</" + tag + ">\n";
   }
+  /// Whether it leads here: what has the number first does.
+  bool takeNumber(const std::string& number) { return !number.empty() && numbers_.insert(number).second; }
   // The second row only divides the first one from the others.
   void takeRow(std::string_view line) {
     closeParagraph();
@@ -200,7 +203,7 @@ class BlockWriter {
     const std::string tag = rows_ == 1 ? "th" : "td";
     const std::vector<std::string> cells = cellsOf(line);
     const bool isNumbered = rows_ > 2 && !cells.empty() && isRowNumber(cells.front());
-    out_ += isNumbered ? "<tr id=\"" + cells.front() + "\">" : "<tr>";
+    out_ += isNumbered && takeNumber(cells.front()) ? "<tr id=\"" + cells.front() + "\">" : "<tr>";
     for (const std::string& cell : cells)
       out_ += "<" + tag + ">" + inlineHtml(cell, place_) + "</" + tag + ">";
     out_ += "</tr>\n";
@@ -233,8 +236,9 @@ class BlockWriter {
 
   const LinkPlace& place_;
   std::string out_, paragraph_;
-  std::string list_; ///< its tag; empty: there is none
-  int rows_ = 0;     ///< of the table that is open
+  std::set<std::string> numbers_; ///< that lead somewhere
+  std::string list_;              ///< its tag; empty: there is none
+  int rows_ = 0;                  ///< of the table that is open
   bool isCode_ = false;
 };
 
