@@ -24,6 +24,7 @@ constexpr QSize kLeastViews(320, 150);  ///< logical px that no panel takes from
 constexpr double kViewsShare = 0.4;     ///< of width and height that a layout leaves to the views at least
 constexpr QSize kReachable(120, 40);    ///< logical px of a window that have to be on a screen
 constexpr QSize kFirstWindow(720, 360); ///< of a page that is torn off
+constexpr int kLessonLines = 20;        ///< of text, that a lesson is high where there is room
 
 QList<QRect> screenPlaces(const QScreen* first) {
   QList<QRect> places{first->availableGeometry()};
@@ -73,12 +74,13 @@ Workspace::Workspace(const Panels& panels, QWidget* parent) : QMainWindow(parent
   connect(qApp, &QGuiApplication::screenRemoved, this, &Workspace::comeBack, Qt::QueuedConnection);
 }
 
-// A lesson and the probe, where they share a side.
+// A lesson and the probe, where they share a side: half of it, and with large text what a lesson needs.
 void Workspace::halveRight() {
   if (probe_->isHidden() || learn_->isFloating() || probe_->isFloating() ||
       dockWidgetArea(learn_) != dockWidgetArea(probe_))
     return;
-  resizeDocks({learn_, probe_}, {height() / 2, height() / 2}, Qt::Vertical);
+  const int learn = std::max(height() / 2, kLessonLines * fontMetrics().lineSpacing());
+  resizeDocks({learn_, probe_}, {learn, std::max(1, height() - learn)}, Qt::Vertical);
 }
 
 PanelDock* Workspace::addDock(const QString& id, const QString& title, Qt::DockWidgetArea area) {

@@ -5,6 +5,7 @@
 #include "app/style/Theme.h"
 #include "app/widgets/IconButton.h"
 #include "app/widgets/Line.h"
+#include "core/lessons/LessonHtml.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
@@ -16,8 +17,21 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 
 namespace taa::app {
+
+namespace {
+
+/// A line of the answer; hints are Markdown, as the text of the step is.
+QString answerLine(const std::string& html) {
+  return qtext(html).replace(QLatin1String("<p>"), QLatin1String("<p style=\"margin:0\">"));
+}
+QString plainLine(const QString& text) {
+  return answerLine("<p>" + text.toHtmlEscaped().toStdString() + "</p>");
+}
+
+} // namespace
 
 LearnPanel::LearnPanel(QWidget* parent) : QWidget(parent) {
   setAutoFillBackground(true);
@@ -62,7 +76,7 @@ void LearnPanel::makeHead() {
 void LearnPanel::makeFoot() {
   answer_ = new QLabel;
   answer_->setWordWrap(true);
-  answer_->setTextFormat(Qt::PlainText);
+  answer_->setTextFormat(Qt::RichText);
   answer_->setAccessibleName(tr("What became of the task"));
   back_ = new QPushButton(tr("Back"));
   next_ = new QPushButton(tr("Next"));
@@ -122,14 +136,15 @@ void LearnPanel::showTask(const LessonStep& step, const StepNotes& notes) {
   hint_->setText(notes.hints < hints ? tr("Hint") : tr("Show the solution"));
   QStringList lines;
   for (int hint = 0; hint < std::min(notes.hints, hints); ++hint)
-    lines << tr("Hint: %1").arg(qtext(step.task->hints[static_cast<std::size_t>(hint)]));
+    lines << answerLine(htmlOfMarkdown(
+        tr("Hint: %1").arg(qtext(step.task->hints[static_cast<std::size_t>(hint)])).toStdString()));
   if (notes.isChecking)
-    lines << tr("Checking…");
+    lines << plainLine(tr("Checking…"));
   else if (!notes.answer.isEmpty())
-    lines << notes.answer;
+    lines << plainLine(notes.answer);
   else if (notes.isDone)
-    lines << tr("Solved.");
-  answer_->setText(lines.join(QLatin1Char('\n')));
+    lines << plainLine(tr("Solved."));
+  answer_->setText(lines.join(QString()));
   answer_->setVisible(!lines.isEmpty());
 }
 

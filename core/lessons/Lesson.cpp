@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdio>
 #include <exception>
 #include <functional>
 #include <set>
@@ -26,7 +27,8 @@ namespace {
 
 constexpr std::string_view kLessonFolder = "resources/lessons/", kLessonEnding = ".md";
 constexpr std::string_view kHeaderBegin = "```state", kFence = "```";
-constexpr std::array<std::string_view, 5> kTeachingKeys{"claim", "task", "hint", "solution", "techniques"};
+constexpr std::array<std::string_view, 6> kTeachingKeys{"claim", "rung",     "task",
+                                                        "hint",  "solution", "techniques"};
 /// The first line of these in a step takes the place of what the step before said.
 constexpr std::array<std::string_view, 5> kListKeys{"view", "probe", "plots", "hide", "pose"};
 
@@ -36,6 +38,37 @@ std::string idOf(const std::string& place) {
   const std::size_t dash = id.find_first_not_of("0123456789");
   if (dash != 0 && dash != id.npos && id[dash] == '-') id.erase(0, dash + 1);
   return id;
+}
+
+/// "source000-3 psnr=21.4 flicker=0.012"
+Rung rungFrom(std::string_view text) {
+  const std::vector<std::string_view> words = wordsOf(text);
+  if (words.size() != 3 || !words[1].starts_with("psnr=") || !words[2].starts_with("flicker="))
+    throw Error(say<"expected PRESET psnr=NUMBER flicker=NUMBER">());
+  std::vector<std::string_view> ids;
+  for (const Preset& known : builtinPresets()) ids.push_back(known.id);
+  requireName(words[0], ids, say<"preset">());
+  return {.preset = std::string(words[0]),
+          .psnr = numberFrom(words[1].substr(5)),
+          .flicker = numberFrom(words[2].substr(8))};
+}
+
+/// What a step of a ladder adds, "4. object motion"; of a whole pipeline its label.
+std::string rungLabel(const Preset& rung) {
+  const std::size_t colon = rung.label.find(": ");
+  if (rung.step == 0 || colon == std::string::npos) return rung.label;
+  return std::to_string(rung.step) + ". " + rung.label.substr(colon + 2);
+}
+
+std::string ladderText(const std::vector<Rung>& ladder) {
+  std::string text =
+      "| " + say<"Preset">() + " | " + say<"PSNR">() + " | " + say<"Flicker">() + " |\n|---|---|---|\n";
+  for (const Rung& rung : ladder) {
+    char numbers[64];
+    std::snprintf(numbers, sizeof(numbers), " | %.1f | %.4f |\n", rung.psnr, rung.flicker);
+    text += "| " + rungLabel(preset(rung.preset)) + numbers;
+  }
+  return text;
 }
 
 /// A state being written: what lists were begun anew.
@@ -112,7 +145,9 @@ class LessonReader {
   }
 
   void beginStep(std::string_view title) {
+    const int line = line_;
     if (!lesson_.steps.empty()) endStep();
+    line_ = line; // the end of a step goes back to the lines of its solution
     if (lesson_.steps.size() >= kMaxLessonSteps)
       throw Error(say<"a lesson has at most %1 steps">(kMaxLessonSteps));
     LessonStep& step = lesson_.steps.emplace_back();
@@ -142,6 +177,10 @@ class LessonReader {
     LessonStep& step = lesson_.steps.back();
     if (key == "claim") {
       step.claims.push_back(conditionOf(value));
+    } else if (key == "rung") {
+      if (step.ladder.size() >= kMaxRungs) throw Error(say<"a step has at most %1 rungs">(kMaxRungs));
+      step.ladder.push_back(rungFrom(value));
+      step.ladder.back().line = line_;
     } else if (key == "task") {
       taskOf(step).conditions.push_back(conditionOf(value));
     } else if (key == "hint") {
@@ -150,7 +189,9 @@ class LessonReader {
       taskOf(step);
       solution_.emplace_back(line_, value);
     } else if (key == "techniques") {
-      for (const std::string_view row : wordsOf(value)) lesson_.techniques.emplace_back(row);
+      for (const std::string_view row : wordsOf(value))
+        if (std::ranges::find(lesson_.techniques, row) == lesson_.techniques.end())
+          lesson_.techniques.emplace_back(row);
     } else {
       requireKnown(key);
       writer_->apply(key, value);
@@ -175,6 +216,7 @@ class LessonReader {
   void endStep() {
     LessonStep& step = lesson_.steps.back();
     step.state = state_;
+    if (!step.ladder.empty()) step.text += "\n" + ladderText(step.ladder);
     requireLanes(step.claims, step.state);
     if (step.task) {
       requireLanes(step.task->conditions, step.state);

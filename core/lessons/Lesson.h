@@ -22,12 +22,25 @@ struct Task {
   LessonState solution;              ///< a state that solves it
 };
 
+/// A preset of a ladder, with what it measures in the step's state, which is asserted.
+struct Rung {
+  std::string preset;   ///< id
+  double psnr = 0.0;    ///< dB
+  double flicker = 0.0; ///< 0 to ½
+  int line = 0;         ///< of the file
+};
+
+/// How far from what is said a rung may be: drivers round differently.
+inline constexpr double kRungPsnrTolerance = 0.1;     ///< dB
+inline constexpr double kRungFlickerTolerance = 0.03; ///< of what is said
+
 struct LessonStep {
   std::string title;
-  std::string text; ///< Markdown, without the title
+  std::string text; ///< Markdown, without the title; a table of the ladder ends it
   int line = 0;     ///< of its title in the file
   LessonState state;
   std::vector<Claim> claims;
+  std::vector<Rung> ladder;
   std::optional<Task> task;
 };
 
@@ -42,12 +55,13 @@ struct Lesson {
 
 /// What a lesson of somebody else's may have.
 inline constexpr std::size_t kMaxLessonBytes = 256 * 1024, kMaxLessonSteps = 64, kMaxStepLines = 128;
+inline constexpr std::size_t kMaxRungs = 16;
 inline constexpr int kMaxLessons = 200;
 
 /// A lesson as Markdown: "# Title", then a step for each "## Title"; what is between ```state and ``` is the
 /// step's header of "key: value" lines, and is said on top of the step before. Beside those of
-/// lessonKeys() there are claim, task, hint, solution and techniques. `folder` as in applyLessonKey(). Throws
-/// Error with `place` and the line.
+/// lessonKeys() there are claim, rung, task, hint, solution and techniques. `folder` as in applyLessonKey().
+/// Throws Error with `place` and the line.
 Lesson lessonFromText(const std::string& text, const std::string& place, const std::string& folder = {});
 
 /// The built-in ones, in the order of the course.

@@ -7,10 +7,18 @@
 #include "core/lessons/RecordedFrames.h"
 #include "core/lessons/StateMeasurer.h"
 #include "core/scene/SceneSource.h"
+#include "core/settings/Lanes.h"
+#include "core/settings/Presets.h"
+#include "core/sweep/MetricsOfFrames.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
+#include <limits>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace taa {
 
@@ -52,6 +60,7 @@ class LessonChecker {
                claim.holds ? say<"the claim holds: %1">(checkedText(claim))
                            : say<"the claim does not hold: %1">(checkedText(claim)),
                !claim.holds);
+        checkLadder(step);
         if (step.task) checkTask(step, *step.task);
       } catch (const Error& error) {
         tell(step.line, error.what(), true);
@@ -60,6 +69,40 @@ class LessonChecker {
   }
 
  private:
+  /// As many at once as there are lanes.
+  void checkLadder(const LessonStep& step) {
+    for (std::size_t first = 0; first < step.ladder.size(); first += kMaxLanes) {
+      const std::size_t count = std::min<std::size_t>(step.ladder.size() - first, kMaxLanes);
+      checkRungs(step.state, std::span(step.ladder).subspan(first, count));
+    }
+  }
+
+  void checkRungs(const LessonState& step, std::span<const Rung> rungs) {
+    LessonState state = step;
+    state.lanes.clear();
+    state.shot.settings.settings = preset(rungs.front().preset).settings;
+    for (const Rung& rung : rungs.subspan(1)) state.lanes.push_back({"", preset(rung.preset).settings});
+    openState(inspector_, state, progress_);
+    const int frame = state.shot.frame;
+    const auto measured =
+        measureFrames(inspector_, {frame, frame, {Metric::Psnr, Metric::Flicker}, state.samples}, progress_);
+    for (std::size_t lane = 0; lane < rungs.size(); ++lane) tellRung(rungs[lane], measured.at(lane).front());
+  }
+
+  void tellRung(const Rung& rung, const FrameMetrics& measured) {
+    const double psnr = measured.at(Metric::Psnr).value_or(std::numeric_limits<double>::quiet_NaN());
+    const double flicker = measured.at(Metric::Flicker).value_or(std::numeric_limits<double>::quiet_NaN());
+    // Not a number is none of both.
+    const bool holds = std::abs(psnr - rung.psnr) <= kRungPsnrTolerance &&
+                       std::abs(flicker - rung.flicker) <= kRungFlickerTolerance * rung.flicker;
+    char line[128];
+    std::snprintf(line, sizeof(line), "rung: %s psnr=%.2f flicker=%.5f", rung.preset.c_str(), psnr, flicker);
+    tell(rung.line,
+         holds ? say<"the rung holds; measured: %1">(line)
+               : say<"the rung does not hold; measured: %1">(line),
+         !holds);
+  }
+
   void checkTask(const LessonStep& step, const Task& task) {
     const bool isAskable = std::ranges::all_of(
         task.conditions, [&](const Condition& condition) { return canBeAsked(step.state, condition); });

@@ -9,6 +9,7 @@
 #include <cctype>
 #include <cstddef>
 #include <iterator>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -126,12 +127,21 @@ std::vector<std::string> cellsOf(std::string_view row) {
   return cells;
 }
 
-/// "11.1", "J9", "D8": what techniques are cited by.
+/// "11.1", "3.1a", "J9", "D8": what techniques are cited by.
 bool isRowNumber(std::string_view text) {
+  if (text.size() > 1 && std::islower(static_cast<unsigned char>(text.back()))) text.remove_suffix(1);
   if (!text.empty() && std::isupper(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
   return !text.empty() && std::ranges::all_of(text, [](char letter) {
     return letter == '.' || std::isdigit(static_cast<unsigned char>(letter));
   });
+}
+
+/// "2.1" of "2.1 Into the projection", "16" of "16. History length": techniques without a row are cited by
+/// the number of their section. Empty: the heading has none.
+std::string_view numberOfHeading(std::string_view text) {
+  std::string_view number = text.substr(0, text.find(' '));
+  if (number.ends_with('.')) number.remove_suffix(1);
+  return isRowNumber(number) ? number : std::string_view();
 }
 
 /// What of a line of a numbered list stands before its text, "12. "; 0: it is none.
@@ -177,10 +187,13 @@ class BlockWriter {
   void takeHeading(std::size_t depth, std::string_view text) {
     closeParagraph();
     closeList();
-    const std::string tag = "h" + std::to_string(depth);
-    out_ += "<" + tag + " id=\"" + htmlText(headingAnchor(std::string(text))) + "\">" +
+    const std::string tag = "h" + std::to_string(depth), number(numberOfHeading(text));
+    const std::string anchor = takeNumber(number) ? "<a id=\"" + number + "\"></a>" : "";
+    out_ += "<" + tag + " id=\"" + htmlText(headingAnchor(std::string(text))) + "\">" + anchor +
             inlineHtml(text, place_) + "</" + tag + ">\n";
   }
+  /// Whether it leads here: what has the number first does.
+  bool takeNumber(const std::string& number) { return !number.empty() && numbers_.insert(number).second; }
   // The second row only divides the first one from the others.
   void takeRow(std::string_view line) {
     closeParagraph();
@@ -190,7 +203,7 @@ class BlockWriter {
     const std::string tag = rows_ == 1 ? "th" : "td";
     const std::vector<std::string> cells = cellsOf(line);
     const bool isNumbered = rows_ > 2 && !cells.empty() && isRowNumber(cells.front());
-    out_ += isNumbered ? "<tr id=\"" + cells.front() + "\">" : "<tr>";
+    out_ += isNumbered && takeNumber(cells.front()) ? "<tr id=\"" + cells.front() + "\">" : "<tr>";
     for (const std::string& cell : cells)
       out_ += "<" + tag + ">" + inlineHtml(cell, place_) + "</" + tag + ">";
     out_ += "</tr>\n";
@@ -223,8 +236,9 @@ class BlockWriter {
 
   const LinkPlace& place_;
   std::string out_, paragraph_;
-  std::string list_; ///< its tag; empty: there is none
-  int rows_ = 0;     ///< of the table that is open
+  std::set<std::string> numbers_; ///< that lead somewhere
+  std::string list_;              ///< its tag; empty: there is none
+  int rows_ = 0;                  ///< of the table that is open
   bool isCode_ = false;
 };
 

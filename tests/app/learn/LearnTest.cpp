@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QTextDocumentFragment>
 
 #include <string>
 #include <vector>
@@ -37,7 +38,8 @@ class LearnTest : public FakeWindow {
   }
   bool says(const QString& text) {
     for (const QLabel* label : panel()->findChildren<QLabel*>())
-      if (label->isVisible() && label->text().contains(text)) return true;
+      if (label->isVisible() && QTextDocumentFragment::fromHtml(label->text()).toPlainText().contains(text))
+        return true;
     return false;
   }
 };
@@ -88,6 +90,9 @@ TEST_F(LearnTest, HintsComeOneByOneAndTheSolutionLast) {
   press(QStringLiteral("Hint"));
   EXPECT_TRUE(says(QString::fromStdString(task.hints.front())));
   for (std::size_t hint = 1; hint < task.hints.size(); ++hint) press(QStringLiteral("Hint"));
+  // Hints are Markdown: its marks are not shown.
+  ASSERT_NE(task.hints.back().find("`Ctrl+G`"), std::string::npos);
+  EXPECT_TRUE(says(QStringLiteral(": Ctrl+G goes")));
   press(QStringLiteral("Show the solution"));
   ASSERT_TRUE(waitFor([&] { return session.probes().pixel().has_value(); }));
   EXPECT_EQ(*session.probes().pixel(), task.solution.probes.front());
@@ -99,6 +104,9 @@ TEST_F(LearnTest, SaysWhatATaskLacksAndThatItIsSolved) {
   taa::CheckedCondition checked{tour().steps[1].task->conditions.front(), 0.0, 1.0, false};
   Q_EMIT learning()->work()->checked({checked});
   EXPECT_TRUE(says(QStringLiteral("Not yet: verdict picked ghost")));
+  checked.condition.text = "metric a < metric b * 2 * 3";
+  Q_EMIT learning()->work()->checked({checked});
+  EXPECT_TRUE(says(QStringLiteral("Not yet: metric a < metric b * 2 * 3")));
   checked.holds = true;
   Q_EMIT learning()->work()->checked({checked});
   EXPECT_TRUE(says(QStringLiteral("Solved.")));

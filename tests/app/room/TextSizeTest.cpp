@@ -2,6 +2,7 @@
 // back.
 #include "app/style/TextSize.h"
 #include "app/commands/ThemeSetting.h"
+#include "app/learn/LessonText.h"
 #include "app/panels/ProbePanel.h"
 #include "app/panels/StatusLine.h"
 #include "app/style/Theme.h"
@@ -10,6 +11,7 @@
 #include "tests/app/WindowFixture.h"
 
 #include <QAbstractScrollArea>
+#include <QFontMetrics>
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -95,6 +97,24 @@ TEST_F(TextSizeTest, AtTwoHundredPercentAWindowOf1280By800HoldsAllThatItShows) {
     EXPECT_GE(button->width(), button->fontMetrics().horizontalAdvance(button->text()))
         << button->text().toStdString();
   }
+}
+
+TEST_F(TextSizeTest, AtTwoHundredPercentALessonIsReadBesideTheProbeInAWindowOf1280By800) {
+  window.views()->setViewCount(2);
+  window.setTextPercent(200);
+  settle();
+  key(Qt::Key_F12);
+  session.probes().setPixel(glm::ivec2(20, 10));
+  settle();
+  EXPECT_EQ(window.size(), QSize(1280, 800)) << "it fits";
+  for (const ProbeTab tab : {ProbeTab::ColorSpace, ProbeTab::WhatIf, ProbeTab::Values}) {
+    window.probe()->setTab(tab);
+    settle();
+    EXPECT_EQ(window.size(), QSize(1280, 800)) << "it fits with tab " << static_cast<int>(tab);
+  }
+  const auto* text = window.findChild<LessonText*>();
+  ASSERT_TRUE(text && text->isVisible());
+  EXPECT_GE(text->viewport()->height(), 4 * text->fontMetrics().lineSpacing());
 }
 
 TEST_F(TextSizeTest, RowsOfTheProbeAreAsHighAsTheirLines) {

@@ -109,3 +109,19 @@ TEST_F(LessonCheck, OpensFramesThatItRecordsAndTheDoctorFindsWhatIsWrongInThem) 
                      "claim: metric rmse of healed < metric rmse\n"),
             std::vector<std::string>{});
 }
+
+TEST_F(LessonCheck, RungsAreMeasuredEachHoweverManyThereAre) {
+  // What they measure is said by the mistakes, and then holds; nothing else does.
+  std::string wrong;
+  for (const char* preset : {"off", "minimal", "reference", "source000-2", "source000-3", "sharp"})
+    wrong += std::string("rung: ") + preset + " psnr=99 flicker=0.5\n";
+  const std::vector<std::string> found = mistakes("frame: 4\n" + wrong);
+  ASSERT_EQ(found.size(), 6u);
+  std::string right;
+  for (const std::string& mistake : found) {
+    ASSERT_NE(mistake.find("the rung does not hold; measured: rung: "), std::string::npos) << mistake;
+    right += mistake.substr(mistake.find("rung: ")) + "\n";
+  }
+  EXPECT_EQ(mistakes("frame: 4\n" + right), std::vector<std::string>{});
+  EXPECT_NE(found[0].substr(found[0].find("psnr")), found[1].substr(found[1].find("psnr")));
+}

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <map>
 #include <regex>
 #include <string>
@@ -33,6 +35,10 @@ TEST(LessonHtml, ShowsTagsAndLoneMarksAsTheyAreWritten) {
 
 TEST(LessonHtml, HasHeadingsNumberedListsAndTablesWhoseRowsAreFoundByNumber) {
   EXPECT_EQ(htmlOfMarkdown("## Two words\ntext\n"), "<h2 id=\"two-words\">Two words</h2>\n<p>text</p>\n");
+  EXPECT_EQ(htmlOfMarkdown("### 2.1 Two words\n"),
+            "<h3 id=\"21-two-words\"><a id=\"2.1\"></a>2.1 Two words</h3>\n");
+  EXPECT_EQ(htmlOfMarkdown("## 16. Two\n"), "<h2 id=\"16-two\"><a id=\"16\"></a>16. Two</h2>\n");
+  EXPECT_NE(htmlOfMarkdown("| r |\n|---|\n| 3.1a |\n").find("<tr id=\"3.1a\">"), std::string::npos);
   EXPECT_EQ(htmlOfMarkdown("1. a\n2. b\n"), "<ol>\n<li>a</li>\n<li>b</li>\n</ol>\n");
   EXPECT_EQ(htmlOfMarkdown("| row | b |\n|---|---|\n| 11.1 | x \\| *y* |\n| no | |\n\nz\n"),
             "<div class=\"table\"><table>\n<tr><th>row</th><th>b</th></tr>\n"
@@ -62,6 +68,20 @@ TEST(LessonHtml, PagesOfTheManualLeadToEachOther) {
   EXPECT_NE(page.find("<a href=\"b.html#c\">b</a>"), std::string::npos) << page;
   EXPECT_NE(page.find("<a href=\"#d\">d</a>"), std::string::npos) << page;
   EXPECT_NE(page.find("<a href=\"https://e.org\">e</a>"), std::string::npos) << page;
+}
+
+TEST(LessonHtml, EachTechniqueThatALessonMeetsHasItsPlaceInTheManual) {
+  const std::vector<taa::ManualPage> pages = taa::manualPages();
+  const auto techniques = std::ranges::find(pages, "techniques.md", &taa::ManualPage::file);
+  ASSERT_NE(techniques, pages.end());
+  const std::string html = taa::manualHtml(*techniques);
+  for (const taa::Lesson& lesson : taa::builtinLessons())
+    for (const std::string& row : lesson.techniques) {
+      const std::string anchor = " id=\"" + row + "\"";
+      const std::size_t first = html.find(anchor);
+      EXPECT_NE(first, std::string::npos) << lesson.id << " leads to " << row;
+      EXPECT_EQ(html.find(anchor, first + 1), std::string::npos) << row << " is there twice";
+    }
 }
 
 TEST(LessonHtml, AllLinksOfTheManualsPagesLeadSomewhere) {

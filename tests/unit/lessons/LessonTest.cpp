@@ -14,6 +14,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -44,6 +45,13 @@ TEST(Lesson, ReadsTitleSummaryStepsAndText) {
   EXPECT_EQ(lesson.steps[0].title, "One");
   EXPECT_EQ(lesson.steps[0].text, "Some *text*.\n");
   EXPECT_EQ(lesson.steps[1].text, "More.\n");
+}
+
+TEST(Lesson, AStepKnowsItsLineBehindATaskToo) {
+  const taa::Lesson lesson = taa::lessonFromText(
+      step("task: metric psnr > 30\nsolution: set weight.alpha=0.5\n") + "## Two\n\nMore.\n", "some.md");
+  EXPECT_EQ(lesson.steps[0].line, 5);
+  EXPECT_EQ(lesson.steps[1].line, 13);
 }
 
 TEST(Lesson, AStepGoesOnFromTheOneBefore) {
@@ -114,6 +122,27 @@ TEST(Lesson, RecordsFramesWithTheirFaultsAndResolvesThemWithout) {
   EXPECT_FALSE(lesson.steps[1].state.recording);
 }
 
+TEST(Lesson, NamesATechniqueOnceHoweverOftenItsStepsDo) {
+  const taa::Lesson lesson = taa::lessonFromText(
+      step("techniques: 11.1 J9\n") + "## Two\n```state\ntechniques: J9 11.2\n```\n", "some.md");
+  EXPECT_EQ(lesson.techniques, (std::vector<std::string>{"11.1", "J9", "11.2"}));
+}
+
+TEST(Lesson, ALadderIsATableBehindTheText) {
+  const taa::Lesson lesson = taa::lessonFromText(step("scene: builtin:fan\n"
+                                                      "rung: source000-4 psnr=21.44 flicker=0.0123\n"
+                                                      "rung: off psnr=20 flicker=0.2\n"),
+                                                 "some.md");
+  const taa::LessonStep& only = lesson.steps.front();
+  ASSERT_EQ(only.ladder.size(), 2u);
+  EXPECT_EQ(only.ladder[0].preset, "source000-4");
+  EXPECT_EQ(only.ladder[0].psnr, 21.44);
+  EXPECT_EQ(only.ladder[0].flicker, 0.0123);
+  EXPECT_EQ(only.ladder[1].line, 10);
+  EXPECT_EQ(only.text, "Some *text*.\n\n| Preset | PSNR | Flicker |\n|---|---|---|\n"
+                       "| 4. object motion | 21.4 | 0.0123 |\n| TAA off | 20.0 | 0.2000 |\n");
+}
+
 TEST(Lesson, RefusesWhatItDoesNotKnowWithTheLine) {
   const std::pair<std::string, std::string> wrong[] = {
       {"scene: builtin:fam\n", "some.md:8: there is no scene \"builtin:fam\"; near it is \"builtin:fan\""},
@@ -132,6 +161,10 @@ TEST(Lesson, RefusesWhatItDoesNotKnowWithTheLine) {
        "some.md:8: expected FRAMES like=ENGINE preset=PRESET fault=FAULT reference=SAMPLES"},
       {"claim: metric psnr of off > 1\n", "some.md:8: the step has no lane \"off\""},
       {"claim: metric psnr > 1 2\n", "some.md:8: \"2\" is more than the condition needs"},
+      {"rung: source000-44 psnr=1 flicker=1\n",
+       "some.md:8: there is no preset \"source000-44\"; near it is \"source000-4\""},
+      {"rung: off psnr=1\n", "some.md:8: expected PRESET psnr=NUMBER flicker=NUMBER"},
+      {"rung: off flicker=1 psnr=1\n", "some.md:8: expected PRESET psnr=NUMBER flicker=NUMBER"},
       {"probe: 3\n", "some.md:8: \"3\" is no pixel: expected X,Y"},
       {"frame: -1\n", "some.md:8: \"-1\" is not a whole number from 0 to 100000"},
       {"nonsense\n", "some.md:8: \"nonsense\" is no line of a header: expected key: value"},
@@ -155,6 +188,9 @@ TEST(Lesson, RefusesMoreThanALessonNeeds) {
   std::string lines;
   for (std::size_t i = 0; i <= taa::kMaxStepLines; ++i) lines += "frame: 1\n";
   EXPECT_NE(refusal(step(lines)).find("at most 128 lines"), std::string::npos);
+  std::string rungs;
+  for (std::size_t i = 0; i <= taa::kMaxRungs; ++i) rungs += "rung: off psnr=1 flicker=1\n";
+  EXPECT_NE(refusal(step(rungs)).find("at most 16 rungs"), std::string::npos);
 }
 
 TEST(Lesson, OpensNothingBesideItsFolder) {
