@@ -22,25 +22,32 @@ int compareDepths(float a, float b) {
   return a > b ? 1 : -1;
 }
 
+/// Whether a number, or the sky, says what is seen at a pixel.
+bool isThing(const DoctorFrame& frame, std::size_t pixel) {
+  return frame.objectId[pixel] != 0 || frame.depth.pixels[pixel] == 0.0f;
+}
+
 } // namespace
 
 void DepthOrder::add(const DoctorFrame& now, const DoctorFrame& before,
                      const std::vector<RegionIndex>& labels, const std::vector<RegionIndex>& labelsBefore) {
   const glm::ivec2 size = now.sizePx();
   if (now.motionPx.empty() || now.depth.empty() || before.depth.empty() || before.sizePx() != size) return;
+  // Parts that no number says end where depth or motion does, which may be anywhere on a surface.
+  if (now.objectId.empty() || before.objectId.empty()) return;
   const glm::vec2 rasterStep = before.depthJitterPx - now.depthJitterPx;
   const std::size_t found = pixels();
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
-      const RegionIndex shown = labels[static_cast<std::size_t>(y) * size.x + x];
+      const std::size_t i = static_cast<std::size_t>(y) * size.x + x;
       const glm::vec2 motion = now.motionAt(x, y);
-      if (shown == kNoRegion || !isMotion(motion)) continue;
+      if (!isThing(now, i) || !isMotion(motion)) continue;
       const auto around = pixelsAround(glm::vec2(x, y) + 0.5f - motion + rasterStep, size);
       if (!around) continue;
       const RegionIndex hiding = labelsBefore[around->front()];
-      const bool isHidden =
-          hiding != kNoRegion && hiding != shown &&
-          std::ranges::all_of(*around, [&](std::size_t i) { return labelsBefore[i] == hiding; });
+      const bool isHidden = hiding != labels[i] && std::ranges::all_of(*around, [&](std::size_t place) {
+                              return labelsBefore[place] == hiding && isThing(before, place);
+                            });
       if (!isHidden || !isWide(labels, size, x, y)) continue;
       const int order = compareDepths(before.depth.pixels[around->front()], *now.depth.at(x, y));
       if (order > 0) ++nearer;

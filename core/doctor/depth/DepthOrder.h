@@ -24,7 +24,8 @@ struct DepthOrder {
   std::size_t nearer = 0, farther = 0;
   int frames = 0; ///< in which there were some
 
-  /// `labels`, `labelsBefore`: the regions of the pixels of both frames. Needs motion and depth.
+  /// `labels`, `labelsBefore`: the regions of the pixels of both frames. Needs motion, depth and object
+  /// numbers.
   void add(const DoctorFrame& now, const DoctorFrame& before, const std::vector<RegionIndex>& labels,
            const std::vector<RegionIndex>& labelsBefore);
   std::size_t pixels() const { return nearer + farther; }

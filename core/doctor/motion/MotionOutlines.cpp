@@ -63,6 +63,7 @@ class PairOutlines {
         sizePx_(frames.now.sizePx()), rasterStep_(frames.before.depthJitterPx - frames.now.depthJitterPx) {}
 
   std::map<RegionIndex, OutlineEvidence> counted() {
+    if (frames_.now.objectId.empty()) return {};
     const double pixels = static_cast<double>(sizePx_.x) * sizePx_.y;
     const int step =
         std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kOutlinePixelsPerPair) - 0.05)));
@@ -86,7 +87,8 @@ class PairOutlines {
 
   bool isNearRim(const glm::ivec2& pixel) const {
     const RegionIndex label = labelAt(pixel);
-    if (label == kNoRegion) return false;
+    // A part that no number says ends where depth or motion does, which may be anywhere on a surface.
+    if (frames_.now.objectId[static_cast<std::size_t>(pixel.y) * sizePx_.x + pixel.x] == 0) return false;
     for (const glm::ivec2 step :
          {glm::ivec2(reach_, 0), glm::ivec2(-reach_, 0), glm::ivec2(0, reach_), glm::ivec2(0, -reach_)}) {
       const glm::ivec2 at = glm::clamp(pixel + step, glm::ivec2(0), sizePx_ - 1);

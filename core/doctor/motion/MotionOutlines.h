@@ -38,7 +38,7 @@ struct OutlineEvidence {
   bool isOffByJitter() const;
 };
 
-/// Of one pair of frames, by region.
+/// Of one pair of frames, by region: of those that are objects by their number.
 std::map<RegionIndex, OutlineEvidence> outlinesOf(const FrameNeighbors& frames,
                                                   const std::vector<MotionTrial>& trials,
                                                   const std::vector<RegionIndex>& labels,

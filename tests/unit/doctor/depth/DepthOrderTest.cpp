@@ -75,6 +75,14 @@ TEST(DepthOrder, IsUnclearWhereMotionIsWrong) {
   }
 }
 
+// Without numbers regions are parts that end where depth or motion does: on a ground that is looked along,
+// anywhere.
+TEST(DepthOrder, SaysNothingOfPartsWithoutNumbers) {
+  const DepthOrder order =
+      orderOf({.boardPx = {8.0, 0.0}}, [](DoctorFrame& frame) { frame.objectId.clear(); });
+  EXPECT_EQ(order.pixels(), 0u);
+}
+
 TEST(DepthOrder, SaysNothingWhereNothingComesOut) {
   EXPECT_EQ(orderOf({.boardPx = {0.0, 0.0}}).verdict(), OrderVerdict::TooFew);
   const DepthOrder flat = orderOf({.boardPx = {8.0, 0.0}}, [](DoctorFrame& frame) {

@@ -99,6 +99,18 @@ TEST(MotionOutlines, SayNothingOfLessThanJitterMayBe) {
   EXPECT_FALSE(isOutlineFoundElsewhere(slow));
 }
 
+TEST(MotionOutlines, AreThoseOfObjectsWithANumber) {
+  const DoctorFrame before = test::paintedFrame({}, 0);
+  DoctorFrame now = test::paintedFrame({}, 1);
+  RegionTracker tracker;
+  const std::vector<RegionIndex> labelsBefore = tracker.label(before), labels = tracker.label(now);
+  const std::vector<MotionTrial> trials = motionTrials(test::kPaintedPx);
+  EXPECT_EQ(outlinesOf({now, before, nullptr}, trials, labels, labelsBefore).size(), 2u)
+      << "ground and board";
+  now.objectId.clear();
+  EXPECT_TRUE(outlinesOf({now, before, nullptr}, trials, labels, labelsBefore).empty());
+}
+
 TEST(MotionOutlines, KeepWhatTheyFitFromBeingMendedWithAll) {
   const OutlineEvidence right = boardOutline({4.0, 2.0}, same);
   const std::vector<MotionTrial> trials = motionTrials(test::kPaintedPx);
