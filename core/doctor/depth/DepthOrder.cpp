@@ -22,9 +22,10 @@ int compareDepths(float a, float b) {
   return a > b ? 1 : -1;
 }
 
-/// Whether a number, or the sky, says what is seen at a pixel.
+/// Whether a pixel is of an object by its number, or of the sky, which is at one end or the other.
 bool isThing(const DoctorFrame& frame, std::size_t pixel) {
-  return frame.objectId[pixel] != 0 || frame.depth.pixels[pixel] == 0.0f;
+  const float depth = frame.depth.pixels[pixel];
+  return frame.objectId[pixel] != 0 || depth == 0.0f || depth == 1.0f;
 }
 
 } // namespace
