@@ -25,6 +25,7 @@ namespace taa::app {
 
 class ColorSpacePage;
 class ElidedLabel;
+class FittingArea;
 class IconButton;
 class ProbeBar;
 class ProbeModel;
@@ -97,7 +98,7 @@ class ProbePanel : public QWidget {
   void makePages();
   QWidget* makeValues();
   /// What is said above the values: in a low window it scrolls.
-  QWidget* makeConclusions();
+  FittingArea* makeConclusions();
   QWidget* makeNeighbors();
   void showColors();
   void makeTable();
