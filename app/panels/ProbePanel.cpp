@@ -187,6 +187,7 @@ QWidget* ProbePanel::makeTop() {
   auto* title = new QLabel(tr("Probe"));
   title->setFont(titleFont());
   place_ = new ElidedLabel;
+  place_->setObjectName(QStringLiteral("place"));
   place_->setFont(numberFont(10));
   place_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   copy_ = new IconButton(QStringLiteral("copy"), tr("Copy every value, exact (Ctrl+Shift+C)"));
@@ -341,6 +342,7 @@ void ProbePanel::setProbes(const std::vector<Probe>& probes, int active) {
 }
 
 void ProbePanel::setResult(const ProbeResult& result) {
+  if (!isPlaying_) conclusions_->setMinimumHeight(0);
   if (result.around.size() <= kProbedMiddle) return showLost(result);
   result_ = result;
   const PixelRecord& record = result.around[kProbedMiddle];
@@ -357,6 +359,17 @@ void ProbePanel::setResult(const ProbeResult& result) {
   describeCurrentRow();
   if (isPlaying_)
     conclusions_->setMinimumHeight(std::max(conclusions_->minimumHeight(), conclusionsHeight()));
+}
+
+void ProbePanel::setGlimpse(const Glimpse& known) {
+  result_.reset();
+  if (!isPlaying_) conclusions_->setMinimumHeight(conclusions_->height()); // nothing below jumps
+  summary_->setText(tr("The frame is being worked on: known so far is what the views show of this pixel."));
+  model_->setGlimpse(known);
+  for (Swatches* swatches : swatches_) swatches->setColors({});
+  colorSpace_->setResult({});
+  whatIf_->setResult({});
+  describeCurrentRow();
 }
 
 // At the width that it has.
