@@ -85,7 +85,7 @@ void ProbeCommands::copyVerdict() {
 
 void ProbeCommands::copy(ProbeFormat format) {
   const ProbeResult* result = session_.probes().result();
-  if (!result || result->around.empty()) return;
+  if (!result || !session_.probes().hasOwnResult() || result->around.empty()) return;
   const Status& status = session_.status();
   const ProbeReport report{{status.source, status.camera,
                             status.driver.renderer + ", " + status.driver.version, status.width,

@@ -1,5 +1,6 @@
 #include "app/dialogs/GlslWindow.h"
 
+#include "app/dialogs/DialogSize.h"
 #include "app/dialogs/SourceText.h"
 #include "app/session/ShaderWatch.h"
 #include "app/style/Icons.h"
@@ -52,7 +53,7 @@ GlslWindow::GlslWindow(Session& session, QWidget* parent)
     : QDialog(parent), session_(session), files_(new QComboBox), text_(new SourceText),
       search_(new QLineEdit), note_(new QLabel) {
   setWindowTitle(tr("GLSL"));
-  resize(220 * kUnit, 180 * kUnit);
+  resize(sizeOver(parent, {220 * kUnit, 180 * kUnit}));
   files_->setAccessibleName(tr("What is shown"));
   files_->addItem(tr("The program of these settings, as it is compiled"), kProgram);
   files_->addItem(tr("The file that Export GLSL writes"), kExport);

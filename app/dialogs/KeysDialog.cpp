@@ -1,5 +1,6 @@
 #include "app/dialogs/KeysDialog.h"
 
+#include "app/dialogs/DialogSize.h"
 #include "app/style/Theme.h"
 #include "app/widgets/SearchField.h"
 
@@ -17,7 +18,7 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kColumns = 3;
+constexpr int kMaxColumns = 3;
 
 struct Group {
   QString name;
@@ -61,7 +62,7 @@ QWidget* groupWidget(const Group& group) {
   return widget;
 }
 
-QWidget* columnsOf(const std::vector<Group>& groups) {
+QWidget* columnsOf(const std::vector<Group>& groups, int count) {
   auto* page = new QWidget;
   auto* columns = new QHBoxLayout(page);
   columns->setContentsMargins(0, 0, 2 * kUnit, 0);
@@ -71,7 +72,7 @@ QWidget* columnsOf(const std::vector<Group>& groups) {
   QVBoxLayout* current = nullptr;
   for (const Group& group : groups) {
     // A column takes groups until its share of the lines is reached.
-    if (!current || (column < kColumns && used >= total * column / kColumns)) {
+    if (!current || (column < count && used >= total * column / count)) {
       current = new QVBoxLayout;
       current->setSpacing(0);
       columns->addLayout(current);
@@ -83,6 +84,16 @@ QWidget* columnsOf(const std::vector<Group>& groups) {
   for (int i = 0; i < columns->count(); ++i)
     static_cast<QVBoxLayout*>(columns->itemAt(i)->layout())->addStretch(1);
   return page;
+}
+
+/// In as many columns as lie beside each other in `room` px.
+QWidget* pageOf(const std::vector<Group>& groups, int room) {
+  for (int count = kMaxColumns; count > 1; --count) {
+    QWidget* page = columnsOf(groups, count);
+    if (page->sizeHint().width() <= room) return page;
+    delete page;
+  }
+  return columnsOf(groups, 1);
 }
 
 } // namespace
@@ -101,7 +112,9 @@ KeysDialog::KeysDialog(const std::vector<KeyLine>& lines, QWidget* parent)
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setWidgetResizable(true);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  QWidget* page = columnsOf(grouped(lines));
+  const int besides = 8 * kUnit + scroll_->verticalScrollBar()->sizeHint().width();
+  room_ = sizeOver(parent, {QWIDGETSIZE_MAX, 0}).width() - besides;
+  QWidget* page = pageOf(grouped(lines), room_);
   scroll_->setWidget(page);
   scroll_->setMinimumWidth(page->sizeHint().width() + scroll_->verticalScrollBar()->sizeHint().width());
   layout->addWidget(scroll_, 1);
@@ -126,7 +139,7 @@ void KeysDialog::find(const QString& text) {
                             [&](const QString& word) { return known.contains(word, Qt::CaseInsensitive); }))
       found.push_back(line);
   }
-  scroll_->setWidget(columnsOf(grouped(found)));
+  scroll_->setWidget(pageOf(grouped(found), room_));
   noHits_->tell(text.trimmed(), !found.empty());
 }
 

@@ -26,6 +26,7 @@ class KeysDialog : public QDialog {
   void find(const QString& text);
 
   std::vector<KeyLine> lines_;
+  int room_ = 0; ///< px, what the columns may take
   NoHits* noHits_;
   QScrollArea* scroll_;
 };

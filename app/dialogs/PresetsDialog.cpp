@@ -49,6 +49,9 @@ PresetsDialog::PresetsDialog(Session& session, QString folder, QWidget* parent)
   setAttribute(Qt::WA_DeleteOnClose);
   list_->setAccessibleName(tr("Presets"));
   list_->setFixedWidth(200);
+  list_->setWordWrap(true); // long names take two lines
+  list_->setResizeMode(QListView::Adjust);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table_->setAccessibleName(tr("Settings that differ"));
   table_->setRootIsDecorated(false);
   table_->setHeaderLabels({tr("Stage"), tr("Setting"), tr("Now"), tr("Preset")});

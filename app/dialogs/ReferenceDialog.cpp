@@ -1,5 +1,6 @@
 #include "app/dialogs/ReferenceDialog.h"
 
+#include "app/dialogs/DialogSize.h"
 #include "app/style/Icons.h"
 #include "app/style/Theme.h"
 #include "core/report/ReferencePage.h"
@@ -53,7 +54,7 @@ void styleTables(QTextDocument* document, const QColor& line) {
 ReferenceDialog::ReferenceDialog(QWidget* parent) : QDialog(parent), pages_(manualPages()) {
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Manual"));
-  resize(250 * kUnit, 170 * kUnit);
+  resize(sizeOver(parent, {250 * kUnit, 170 * kUnit}));
   std::erase_if(pages_, isOfTables);
   list_ = new QListWidget;
   list_->setAccessibleName(tr("Pages of the manual"));

@@ -152,12 +152,18 @@ QString ProbeModel::comparedText(IntermediateId id, const Comparison& comparison
 
 void ProbeModel::setRecord(const std::optional<twin::PixelRecord>& record) {
   record_ = record;
+  glimpse_ = {};
   pixel_.reset();
   for (int row = 0; row < rowCount(); ++row) {
     const QModelIndex branch = index(row, 0);
     const auto last = static_cast<int>(branches_[static_cast<std::size_t>(row)].rows.size()) - 1;
     Q_EMIT dataChanged(index(0, Value, branch), index(last, Meaning, branch));
   }
+}
+
+void ProbeModel::setGlimpse(const Glimpse& known) {
+  setRecord({});
+  glimpse_ = known;
 }
 
 std::optional<IntermediateId> ProbeModel::idOf(const QModelIndex& index) const {
@@ -220,6 +226,8 @@ QVariant ProbeModel::foldData(const Branch& branch, int column, int role) const 
 QString ProbeModel::cell(const Intermediate& row, int column) const {
   if (column == Name) return tableText(row.label);
   if (column == Unit) return tableText(row.unit);
+  if (const auto known = glimpse_.values.find(row.id); known != glimpse_.values.end() && column == Value)
+    return cellText(row, known->second, glimpse_.space);
   if (!record_) return {};
   const Settings& settings = pixel_ ? pixel_->settings : Settings{};
   if (column == Meaning) {

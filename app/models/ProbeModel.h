@@ -12,11 +12,18 @@
 
 #include <QAbstractItemModel>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace taa::app {
+
+/// What the pictures on show say of a pixel.
+struct Glimpse {
+  std::map<IntermediateId, glm::vec4> values;
+  SpaceSettings space; ///< what boxes are made in
+};
 
 class ProbeModel : public QAbstractItemModel {
   Q_OBJECT
@@ -32,6 +39,8 @@ class ProbeModel : public QAbstractItemModel {
   /// A row of the other side, and the difference; empty without one. `comparison`: what that is of.
   QString comparedText(IntermediateId id, const Comparison& comparison) const;
   void setRecord(const std::optional<twin::PixelRecord>& record);
+  /// No record yet: what is known of some rows without one.
+  void setGlimpse(const Glimpse& known);
   /// The rows that the verdict on the pixel was made from; their names are bold.
   void setDecided(const std::vector<IntermediateId>& rows);
   /// Names of objects, for the rows that are numbers of them; null: none are known.
@@ -87,6 +96,7 @@ class ProbeModel : public QAbstractItemModel {
   std::vector<IntermediateId> decided_;
   std::shared_ptr<const SceneOutline> outline_;
   std::optional<twin::PixelRecord> record_;
+  Glimpse glimpse_;                  ///< while there is no record
   std::optional<ProbeResult> pixel_; ///< whose record that is
 };
 

@@ -13,6 +13,7 @@
 #include "app/widgets/ScrollPlace.h"
 #include "app/widgets/Swatches.h"
 #include "app/widgets/ValueTable.h"
+#include "app/widgets/YieldingColumn.h"
 #include "app/widgets/bars/ElidedLabel.h"
 #include "app/widgets/bars/ProbeBar.h"
 #include "app/widgets/verdict/VerdictDetails.h"
@@ -62,9 +63,9 @@ double finite(const QJsonValue& value, double otherwise) {
 constexpr IntermediateId kNeighbors[] = {IntermediateId::color, IntermediateId::historyRectified,
                                          IntermediateId::resolved};
 constexpr int kValueColumn = 15;  ///< characters
+constexpr int kEnoughRows = 6;    ///< of values, before what is said of them is cut
 constexpr int kValueMargins = 14; ///< beside the text of a cell: 4 a side by the style sheet, 3 by Fusion
 
-/// Asks for as much as what is said above and below it does together: in a low window it keeps its half.
 class ValuesTree : public QTreeView {
  public:
   using QTreeView::QTreeView;
@@ -124,7 +125,7 @@ void ProbePanel::makePages() {
   });
 }
 
-QWidget* ProbePanel::makeConclusions() {
+FittingArea* ProbePanel::makeConclusions() {
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 0);
@@ -147,12 +148,7 @@ QWidget* ProbePanel::makeConclusions() {
 
 QWidget* ProbePanel::makeValues() {
   auto* values = new QWidget;
-  auto* column = new QVBoxLayout(values);
-  column->setContentsMargins(0, 2 * kUnit, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(makeConclusions());
   makeTable();
-  column->addWidget(table_); // no stretch: that would leave it the least where there is too little
   description_ = new QLabel;
   description_->setFont(secondaryFont());
   description_->setToolTip(tr("What happened in the selected row; Enter shows the row in the active view."));
@@ -165,8 +161,10 @@ QWidget* ProbePanel::makeValues() {
   auto* description = new FittingArea(line + 2 * kUnit, 7 * line + 2 * kUnit);
   description->setWidget(description_);
   description_->setAutoFillBackground(false);
-  column->addWidget(new Line);
-  column->addWidget(description);
+  auto* column =
+      new YieldingColumn(makeConclusions(), table_, new Line, description, kEnoughRows * rowHeight());
+  column->setContentsMargins(0, 2 * kUnit, 0, 0);
+  values->setLayout(column);
   return values;
 }
 
@@ -191,6 +189,7 @@ QWidget* ProbePanel::makeTop() {
   auto* title = new QLabel(tr("Probe"));
   title->setFont(titleFont());
   place_ = new ElidedLabel;
+  place_->setObjectName(QStringLiteral("place"));
   place_->setFont(numberFont(10));
   place_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   copy_ = new IconButton(QStringLiteral("copy"), tr("Copy every value, exact (Ctrl+Shift+C)"));
@@ -345,6 +344,7 @@ void ProbePanel::setProbes(const std::vector<Probe>& probes, int active) {
 }
 
 void ProbePanel::setResult(const ProbeResult& result) {
+  if (!isPlaying_) conclusions_->setMinimumHeight(0);
   if (result.around.size() <= kProbedMiddle) return showLost(result);
   result_ = result;
   const PixelRecord& record = result.around[kProbedMiddle];
@@ -361,6 +361,17 @@ void ProbePanel::setResult(const ProbeResult& result) {
   describeCurrentRow();
   if (isPlaying_)
     conclusions_->setMinimumHeight(std::max(conclusions_->minimumHeight(), conclusionsHeight()));
+}
+
+void ProbePanel::setGlimpse(const Glimpse& known) {
+  result_.reset();
+  if (!isPlaying_) conclusions_->setMinimumHeight(conclusions_->height()); // nothing below jumps
+  summary_->setText(tr("The frame is being worked on: known so far is what the views show of this pixel."));
+  model_->setGlimpse(known);
+  for (Swatches* swatches : swatches_) swatches->setColors({});
+  colorSpace_->setResult({});
+  whatIf_->setResult({});
+  describeCurrentRow();
 }
 
 // At the width that it has.

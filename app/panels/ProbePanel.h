@@ -1,6 +1,7 @@
 // Everything at the probed pixel: its story in words, its neighbors, and the value of every intermediate.
 #pragma once
 
+#include "app/models/ProbeModel.h"
 #include "core/inspect/Comparison.h"
 #include "core/requests/Results.h"
 
@@ -25,9 +26,9 @@ namespace taa::app {
 
 class ColorSpacePage;
 class ElidedLabel;
+class FittingArea;
 class IconButton;
 class ProbeBar;
-class ProbeModel;
 class Swatches;
 class VerdictDetails;
 class VerdictLine;
@@ -44,6 +45,8 @@ class ProbePanel : public QWidget {
   void setPixel(std::optional<glm::ivec2> pixel);
   void setProbes(const std::vector<Probe>& probes, int active);
   void setResult(const ProbeResult& result);
+  /// Values at the probed pixel have not arrived yet: what is known of them.
+  void setGlimpse(const Glimpse& known);
   /// Names the objects that rows are numbers of.
   void setOutline(const std::shared_ptr<const SceneOutline>& outline);
   /// While time goes on nothing moves: what is said above the values takes the room that it took at most.
@@ -97,7 +100,7 @@ class ProbePanel : public QWidget {
   void makePages();
   QWidget* makeValues();
   /// What is said above the values: in a low window it scrolls.
-  QWidget* makeConclusions();
+  FittingArea* makeConclusions();
   QWidget* makeNeighbors();
   void showColors();
   void makeTable();

@@ -65,10 +65,11 @@ ProfilerPanel::ProfilerPanel(QWidget* parent) : QWidget(parent) {
   stagesTitle_ = new QLabel(tr("Stages of the resolve, when measured"));
   auto* columns = new QHBoxLayout;
   columns->setSpacing(4 * kUnit);
-  columns->addWidget(titled(passesTitle_, passes_), 10);
-  columns->addWidget(titled(new QLabel(tr("Over time")), chart_), 10);
-  columns->addWidget(titled(stagesTitle_, stages_), 8);
-  columns->addWidget(titled(new QLabel(tr("Memory on the GPU")), memory_), 8);
+  // No stretch: with one their names would be cut before the chart gives way.
+  columns->addWidget(titled(passesTitle_, passes_));
+  columns->addWidget(titled(new QLabel(tr("Over time")), chart_));
+  columns->addWidget(titled(stagesTitle_, stages_));
+  columns->addWidget(titled(new QLabel(tr("Memory on the GPU")), memory_));
   rows->addLayout(columns, 1);
   refresh_.setSingleShot(true);
   refresh_.setInterval(kProfilerRefresh);

@@ -83,6 +83,7 @@ StatusLine::StatusLine(QWidget* parent)
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(2 * kUnit, 0, 2 * kUnit, 0);
   layout->setSpacing(3 * kUnit);
+  hover_->setObjectName(QStringLiteral("hover"));
   hover_->setFont(numberFont());
   times_->setFont(numberFont());
   driver_->setFont(secondaryFont());

@@ -5,6 +5,7 @@
 #include "app/style/Text.h"
 #include "app/undo/UndoStack.h"
 #include "core/base/OldNames.h"
+#include "core/inspect/SceneSettings.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 
@@ -52,10 +53,21 @@ void PresetChoices::use(const PresetChoice& choice) {
   Q_EMIT settingsChanged(); // also where only the preset's name is another
 }
 
+void PresetChoices::showScene(const std::string& source) {
+  PresetChoice changed = chosen_;
+  changed.settings = settingsForScene(chosen_.settings, std::exchange(scene_, source), source);
+  use(changed);
+}
+
 void PresetChoices::change(const PresetChoice& choice, const QString& what, const std::string& key) {
   if (choice == chosen_) return;
   UndoStep step = stepBackTo<PresetChoice>(
-      chosen_, [this] { return chosen_; }, [this](const PresetChoice& before) { use(before); });
+      chosen_, [this] { return chosen_; },
+      [this, scene = scene_](const PresetChoice& before) {
+        PresetChoice now = before; // another scene may have been opened since
+        now.settings = settingsForScene(before.settings, scene, scene_);
+        use(now);
+      });
   step.what = what;
   step.key = key;
   use(choice);

@@ -57,6 +57,8 @@ class PresetChoices : public QObject {
   const std::vector<Settings>& otherLanes() const { return otherLanes_; } ///< their settings
 
   // For the session
+  /// Another source is opened: as it is shown best, where nothing else was chosen. Is no step of undo.
+  void showScene(const std::string& source);
   /// Is no step of undo.
   void use(const PresetChoice& choice);
   /// The settings of the frame on show. Settings that were refused give way to them.
@@ -74,6 +76,7 @@ class PresetChoices : public QObject {
   Outbox& outbox_;
   UndoStack& undo_;
   PresetChoice chosen_, chosenInForce_; ///< what was chosen; what has arrived of it
+  std::string scene_;                   ///< the source that they are for
   Pending<Settings> settings_;
   Settings considered_;
   QTimer stays_; ///< runs out when somebody has looked at `considered_` for long enough

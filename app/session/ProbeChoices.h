@@ -31,6 +31,8 @@ class ProbeChoices : public QObject {
   const ProbeResult* result() const { return probes_.result(probes_.active()); }
   const ProbeResult* result(int probe) const { return probes_.result(probe); }
 
+  /// Whether the active probe's is of where it is set now.
+  bool hasOwnResult() const { return probes_.hasOwnResult(probes_.active()); }
   /// Sets the active probe there, the first one when there is none; nothing: removes it.
   void setPixel(std::optional<glm::ivec2> pixel);
   void move(int dx, int dy);

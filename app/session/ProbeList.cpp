@@ -19,6 +19,11 @@ const ProbeResult* ProbeList::result(int probe) const {
   return result ? &*result : nullptr;
 }
 
+bool ProbeList::hasOwnResult(int probe) const {
+  const ProbeResult* last = result(probe);
+  return last && isSameProbe(last->probe, probes_[static_cast<std::size_t>(probe)]);
+}
+
 glm::ivec2 ProbeList::pixel(int probe) const {
   const Probe& own = probes_.at(static_cast<std::size_t>(probe));
   const ProbeResult* last = result(probe);

@@ -26,6 +26,8 @@ class ProbeList {
   int active() const { return active_; }
   /// What last arrived for a probe; null: nothing yet.
   const ProbeResult* result(int probe) const;
+  /// Whether that is of the probe as it is set now.
+  bool hasOwnResult(int probe) const;
   /// Where a probe is in the frame that last arrived, or where it was set.
   glm::ivec2 pixel(int probe) const;
   /// Those that can be seen in the picture, the active one last.

@@ -79,6 +79,7 @@ void Session::refuse(const Failure& failure) {
   scene_.refused(request);
   choice_.refused(request);
   if (!isOfOpening) return;
+  presets_.showScene(status_.source);
   if (const auto before = std::exchange(beforeOpening_, {})) apply(*before);
   Q_EMIT openingFailed();
 }
@@ -115,6 +116,7 @@ void Session::open(const QString& source, bool plays, const ShotChoice& choice) 
   firstChoice_ = 0;
   opening_ = outbox_.post(request::Open{last_.file.source, choice, last_.budgetOf(last_.file.source)});
   choice_.sent(choice, opening_);
+  presets_.showScene(last_.file.source);
 }
 
 void Session::offer(const std::optional<SceneBudget>& needed) {

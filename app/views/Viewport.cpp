@@ -327,8 +327,10 @@ void Viewport::paintLabels(QPainter& painter, Showing showing, const QRect& area
   if (showing == Showing::Wipe) {
     paintWipe(painter, rect(), wipePosition(divider_, width()));
     const QRect half(area.left(), area.top(), area.width() / 2, area.height());
-    paintSideLabel(painter, half, label(false), false, colors);
-    paintSideLabel(painter, half.translated(area.width() - half.width(), 0), label(true), true, colors);
+    const SideTexts texts =
+        fittingTexts({label(false), label(true)}, QFontMetrics(secondaryFont()), half.width() - 4 * kUnit);
+    paintSideLabel(painter, half, texts.first, false, colors);
+    paintSideLabel(painter, half.translated(area.width() - half.width(), 0), texts.other, true, colors);
   } else if (showing == Showing::Difference) {
     paintSideLabel(painter, area, tr("%1  −  %2").arg(label(false), label(true)), false, colors);
   } else {

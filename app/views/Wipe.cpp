@@ -34,6 +34,20 @@ void paintWipe(QPainter& painter, const QRect& area, int position) {
   painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
+SideTexts fittingTexts(const SideTexts& whole, const QFontMetrics& metrics, int room) {
+  const auto widthOf = [&](const QString& text) { return metrics.horizontalAdvance(text); };
+  if (std::max(widthOf(whole.first), widthOf(whole.other)) <= room) return whole;
+  const QString between = QStringLiteral(" · ");
+  const QStringList first = whole.first.split(between), other = whole.other.split(between);
+  QStringList ownOfFirst, ownOfOther;
+  for (const QString& part : first)
+    if (!other.contains(part)) ownOfFirst << part;
+  for (const QString& part : other)
+    if (!first.contains(part)) ownOfOther << part;
+  if (ownOfFirst.isEmpty() || ownOfOther.isEmpty()) return whole;
+  return {ownOfFirst.join(between), ownOfOther.join(between)};
+}
+
 void paintSideLabel(QPainter& painter, const QRect& area, const QString& text, bool atRight,
                     const ThemeColors& colors) {
   constexpr int kHeight = 20, kMinWidth = 40;

@@ -5,6 +5,7 @@
 #include <QRect>
 #include <QString>
 
+class QFontMetrics;
 class QPainter;
 
 namespace taa::app {
@@ -21,6 +22,12 @@ double wipeShare(double x, int width);
 
 /// Draws the line with its handle.
 void paintWipe(QPainter& painter, const QRect& area, int position);
+/// What is said of two sides in `room` px each: where that is too little, only what they do not have in
+/// common.
+struct SideTexts {
+  QString first, other;
+};
+SideTexts fittingTexts(const SideTexts& whole, const QFontMetrics& metrics, int room);
 /// Writes what a side shows at the upper left, or at the upper right of `area`; cut where it is narrow.
 void paintSideLabel(QPainter& painter, const QRect& area, const QString& text, bool atRight,
                     const ThemeColors& colors);

@@ -4,6 +4,7 @@
 #include "app/style/Theme.h"
 
 #include <QEvent>
+#include <QLayout>
 #include <QResizeEvent>
 #include <QScrollArea>
 
@@ -35,6 +36,21 @@ class FittingArea : public QScrollArea {
     return {wide, std::max(high, shown->minimumHeight())};
   }
   QSize minimumSizeHint() const override { return {120, std::min(sizeHint().height(), rounded(minPx_))}; }
+  /// px, at most `most`: so high it cuts none of the parts of the column that it shows. `most` where that
+  /// would leave none.
+  int wholeHeight(int most) const {
+    const QLayout* column = widget()->layout();
+    int whole = 0, bottom = 0;
+    for (int part = 0; part < column->count() && bottom <= most; ++part) {
+      const QLayoutItem* item = column->itemAt(part);
+      if (item->isEmpty()) continue;
+      whole = bottom;
+      bottom +=
+          item->hasHeightForWidth() ? item->heightForWidth(viewport()->width()) : item->sizeHint().height();
+    }
+    if (bottom <= most) whole = bottom;
+    return whole > 0 ? whole : most;
+  }
 
  protected:
   void resizeEvent(QResizeEvent* event) override {

@@ -5,6 +5,7 @@
 #include <QEvent>
 #include <QHeaderView>
 #include <QPixmap>
+#include <QScrollBar>
 
 #include <algorithm>
 #include <utility>
@@ -12,6 +13,8 @@
 namespace taa::app {
 
 namespace {
+
+constexpr int kWidestName = 200; ///< px, of what a table asks to have room for
 
 QString quoted(QString field) {
   if (!field.contains(QLatin1Char(',')) && !field.contains(QLatin1Char('"'))) return field;
@@ -63,12 +66,25 @@ void ValueTable::setRows(const std::vector<Row>& rows) {
     swatch.fill(row.swatch);
     item->setIcon(0, row.swatch.isValid() ? QIcon(swatch) : QIcon());
   }
+  const int needed = neededWidth();
+  if (needed <= widest_) return;
+  widest_ = needed; // never less: the columns beside it would jump
+  updateGeometry();
+}
+
+int ValueTable::neededWidth() const {
+  int width = std::max(std::min(scaled(kWidestName), sizeHintForColumn(0)), header()->sectionSizeHint(0));
+  for (int column = 1; column < columnCount(); ++column)
+    width += std::max(sizeHintForColumn(column), header()->sectionSizeHint(column));
+  return width + verticalScrollBar()->sizeHint().width();
 }
 
 // Cells have fonts of their own.
 void ValueTable::changeEvent(QEvent* event) {
   QTreeWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange) setRows(std::exchange(rows_, {}));
+  if (event->type() != QEvent::FontChange) return;
+  widest_ = kFirstWidth;
+  setRows(std::exchange(rows_, {}));
 }
 
 std::vector<QStringList> ValueTable::lines() const {

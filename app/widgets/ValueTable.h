@@ -27,15 +27,19 @@ class ValueTable : public QTreeWidget {
   QString csv() const;
   /// With columns as wide as their longest entry.
   QString text() const;
-  QSize sizeHint() const override { return {220, 160}; }
+  /// So wide that no name was cut so far, up to a limit.
+  QSize sizeHint() const override { return {widest_, 160}; }
 
  protected:
   void changeEvent(QEvent*) override;
 
  private:
+  static constexpr int kFirstWidth = 220;
   std::vector<QStringList> lines() const;
+  int neededWidth() const;
   QStringList header_;
   std::vector<Row> rows_;
+  int widest_ = kFirstWidth; ///< px
 };
 
 } // namespace taa::app

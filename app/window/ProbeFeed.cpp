@@ -4,14 +4,21 @@
 #include "app/session/Session.h"
 #include "app/style/Text.h"
 #include "app/views/ViewArea.h"
+#include "app/views/ViewPanel.h"
 #include "app/views/Viewport.h"
 #include "app/views/plots/WhatIfPage.h"
 #include "core/render/CaptureFacts.h"
 #include "core/settings/Presets.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 
 namespace taa::app {
+
+namespace {
+constexpr int kLateMs = 20; ///< what comes sooner takes the place of the old values without a flicker
+} // namespace
 
 ProbeFeed::ProbeFeed(Session& session, ViewArea& views, ProbePanel& panel)
     : session_(session), probes_(session.probes()), views_(views), panel_(panel) {
@@ -31,6 +38,9 @@ ProbeFeed::ProbeFeed(Session& session, ViewArea& views, ProbePanel& panel)
     probes_.move(dx, dy);
     if (probes_.pixel()) views_.active()->viewport()->reveal(*probes_.pixel());
   });
+  late_.setSingleShot(true);
+  late_.setInterval(kLateMs);
+  connect(&late_, &QTimer::timeout, this, &ProbeFeed::showGlimpse);
   connect(&probes_, &ProbeChoices::changed, this, &ProbeFeed::showActive);
   connect(&probes_, &ProbeChoices::probeArrived, this, &ProbeFeed::showProbe);
   connect(&views_, &ViewArea::requestsChanged, this, &ProbeFeed::askForOtherSide);
@@ -79,12 +89,32 @@ void ProbeFeed::askForOtherSide() {
 void ProbeFeed::showActive() {
   panel_.setProbes(probes_.all(), probes_.active());
   panel_.setPixel(probes_.pixel());
+  if (probes_.pixel() && !probes_.hasOwnResult()) late_.start();
   showProbe();
 }
 
 void ProbeFeed::showProbe() {
   views_.setMarks(probes_.marks()); // those that follow surfaces have moved
-  if (const ProbeResult* result = probes_.result()) panel_.setResult(*result);
+  if (!probes_.hasOwnResult()) return;
+  late_.stop();
+  panel_.setResult(*probes_.result());
+}
+
+// Of the pictures that are on show: a frame may take its time.
+void ProbeFeed::showGlimpse() {
+  const auto pixel = probes_.pixel();
+  if (!pixel || probes_.hasOwnResult()) return;
+  Glimpse known{{}, session_.status().settings.space};
+  for (int index = 0; index < views_.viewCount(); ++index) {
+    const ViewPanel* view = views_.view(index);
+    const auto values = view->viewport()->valueAt(*pixel);
+    if (!values || view->isDifference() || view->viewport()->absenceAt(*pixel) != Absence::None) continue;
+    glm::vec4 value(0.0f);
+    for (std::size_t channel = 0; channel < std::min<std::size_t>(4, values->size()); ++channel)
+      value[static_cast<int>(channel)] = (*values)[channel];
+    known.values[view->id()] = value;
+  }
+  panel_.setGlimpse(known);
 }
 
 } // namespace taa::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 
 namespace taa::app {
 
@@ -19,12 +20,14 @@ class ProbeFeed : public QObject {
   void connectWhatIf();
   void showActive();
   void showProbe();
+  void showGlimpse();
   void askForOtherSide();
 
   Session& session_;
   ProbeChoices& probes_;
   ViewArea& views_;
   ProbePanel& panel_;
+  QTimer late_; ///< runs out when the values at a new place are not there at once
 };
 
 } // namespace taa::app

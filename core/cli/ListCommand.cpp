@@ -74,8 +74,10 @@ Listing listScenes() {
   Listing list;
   for (const BuiltinScene& row : builtinScenes()) {
     list.rows.push_back({"builtin:" + row.id, row.label, row.description});
-    list.json.push_back(
-        {{"source", "builtin:" + row.id}, {"label", row.label}, {"description", row.description}});
+    list.json.push_back({{"source", "builtin:" + row.id},
+                         {"label", row.label},
+                         {"description", row.description},
+                         {"settings", row.settings}});
   }
   return list;
 }

@@ -5,6 +5,7 @@
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
 #include "core/capture/format/Conventions.h"
+#include "core/inspect/SceneSettings.h"
 #include "core/io/CameraTrackJson.h"
 #include "core/lessons/LessonText.h"
 #include "core/measure/Metrics.h"
@@ -72,6 +73,7 @@ void setScene(const KeyLine& line) {
   shot.source = sourceOf(line);
   shot.size = state.shot.size;
   shot.settings = state.shot.settings;
+  shot.settings.settings = settingsForScene(shot.settings.settings, state.shot.source, shot.source);
   state.shot = shot;
   state.recording.reset();
   state.probes.clear();

@@ -160,12 +160,19 @@ ManualPage presetsPage() {
 
 ManualPage scenesPage() {
   ManualPage page{"scenes.md", "Built-in scenes", ""};
-  page.text = pageHead(page.title, "Scenes that each provoke something. They are opened by the code beside "
-                                   "them.") +
-              "\n" + head({"scene", "shown as", "what it shows"});
-  for (const BuiltinScene& scene : builtinScenes())
-    page.text +=
-        cells({code("builtin:" + scene.id), markdownText(scene.label), markdownText(scene.description)});
+  page.text =
+      pageHead(page.title,
+               "Scenes that each provoke something. They are opened by the code beside them. The window and "
+               "lessons open one with the settings that show it, as far as these are at their defaults; "
+               "`taa-batch` takes settings as they are given.") +
+      "\n" + head({"scene", "shown as", "what it shows", "opened with"});
+  for (const BuiltinScene& scene : builtinScenes()) {
+    std::string settings;
+    for (const std::string& assignment : scene.settings)
+      settings += (settings.empty() ? "" : ", ") + code(assignment);
+    page.text += cells(
+        {code("builtin:" + scene.id), markdownText(scene.label), markdownText(scene.description), settings});
+  }
   return page;
 }
 

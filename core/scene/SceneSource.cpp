@@ -5,6 +5,7 @@
 #include "core/scene/builtin/BuiltinScenes.h"
 #include "core/scene/gltf/GltfLoader.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -51,13 +52,22 @@ const std::vector<BuiltinScene>& builtinScenes() {
        "Grass and leaves sway in the vertex shader: motion of vertex animation, alpha masks"},
       {"gallery", "Gallery",
        "One labelled object for each source of motion: camera, rigid, skin, morph, wind, cache"},
-      {"glass", "Glass",
-       "Panes of glass, particles, a flip-book and a ticker: what no motion vector tells the history"},
+      {"glass",
+       "Glass",
+       "Panes of glass, particles, a flip-book and a ticker: what no motion vector tells the history",
+       {"inputs.blended=before", "inputs.mask=autoReactive", "weight.mask=reactive"}},
       {"fog", "Fog",
        "Two lamps in a hazy hall, their beams marched in few steps: banding, and noise that TAA averages"},
       {"crowd", "Crowd",
        "Six hundred things, a million triangles: small, thin and far ones that spin, walk and run"}};
   return scenes;
+}
+
+const BuiltinScene* findBuiltinScene(const std::string& source) {
+  const auto found = std::ranges::find_if(builtinScenes(), [&](const BuiltinScene& scene) {
+    return isBuiltinScene(source) && source.substr(kBuiltinPrefix.size()) == scene.id;
+  });
+  return found == builtinScenes().end() ? nullptr : &*found;
 }
 
 bool isBuiltinScene(const std::string& source) {

@@ -14,10 +14,14 @@ namespace taa {
 struct BuiltinScene {
   std::string id; ///< "fan", opened as "builtin:fan"
   std::string label;
-  std::string description; ///< one sentence: what it shows
+  std::string description;             ///< one sentence: what it shows
+  std::vector<std::string> settings{}; ///< "path=value" that shows it, where the default would not
 };
 
 const std::vector<BuiltinScene>& builtinScenes();
+
+/// The one that `source`, "builtin:NAME", names; null: it names none.
+const BuiltinScene* findBuiltinScene(const std::string& source);
 
 /// Whether `source` names a built-in scene, "builtin:NAME", one that there is or not.
 bool isBuiltinScene(const std::string& source);

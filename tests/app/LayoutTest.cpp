@@ -8,6 +8,7 @@
 #include "app/widgets/parameters/SegmentedButtons.h"
 #include "tests/app/WindowFixture.h"
 
+#include <QDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QSplitterHandle>
@@ -129,6 +130,27 @@ TEST_F(SmallScreen, HoldsTheWindowWithEachOfItsPages) {
       EXPECT_EQ(window.width(), kSmallestScreen.width()) << where;
       EXPECT_EQ(window.height(), kSmallestScreen.height()) << where;
     }
+}
+
+TEST_F(SmallScreen, HoldsTheDialogs) {
+  window.resize(kSmallestScreen);
+  settle();
+  const std::pair<Qt::Key, Qt::KeyboardModifier> keys[] = {
+      {Qt::Key_F1, Qt::NoModifier}, {Qt::Key_F5, Qt::ShiftModifier}, {Qt::Key_Question, Qt::NoModifier}};
+  for (const auto& [with, modifier] : keys) {
+    key(with, modifier);
+    int shown = 0;
+    for (QDialog* dialog : window.findChildren<QDialog*>()) {
+      if (!dialog->isVisible()) continue;
+      ++shown;
+      EXPECT_LE(dialog->width(), kSmallestScreen.width()) << dialog->windowTitle().toStdString();
+      EXPECT_LE(dialog->height(), kSmallestScreen.height()) << dialog->windowTitle().toStdString();
+      dialog->close();
+    }
+    EXPECT_EQ(shown, 1) << with;
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Layout,

@@ -74,6 +74,21 @@ TEST_F(Profiler, ShowsPassesOfThisFrameTheirMedianAndShare) {
   EXPECT_EQ(cell(memory, 2, 1), "3.00");
 }
 
+TEST_F(Profiler, NamesKeepSevenLettersOnTheSmallestScreen) {
+  window.resize(1024, 600);
+  open();
+  session.measureStages();
+  session.seek(3);
+  settle();
+  settle();
+  for (const ValueTable* table : window.profiler()->findChildren<ValueTable*>()) {
+    ASSERT_GT(table->topLevelItemCount(), 0);
+    const QAbstractItemView* view = table; // a tree hides what it asks for
+    EXPECT_GE(table->columnWidth(0), std::min(55, view->sizeHintForColumn(0)))
+        << table->accessibleName().toStdString();
+  }
+}
+
 TEST_F(Profiler, StacksThePassesOverTime) {
   open();
   ProfileSeries series;

@@ -5,6 +5,8 @@
 #include "app/style/Text.h"
 #include "app/views/ViewArea.h"
 #include "app/widgets/SectionHeader.h"
+#include "app/widgets/Swatches.h"
+#include "app/widgets/YieldingColumn.h"
 #include "app/widgets/verdict/ErrorBars.h"
 #include "app/widgets/verdict/EvidenceRow.h"
 #include "app/widgets/verdict/RemedyButton.h"
@@ -67,6 +69,34 @@ TEST_F(VerdictPanel, StandsAboveTheNumbers) {
   const auto top = [](const QWidget* widget) { return widget->mapToGlobal(QPoint()).y(); };
   EXPECT_LT(top(line()), top(details()));
   EXPECT_LT(top(details()), top(window.probe()->table()));
+}
+
+TEST(YieldingColumn, FirstTheRemarkGivesWayThenTheTableThenWhatIsSaid) {
+  const ColumnHeights least{60, 60, 20}, wanted{300, 500, 100};
+  const auto shared = [&](int room) {
+    const auto wholePart = [](int most) { return most >= 200 ? 200 : most; }; // the last part is 100 high
+    return sharedHeights(room, least, wanted, 120, wholePart);
+  };
+  EXPECT_EQ(shared(1000), (ColumnHeights{300, 600, 100}));
+  EXPECT_EQ(shared(520), (ColumnHeights{300, 200, 20}));
+  EXPECT_EQ(shared(450), (ColumnHeights{300, 130, 20}));
+  EXPECT_EQ(shared(430), (ColumnHeights{200, 210, 20})) << "the last part would be cut";
+  EXPECT_EQ(shared(300), (ColumnHeights{160, 120, 20}));
+  EXPECT_EQ(shared(160), (ColumnHeights{60, 80, 20}));
+}
+
+TEST_F(VerdictPanel, ColorsBelowItAreWholeOrOutOfSight) {
+  probe();
+  const auto swatches = window.probe()->findChildren<Swatches*>();
+  ASSERT_EQ(swatches.size(), 3);
+  for (int height = 1000; height >= 600; height -= 20) {
+    window.resize(1280, height);
+    settle();
+    for (const Swatches* each : swatches) {
+      const int seen = each->visibleRegion().boundingRect().height();
+      EXPECT_TRUE(seen == each->height() || (seen == 0 && height < 860)) << seen << " px at " << height;
+    }
+  }
 }
 
 TEST_F(VerdictPanel, SaysThatAReasonIsLookedForUntilThereIsOne) {

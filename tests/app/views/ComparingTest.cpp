@@ -11,6 +11,7 @@
 #include "core/settings/Presets.h"
 #include "tests/app/views/ViewsFixture.h"
 
+#include <QFontMetrics>
 #include <QJsonArray>
 #include <QJsonObject>
 #include <QLineEdit>
@@ -83,6 +84,20 @@ TEST_F(ComparingTest, AllLinkedViewsMoveTogetherAndFreeOnesAlone) {
   for (int index = 1; index < 4; ++index) EXPECT_EQ(view(index)->viewport()->zoom(), 1.0) << index;
   key(Qt::Key_L);
   EXPECT_EQ(view(3)->viewport()->zoom(), view(0)->viewport()->zoom());
+}
+
+TEST(SideTexts, SayInANarrowViewWhatDiffers) {
+  const QFontMetrics metrics(secondaryFont());
+  const SideTexts whole{"Resolved · balanced · frame 60", "Resolved · unrectified · frame 60"};
+  const auto shown = [&](const SideTexts& texts, int room) {
+    const SideTexts fitting = fittingTexts(texts, metrics, room);
+    return fitting.first + " | " + fitting.other;
+  };
+  const int needed = metrics.horizontalAdvance(whole.other);
+  EXPECT_EQ(shown(whole, needed), whole.first + " | " + whole.other);
+  EXPECT_EQ(shown(whole, needed - 1), "balanced | unrectified");
+  EXPECT_EQ(shown({"Color · frame 1", "Resolved · frame 1"}, 10), "Color | Resolved");
+  EXPECT_EQ(shown({"Color · frame 1", "Color · frame 1"}, 10), "Color · frame 1 | Color · frame 1");
 }
 
 TEST_F(ComparingTest, ADividerSeparatesBothSidesAndCanBeDragged) {

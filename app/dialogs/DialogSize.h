@@ -1,0 +1,17 @@
+// How large a dialog opens.
+#pragma once
+
+#include "app/style/Theme.h"
+
+#include <QSize>
+#include <QWidget>
+
+namespace taa::app {
+
+/// `wanted` logical px, as far as they fit over the window that the dialog belongs to: the screen may be no
+/// larger. Without one all of it.
+inline QSize sizeOver(const QWidget* parent, const QSize& wanted) {
+  return parent ? wanted.boundedTo(parent->window()->size() - QSize(4 * kUnit, 4 * kUnit)) : wanted;
+}
+
+} // namespace taa::app
