@@ -7,8 +7,44 @@
 #include <QCloseEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
+
+#include <algorithm>
 
 namespace taa::app {
+
+namespace {
+
+/// What a panel scrolls in where there is less room than it needs.
+class PanelArea : public QScrollArea {
+ public:
+  PanelArea(QWidget* panel, int leastPx) : leastPx_(leastPx) {
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setFocusPolicy(Qt::NoFocus); // the way of the Tab key scrolls it
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setWidget(panel);
+    viewport()->setAutoFillBackground(false);
+    panel->setAutoFillBackground(false);
+  }
+  QSize sizeHint() const override { return widget()->sizeHint(); }
+  QSize minimumSizeHint() const override {
+    const QSize hint = widget()->minimumSizeHint(), least = widget()->minimumSize();
+    const int high = std::max(hint.height(), least.height());
+    return {least.width() > 0 ? least.width() : hint.width(), std::min(high, scaled(leastPx_))};
+  }
+
+ protected:
+  bool viewportEvent(QEvent* event) override {
+    if (event->type() == QEvent::LayoutRequest) updateGeometry();
+    return QScrollArea::viewportEvent(event);
+  }
+
+ private:
+  int leastPx_; ///< of texts of 100 %
+};
+
+} // namespace
 
 PanelDock::PanelDock(const QString& id, const QString& title, QWidget* parent) : QDockWidget(title, parent) {
   setObjectName(id);
@@ -51,9 +87,18 @@ void PanelDock::addCloseButton() {
 }
 
 void PanelDock::setPanel(QWidget* panel) {
-  if (widget()) widget()->removeEventFilter(this);
+  takePanel(panel, panel);
+}
+
+void PanelDock::setScrolledPanel(QWidget* panel, int leastPx) {
+  takePanel(panel, new PanelArea(panel, leastPx));
+}
+
+void PanelDock::takePanel(QWidget* panel, QWidget* shown) {
+  if (panel_) panel_->removeEventFilter(this);
+  panel_ = panel;
   const bool isHidden = panel && panel->isHidden() && panel->testAttribute(Qt::WA_WState_ExplicitShowHide);
-  setWidget(panel);
+  setWidget(shown);
   if (!panel) return hide();
   panel->setVisible(!isHidden); // Qt shows it
   panel->installEventFilter(this);
@@ -61,7 +106,7 @@ void PanelDock::setPanel(QWidget* panel) {
 }
 
 void PanelDock::follow() {
-  const bool shows = widget() && !widget()->isHidden();
+  const bool shows = panel_ && !panel_->isHidden();
   const bool opens = shows && isHidden();
   setVisible(shows);
   if (shows && isFloating()) raise();
@@ -70,13 +115,13 @@ void PanelDock::follow() {
 
 bool PanelDock::eventFilter(QObject* object, QEvent* event) {
   const bool changes = event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent;
-  if (object == widget() && changes) follow();
+  if (object == panel_ && changes) follow();
   return QDockWidget::eventFilter(object, event);
 }
 
 void PanelDock::closeEvent(QCloseEvent* event) {
   giveFocusBack();
-  if (widget()) widget()->hide();
+  if (panel_) panel_->hide();
   event->accept();
   Q_EMIT closed();
 }

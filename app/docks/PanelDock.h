@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDockWidget>
+#include <QPointer>
 
 class QHBoxLayout;
 
@@ -22,6 +23,9 @@ class PanelDock : public QDockWidget {
   void setWholeHead(QWidget* head);
   /// Null: it has none at the moment, and is hidden.
   void setPanel(QWidget* panel);
+  /// As setPanel(), of a panel that scrolls where there is less room than it needs, down to `leastPx` of
+  /// texts of 100 %.
+  void setScrolledPanel(QWidget* panel, int leastPx);
   /// Also hides its panel, as a close button does.
   void addCloseButton();
   /// Shows or hides it as its panel is.
@@ -43,7 +47,10 @@ class PanelDock : public QDockWidget {
 
  private:
   void showButton();
+  /// `shown` is the panel, or has it.
+  void takePanel(QWidget* panel, QWidget* shown);
 
+  QPointer<QWidget> panel_;
   IconButton* button_ = nullptr;
   QHBoxLayout* row_ = nullptr; ///< of its head, where it is its own
 };

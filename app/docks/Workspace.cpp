@@ -24,6 +24,7 @@ constexpr QSize kLeastViews(320, 150);  ///< logical px that no panel takes from
 constexpr double kViewsShare = 0.4;     ///< of width and height that a layout leaves to the views at least
 constexpr QSize kReachable(120, 40);    ///< logical px of a window that have to be on a screen
 constexpr QSize kFirstWindow(720, 360); ///< of a page that is torn off
+constexpr int kLeastProbe = 70;         ///< logical px of texts of 100 %
 constexpr int kLessonLines = 20;        ///< of text, that a lesson is high where there is room
 
 QList<QRect> screenPlaces(const QScreen* first) {
@@ -65,7 +66,7 @@ Workspace::Workspace(const Panels& panels, QWidget* parent) : QMainWindow(parent
   learn_->setPanel(of_.learn);
   probe_ = addDock(QStringLiteral("probe"), tr("Probe"), Qt::RightDockWidgetArea);
   probe_->setHead(of_.probeHead);
-  probe_->setPanel(of_.probe);
+  probe_->setScrolledPanel(of_.probe, kLeastProbe);
   lower_ = addDock(QStringLiteral("lower"), tr("Pages below the views"), Qt::BottomDockWidgetArea);
   lower_->setWholeHead(of_.lower->head());
   lower_->setPanel(of_.lower);

@@ -112,10 +112,8 @@ void ProbePanel::makePages() {
   pages_ = new QStackedWidget;
   colorSpace_ = new ColorSpacePage;
   whatIf_ = new WhatIfPage;
-  // Pages that are not in front do not make the panel higher than the one that is.
-  pages_->addWidget(makeValues());
-  pages_->addWidget(scrolled(colorSpace_));
-  pages_->addWidget(scrolled(whatIf_));
+  for (QWidget* page : {makeValues(), static_cast<QWidget*>(colorSpace_), static_cast<QWidget*>(whatIf_)})
+    pages_->addWidget(page);
   column->addWidget(tabs_);
   column->addWidget(new Line);
   column->addWidget(pages_, 1);
