@@ -17,7 +17,7 @@ namespace taa::app {
 namespace {
 
 constexpr int kResidualRow = 18, kResidualBar = 8; ///< px
-constexpr double kLabelShare = 0.6;                ///< of what words and bars have
+constexpr int kLongestBar = 48;                    ///< px, of the longest: words may have the rest
 
 int widestOf(const std::vector<ResidualBars::Bar>& bars, const QFontMetrics& metrics,
              QString ResidualBars::Bar::*text) {
@@ -64,10 +64,13 @@ ResidualBars::Columns ResidualBars::columns() const {
   const QFontMetrics words(secondaryFont()), numbers(numberFont());
   const int mark = widestOf(bars_, words, &Bar::mark) + 2 * kUnit,
             number = widestOf(bars_, numbers, &Bar::number) + 2 * kUnit;
-  const int room = std::max(0, width() - mark - number);
-  const int label = std::min(widestOf(bars_, words, &Bar::label) + 2 * kUnit,
-                             static_cast<int>(std::lround(kLabelShare * room)));
+  const int room = std::max(0, width() - mark - number - scaled(kLongestBar) - kUnit);
+  const int label = std::min(widestOf(bars_, words, &Bar::label) + 2 * kUnit, room);
   return {0, label, label + mark, label + mark + number};
+}
+
+bool ResidualBars::areLabelsWhole() const {
+  return columns().mark >= widestOf(bars_, QFontMetrics(secondaryFont()), &Bar::label) + 2 * kUnit;
 }
 
 QRectF ResidualBars::barRect(int line) const {

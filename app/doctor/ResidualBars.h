@@ -26,6 +26,8 @@ class ResidualBars : public QWidget {
   const std::vector<Bar>& bars() const { return bars_; }
   /// Where the bar of a line is painted, px.
   QRectF barRect(int line) const;
+  /// Whether all labels are painted whole.
+  bool areLabelsWhole() const;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 

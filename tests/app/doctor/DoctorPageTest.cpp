@@ -193,6 +193,15 @@ TEST_F(DoctorPageTest, ShowsAFindingWithItsEvidence) {
   EXPECT_EQ(bars->bars()[0].mark, "fits");
   EXPECT_EQ(bars->bars()[1].mark, "what is stored");
   EXPECT_EQ(bars->bars()[1].number, "8");
+  // Words go first: bars are longer only where they leave room.
+  ResidualBars narrow;
+  narrow.setResiduals(
+      {{"reversed", "the other way around", 0.0, false, true}, {"asStated", "as stated", 1.0, true, false}});
+  narrow.resize(375, narrow.sizeHint().height());
+  EXPECT_TRUE(narrow.areLabelsWhole()) << "at 1280 px";
+  EXPECT_GE(narrow.barRect(1).width(), 48.0);
+  narrow.resize(200, narrow.height());
+  EXPECT_FALSE(narrow.areLabelsWhole());
   EXPECT_NEAR(bars->barRect(0).width(), 0.25 * bars->barRect(1).width(), 1e-9) << "2 of 8";
 }
 
