@@ -20,8 +20,9 @@ namespace taa::app {
 namespace {
 
 constexpr int kStateVersion = 1;
-constexpr QSize kLeastViews(320, 150);  ///< logical px that no panel takes from the views
-constexpr double kViewsShare = 0.4;     ///< of width and height that a layout leaves to the views at least
+constexpr QSize kLeastViews(320, 150); ///< logical px that no panel takes from the views
+constexpr double kViewsShare = 0.4;    ///< of width and height that a layout leaves to the views at least
+constexpr double kLeftShare = 0.22, kProbeShare = 0.33; ///< of the width, at most where texts are large
 constexpr QSize kReachable(120, 40);    ///< logical px of a window that have to be on a screen
 constexpr QSize kFirstWindow(720, 360); ///< of a page that is torn off
 constexpr int kLeastProbe = 70;         ///< logical px of texts of 100 %
@@ -172,7 +173,12 @@ void Workspace::resetLayout() {
 // The probe's last column, what values mean, shows where the window has room for it.
 void Workspace::setFirstSizes(int windowWidth) {
   layout()->activate();
-  resizeDocks({left_, probe_}, {292, windowWidth >= 1500 ? 468 : 388}, Qt::Horizontal);
+  // With larger texts wider, as far as the views keep a good part of the window.
+  const auto wide = [windowWidth](int px, double share) {
+    return std::max(px, std::min(scaled(px), static_cast<int>(share * windowWidth)));
+  };
+  resizeDocks({left_, probe_}, {wide(292, kLeftShare), wide(windowWidth >= 1500 ? 468 : 388, kProbeShare)},
+              Qt::Horizontal);
   resizeDocks({lower_}, {of_.lower->sizeHint().height()}, Qt::Vertical);
 }
 

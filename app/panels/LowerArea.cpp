@@ -48,6 +48,12 @@ LowerArea::LowerArea(QWidget* parent)
   hide();
 }
 
+// Larger texts leave room for the curves between them, as long as the views keep a good part of the window.
+QSize LowerArea::sizeHint() const {
+  constexpr int kHigh = 276;
+  return {1000, std::max(kHigh, std::min(scaled(kHigh), window()->height() * 2 / 5))};
+}
+
 void LowerArea::makeHead() {
   tabs_->setDrawBase(false);
   tabs_->setExpanding(false);

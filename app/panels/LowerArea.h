@@ -44,7 +44,7 @@ class LowerArea : public QWidget {
   /// The row with tabs and buttons, above the pages until somebody places it elsewhere.
   QWidget* head() const { return head_; }
   QTabBar* tabs() const { return tabs_; }
-  QSize sizeHint() const override { return {1000, 276}; }
+  QSize sizeHint() const override;
 
  Q_SIGNALS:
   /// Opened, closed or another page.

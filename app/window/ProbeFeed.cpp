@@ -17,7 +17,7 @@
 namespace taa::app {
 
 namespace {
-constexpr int kLateMs = 20; ///< what comes sooner takes the place of the old values without a flicker
+constexpr int kLateAnswerMs = 20; ///< what comes sooner takes the place of the old values without a flicker
 } // namespace
 
 ProbeFeed::ProbeFeed(Session& session, ViewArea& views, ProbePanel& panel)
@@ -39,7 +39,7 @@ ProbeFeed::ProbeFeed(Session& session, ViewArea& views, ProbePanel& panel)
     if (probes_.pixel()) views_.active()->viewport()->reveal(*probes_.pixel());
   });
   late_.setSingleShot(true);
-  late_.setInterval(kLateMs);
+  late_.setInterval(kLateAnswerMs);
   connect(&late_, &QTimer::timeout, this, &ProbeFeed::showGlimpse);
   connect(&probes_, &ProbeChoices::changed, this, &ProbeFeed::showActive);
   connect(&probes_, &ProbeChoices::probeArrived, this, &ProbeFeed::showProbe);

@@ -3,6 +3,7 @@
 #include "app/style/TextSize.h"
 #include "app/commands/ThemeSetting.h"
 #include "app/learn/LessonText.h"
+#include "app/panels/LowerArea.h"
 #include "app/panels/ProbePanel.h"
 #include "app/panels/StatusLine.h"
 #include "app/style/Theme.h"
@@ -18,7 +19,9 @@
 #include <QTreeView>
 
 #include <map>
+#include <memory>
 #include <tuple>
+#include <utility>
 
 using namespace taa::app;
 using namespace taa::app::test;
@@ -115,6 +118,24 @@ TEST_F(TextSizeTest, AtTwoHundredPercentALessonIsReadBesideTheProbeInAWindowOf12
   const auto* text = window.findChild<LessonText*>();
   ASSERT_TRUE(text && text->isVisible());
   EXPECT_GE(text->viewport()->height(), 4 * text->fontMetrics().lineSpacing());
+}
+
+TEST_F(TextSizeTest, AWindowThatOpensAtTwoHundredPercentHasRoomForCurves) {
+  window.setTextPercent(200);
+  Session shown([](taa::Listener listener) { return std::make_unique<FakeRenderer>(std::move(listener)); });
+  TestWindow large(shown, nullptr);
+  large.resize(1920, 1080);
+  large.show();
+  large.openSource("builtin:fan");
+  shown.probes().setPixel(glm::ivec2(20, 10));
+  settle();
+  for (const LowerPage page : {LowerPage::Plots, LowerPage::Weights}) {
+    large.lower()->setShown(page, true);
+    settle();
+    EXPECT_EQ(large.size(), QSize(1920, 1080)) << "it fits";
+    EXPECT_GE(large.lower()->height(), 280) << "its tabs lie above it";
+    EXPECT_GE(large.views()->height(), 300) << "the views keep theirs";
+  }
 }
 
 TEST_F(TextSizeTest, RowsOfTheProbeAreAsHighAsTheirLines) {
