@@ -12,6 +12,16 @@ namespace {
 
 constexpr int kFrameWidth = 2;
 
+/// What of the part is seen, in its window: a panel may be scrolled in less room than it needs.
+QRect seenPart(const QWidget& part) {
+  const QWidget* window = part.window();
+  QRect seen(part.mapTo(window, QPoint()), part.size());
+  for (const QWidget* around = part.parentWidget(); around && around != window;
+       around = around->parentWidget())
+    seen &= QRect(around->mapTo(window, QPoint()), around->size());
+  return seen;
+}
+
 } // namespace
 
 PartFrame::PartFrame(QWidget* window) : QWidget(window) {
@@ -21,9 +31,12 @@ PartFrame::PartFrame(QWidget* window) : QWidget(window) {
 }
 
 void PartFrame::surround(QWidget* part) {
-  if (part_) part_->removeEventFilter(this);
+  for (QWidget* watched : {part_.data(), around_.data()})
+    if (watched) watched->removeEventFilter(this);
   part_ = part;
-  if (part_) part_->installEventFilter(this);
+  around_ = part ? part->parentWidget() : nullptr;
+  for (QWidget* watched : {part_.data(), around_.data()})
+    if (watched) watched->installEventFilter(this);
   follow();
 }
 
@@ -53,7 +66,7 @@ void PartFrame::follow() {
   if (!part_ || !part_->isVisible()) return hide();
   if (parentWidget() != part_->window()) setParent(part_->window()); // a panel may have been torn off
   show();
-  setGeometry({part_->mapTo(parentWidget(), QPoint()), part_->size()});
+  setGeometry(seenPart(*part_));
   raise();
 }
 

@@ -22,7 +22,7 @@ class PartFrame : public QWidget {
  private:
   void follow();
 
-  QPointer<QWidget> part_;
+  QPointer<QWidget> part_, around_; ///< around: what it lies in
 };
 
 } // namespace taa::app

@@ -219,6 +219,21 @@ void explainByFewest(std::vector<JudgedRegion>& judged, const std::vector<Motion
   }
 }
 
+/// Everything is a frame late, or nothing: of the sky alone it is what leaks into it from what moves before
+/// it.
+void leaveSkyAlone(std::vector<JudgedRegion>& judged, const std::vector<MotionTrial>& trials) {
+  for (JudgedRegion& sky : judged) {
+    if (!sky.region->isSky || !sky.trial) continue;
+    const MotionKind kind = trials[*sky.trial].kind;
+    const bool isOfTime = kind == MotionKind::FrameLate || kind == MotionKind::FrameEarly;
+    const bool isAlone = std::ranges::none_of(
+        judged, [&](const JudgedRegion& other) { return &other != &sky && other.trial == sky.trial; });
+    if (!isOfTime || !isAlone) continue;
+    sky.trial.reset();
+    sky.decision = {MotionVerdict::Contradicted, {}};
+  }
+}
+
 } // namespace
 
 bool isAlike(const JudgedRegion& region, std::size_t other) {
@@ -243,6 +258,7 @@ Judged judgeMotion(const MotionEvidence& evidence, const std::vector<Region>& re
   judgeByWitness(out, evidence);
   out.isLate = isLate(out.regions);
   explainByFewest(out.regions, evidence.trials());
+  leaveSkyAlone(out.regions, evidence.trials());
   return out;
 }
 

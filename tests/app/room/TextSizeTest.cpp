@@ -2,7 +2,9 @@
 // back.
 #include "app/style/TextSize.h"
 #include "app/commands/ThemeSetting.h"
+#include "app/learn/Learning.h"
 #include "app/learn/LessonText.h"
+#include "app/learn/PartFrame.h"
 #include "app/panels/LowerArea.h"
 #include "app/panels/ProbePanel.h"
 #include "app/panels/StatusLine.h"
@@ -118,6 +120,17 @@ TEST_F(TextSizeTest, AtTwoHundredPercentALessonIsReadBesideTheProbeInAWindowOf12
   const auto* text = window.findChild<LessonText*>();
   ASSERT_TRUE(text && text->isVisible());
   EXPECT_GE(text->viewport()->height(), 4 * text->fontMetrics().lineSpacing());
+
+  // What is surrounded is what of the probe is seen.
+  window.findChild<Learning*>()->openStep(QStringLiteral("first-ghost"), 3);
+  settle();
+  session.probes().setPixel(glm::ivec2(20, 10));
+  settle();
+  const auto* frame = window.findChild<PartFrame*>();
+  ASSERT_TRUE(frame && frame->isVisible());
+  const QWidget* area = window.probe()->parentWidget();
+  ASSERT_LT(area->height(), window.probe()->height());
+  EXPECT_EQ(frame->geometry(), QRect(area->mapTo(&window, QPoint()), area->size()));
 }
 
 TEST_F(TextSizeTest, AWindowThatOpensAtTwoHundredPercentHasRoomForCurves) {

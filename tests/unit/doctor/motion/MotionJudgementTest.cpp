@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -57,6 +58,44 @@ TEST(MotionJudgement, LeavesToPixelsWhatMovesByItself) {
   for (const JudgedRegion& region : judged.regions) {
     EXPECT_FALSE(region.isWitnessed);
     EXPECT_EQ(region.trial.has_value(), region.region->objectId == test::kBoardId);
+  }
+}
+
+// Of the sky alone a frame late is told by nobody: what moves before it leaks into it where motion is a mean.
+TEST(MotionJudgement, LeavesASkyOpenThatAloneIsAFrameLate) {
+  test::PaintedShot shot;
+  shot.change = 0.8;
+  std::vector<DoctorFrame> frames;
+  for (int i = 0; i < 8; ++i) {
+    DoctorFrame& frame = frames.emplace_back(test::paintedFrame(shot, i));
+    frame.previousClipFromClip.reset();
+    // A sky with the ground's detail, whose motion is that of the frame before.
+    const glm::vec2 late = test::paintedFrame(shot, std::max(0, i - 1)).motionAt(0, 95);
+    for (std::size_t p = 0; p < frame.objectId.size(); ++p) {
+      if (frame.objectId[p] == test::kBoardId) continue;
+      frame.objectId[p] = 0;
+      frame.depth.pixels[p] = frame.depthView.pixels[p] = frame.previousDepthView.pixels[p] = 0.0f;
+    }
+    test::changeMotion(frame, 0, [late](const glm::vec2&) { return late; });
+  }
+  RegionTracker tracker;
+  MotionEvidence evidence(test::kPaintedPx);
+  std::vector<RegionIndex> before = tracker.label(frames[0]);
+  for (std::size_t i = 1; i + 1 < frames.size(); ++i) {
+    const std::vector<RegionIndex> labels = tracker.label(frames[i]);
+    evidence.add({frames[i], frames[i - 1], &frames[i + 1]}, labels, before);
+    before = labels;
+  }
+  const auto sky = std::ranges::find(tracker.regions(), true, &Region::isSky);
+  ASSERT_NE(sky, tracker.regions().end());
+  const RegionEvidence& ofSky = evidence.regions()[static_cast<std::size_t>(sky - tracker.regions().begin())];
+  const MotionDecision byItself = decideMotion(ofSky, evidence.trials());
+  ASSERT_EQ(byItself.verdict, MotionVerdict::Wrong);
+  ASSERT_EQ(trialId(evidence.trials()[byItself.explanations.at(0)]), "frameLate");
+  for (const JudgedRegion& region : judgeMotion(evidence, tracker.regions()).regions) {
+    if (!region.region->isSky) continue;
+    EXPECT_FALSE(region.trial);
+    EXPECT_EQ(region.decision.verdict, MotionVerdict::Contradicted);
   }
 }
 
