@@ -1,8 +1,8 @@
 #include "app/dialogs/GlslWindow.h"
 
-#include "app/dialogs/DialogSize.h"
 #include "app/dialogs/SourceText.h"
 #include "app/session/ShaderWatch.h"
+#include "app/style/DialogSize.h"
 #include "app/style/Icons.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"

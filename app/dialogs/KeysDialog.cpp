@@ -1,6 +1,6 @@
 #include "app/dialogs/KeysDialog.h"
 
-#include "app/dialogs/DialogSize.h"
+#include "app/style/DialogSize.h"
 #include "app/style/Theme.h"
 #include "app/widgets/SearchField.h"
 

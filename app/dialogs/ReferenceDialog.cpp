@@ -1,6 +1,6 @@
 #include "app/dialogs/ReferenceDialog.h"
 
-#include "app/dialogs/DialogSize.h"
+#include "app/style/DialogSize.h"
 #include "app/style/Icons.h"
 #include "app/style/Theme.h"
 #include "core/report/ReferencePage.h"

@@ -4,8 +4,8 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/views/plots/JitterView.h"
-#include "app/widgets/FittingArea.h"
 #include "app/widgets/ValueTable.h"
+#include "app/widgets/areas/FittingArea.h"
 
 #include "core/render/jitter/Jitter.h"
 #include "core/settings/Parameters.h"

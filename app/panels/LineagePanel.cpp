@@ -4,7 +4,7 @@
 #include "app/style/Theme.h"
 #include "app/views/plots/FootprintView.h"
 #include "app/views/plots/LineageBars.h"
-#include "app/widgets/FittingArea.h"
+#include "app/widgets/areas/FittingArea.h"
 
 #include "core/verdict/lineage/LineageWords.h"
 

@@ -3,7 +3,7 @@
 #include "app/style/Numbers.h"
 #include "app/style/Theme.h"
 #include "app/views/plots/CurveChart.h"
-#include "app/widgets/FittingArea.h"
+#include "app/widgets/areas/FittingArea.h"
 
 #include "core/probe/SampleWeights.h"
 

@@ -3,8 +3,8 @@
 #include "app/style/Numbers.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
-#include "app/widgets/FittingArea.h"
 #include "app/widgets/IconButton.h"
+#include "app/widgets/areas/FittingArea.h"
 
 #include "core/picture/RegionSpreadText.h"
 #include "core/taa/rows/ChannelNames.h"

@@ -2,7 +2,7 @@
 // the error.
 #pragma once
 
-#include "app/widgets/FittingArea.h"
+#include "app/widgets/areas/FittingArea.h"
 #include "core/requests/Results.h"
 
 #include <array>

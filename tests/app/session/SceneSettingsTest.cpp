@@ -10,6 +10,7 @@
 #include <QMenuBar>
 
 #include <string>
+#include <vector>
 
 using namespace taa;
 using namespace taa::app;

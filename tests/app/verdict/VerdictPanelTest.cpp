@@ -6,7 +6,7 @@
 #include "app/views/ViewArea.h"
 #include "app/widgets/SectionHeader.h"
 #include "app/widgets/Swatches.h"
-#include "app/widgets/YieldingColumn.h"
+#include "app/widgets/areas/YieldingColumn.h"
 #include "app/widgets/verdict/ErrorBars.h"
 #include "app/widgets/verdict/EvidenceRow.h"
 #include "app/widgets/verdict/RemedyButton.h"

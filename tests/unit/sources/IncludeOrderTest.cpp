@@ -92,7 +92,7 @@ const std::vector<std::vector<std::string>>& floors() {
       {"thread"},
       {"cli"},
       {"app/style"},
-      {"app/widgets"},
+      {"app/widgets", "app/widgets/areas"},
       {"app/widgets/parameters"},
       {"app/widgets/bars"},
       {"app/undo", "app/background"},

@@ -56,8 +56,9 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
     {"condition_variable", "condition_variable"},
     {"csignal", "raise sig_atomic_t signal"},
     {"cstdint", "int16_t int32_t int64_t int8_t uint16_t uint32_t uint64_t uint8_t uintmax_t uintptr_t"},
-    {"cstdio", "fclose fopen fprintf fputs fread fwrite printf remove rename size_t snprintf sscanf FILE "
-               "fflush perror puts"},
+    {"cstdio",
+     "fclose fopen fprintf fputs fread fwrite printf remove rename setvbuf size_t snprintf sscanf FILE "
+     "fflush perror puts"},
     {"cstdlib", "abs atoi exit getenv size_t strtod strtof strtol abort quick_exit"},
     {"cstring", "memchr memcmp memcpy memset ptrdiff_t size_t strchr strcmp strerror strlen strstr"},
     {"ctime", "clock clock_t time time_t tm localtime gmtime strftime"},
@@ -68,7 +69,7 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
     {"functional",
      "cref divides function greater hash less less_equal minus multiplies plus ptrdiff_t ranges::greater "
      "ranges::greater_equal ranges::less ref size_t invoke bind_front identity"},
-    {"future", "async future launch promise"},
+    {"future", "async future future_status launch promise"},
     {"initializer_list", "initializer_list"},
     {"iomanip", "fixed ios put_time setfill setprecision setw streamsize hex"},
     {"ios", "fixed ios streamsize hex"},

@@ -2,7 +2,7 @@
 // way one after another, none of them cut to a part of a line.
 #pragma once
 
-#include "app/widgets/FittingArea.h"
+#include "app/widgets/areas/FittingArea.h"
 
 #include <QVBoxLayout>
 
