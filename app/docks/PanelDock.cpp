@@ -19,7 +19,6 @@ namespace {
 class PanelArea : public QScrollArea {
  public:
   PanelArea(QWidget* panel, int leastPx) : leastPx_(leastPx) {
-    setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setFocusPolicy(Qt::NoFocus); // the way of the Tab key scrolls it
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -35,12 +34,27 @@ class PanelArea : public QScrollArea {
   }
 
  protected:
-  bool viewportEvent(QEvent* event) override {
-    if (event->type() == QEvent::LayoutRequest) updateGeometry();
-    return QScrollArea::viewportEvent(event);
+  void resizeEvent(QResizeEvent* event) override {
+    QScrollArea::resizeEvent(event);
+    fit();
+  }
+  bool eventFilter(QObject* object, QEvent* event) override {
+    const bool isOther = object == widget() && event->type() == QEvent::LayoutRequest;
+    const bool isDone = QScrollArea::eventFilter(object, event);
+    if (isOther) {
+      updateGeometry();
+      fit();
+    }
+    return isDone;
   }
 
  private:
+  /// Not by setWidgetResizable(), by which a panel with texts that wrap is as high as it would like to be.
+  void fit() {
+    const QSize least = widget()->minimumSizeHint().expandedTo(widget()->minimumSize());
+    widget()->resize(viewport()->width(), std::max(viewport()->height(), least.height()));
+  }
+
   int leastPx_; ///< of texts of 100 %
 };
 
