@@ -27,6 +27,11 @@ namespace taa::doctor {
 
 namespace {
 
+/// Whether rims have, or may have, what is beside them.
+bool isBeside(RimVerdict verdict) {
+  return verdict == RimVerdict::Shifted || verdict == RimVerdict::Coarse || verdict == RimVerdict::Unclear;
+}
+
 /// What is gathered while frames go by, once.
 class Examiner {
  public:
@@ -70,7 +75,8 @@ class Examiner {
   }
   const ResolveEvidence& resolve() const { return resolve_; }
   std::optional<MotionTrial> tellMotion(Diagnosis& out) const {
-    const bool areRimsSeen = rims_.depth.verdict() != RimVerdict::Unjittered;
+    const bool areRimsSeen =
+        rims_.depth.verdict() != RimVerdict::Unjittered && !isBeside(rims_.motion.verdict());
     return doctor::tellMotion(motion_, tracker_.regions(), patient_, areRimsSeen, out);
   }
 

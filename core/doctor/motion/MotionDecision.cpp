@@ -120,9 +120,6 @@ std::optional<Fault> wrongCamera(const RegionEvidence& evidence) {
   return {};
 }
 
-namespace {
-
-/// By pixels alone.
 MotionDecision decideByPixels(const RegionEvidence& evidence, const std::vector<MotionTrial>& trials) {
   if (evidence.pixels < kEnoughOfRegion || evidence.pairs < kEnoughPairs)
     return {MotionVerdict::TooSmall, {}};
@@ -137,8 +134,6 @@ MotionDecision decideByPixels(const RegionEvidence& evidence, const std::vector<
       evidence.trials, [](const TrialEvidence& trial) { return trial.pixels >= kEnoughOfRegion; });
   return {differs ? MotionVerdict::Contradicted : MotionVerdict::Still, {}};
 }
-
-} // namespace
 
 MotionDecision decideMotion(const RegionEvidence& evidence, const std::vector<MotionTrial>& trials) {
   MotionDecision byPixels = decideByPixels(evidence, trials);

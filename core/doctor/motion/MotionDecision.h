@@ -34,6 +34,8 @@ struct MotionDecision {
 /// what searchMotion() found can contradict it. Where pixels do not tell, outlines do. `trials`: those of the
 /// evidence.
 MotionDecision decideMotion(const RegionEvidence& evidence, const std::vector<MotionTrial>& trials);
+/// By pixels alone: where rims have the motion of what is beside, outlines say nothing.
+MotionDecision decideByPixels(const RegionEvidence& evidence, const std::vector<MotionTrial>& trials);
 
 /// Whether motion given is 0 nearly everywhere.
 bool isUnwritten(const RegionEvidence& evidence);

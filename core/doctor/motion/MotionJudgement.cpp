@@ -251,12 +251,15 @@ std::vector<std::size_t> rivalsOf(const JudgedRegion& region) {
   return out;
 }
 
-Judged judgeMotion(const MotionEvidence& evidence, const std::vector<Region>& regions) {
+Judged judgeMotion(const MotionEvidence& evidence, const std::vector<Region>& regions, bool areRimsSeen) {
   Judged out;
   out.regions = judgedRegions(evidence, regions);
   out.unseen = static_cast<std::size_t>(std::ranges::count(evidence.regions(), 0u, &RegionEvidence::seen));
+  out.isLate = areRimsSeen && isLate(out.regions);
+  if (out.isLate || !areRimsSeen)
+    for (JudgedRegion& region : out.regions)
+      if (region.decision.isByOutline) region.decision = decideByPixels(*region.evidence, evidence.trials());
   judgeByWitness(out, evidence);
-  out.isLate = isLate(out.regions);
   explainByFewest(out.regions, evidence.trials());
   leaveSkyAlone(out.regions, evidence.trials());
   return out;

@@ -36,7 +36,9 @@ struct Judged {
 };
 
 /// `regions`: those of the evidence, which live as long as what is returned.
-Judged judgeMotion(const MotionEvidence& evidence, const std::vector<Region>& regions);
+/// `areRimsSeen`: depth and motion have the rims that pictures have, by which motion is late, and outlines
+/// speak.
+Judged judgeMotion(const MotionEvidence& evidence, const std::vector<Region>& regions, bool areRimsSeen);
 
 /// Explanations that fit a region as well; those that lead elsewhere, and those that lead to the same places.
 std::vector<std::size_t> rivalsOf(const JudgedRegion& region);

@@ -199,7 +199,7 @@ std::optional<MotionTrial> tellMotion(const MotionEvidence& evidence, const std:
                                       const Patient& patient, bool areRimsSeen, Diagnosis& out) {
   const double allPixels = static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
   tellMarks(evidence, regions, patient, allPixels, out);
-  Judged judged = judgeMotion(evidence, regions);
+  Judged judged = judgeMotion(evidence, regions, areRimsSeen);
   tellUnwrittenSky(judged.regions, patient, allPixels, out);
   std::optional<MotionTrial> most;
   for (const FaultGroup& group : groupsOf(judged.regions, evidence.trials())) {
@@ -208,7 +208,7 @@ std::optional<MotionTrial> tellMotion(const MotionEvidence& evidence, const std:
       most = evidence.trials()[*group.trial];
   }
   const Finding late = lateFinding();
-  if (judged.isLate && areRimsSeen && std::ranges::count(out.findings, late.id, &Finding::id) == 0)
+  if (judged.isLate && std::ranges::count(out.findings, late.id, &Finding::id) == 0)
     out.findings.push_back(late);
   tellJumps(evidence, regions, patient, allPixels, out);
   if (judged.contradicted)

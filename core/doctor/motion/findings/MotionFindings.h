@@ -16,7 +16,7 @@ RegionPlace placeOf(const Region& region, const Patient& patient, double allPixe
 
 /// Adds findings, what is undecided and what is right about the motion of all regions. Expects that motion
 /// is known. Returns what the motion of all or most of the picture is told by, where that is one explanation.
-/// `areRimsSeen`: depth has the rims that pictures have, so that they say when motion was made.
+/// `areRimsSeen`: see judgeMotion().
 std::optional<MotionTrial> tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
                                       const Patient& patient, bool areRimsSeen, Diagnosis& out);
 
