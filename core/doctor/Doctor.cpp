@@ -75,9 +75,9 @@ class Examiner {
   }
   const ResolveEvidence& resolve() const { return resolve_; }
   std::optional<MotionTrial> tellMotion(Diagnosis& out) const {
-    const bool areRimsSeen =
-        rims_.depth.verdict() != RimVerdict::Unjittered && !isBeside(rims_.motion.verdict());
-    return doctor::tellMotion(motion_, tracker_.regions(), patient_, areRimsSeen, out);
+    const bool ofTime = rims_.depth.verdict() != RimVerdict::Unjittered;
+    const RimsSeen rims{ofTime, ofTime && !isBeside(rims_.motion.verdict())};
+    return doctor::tellMotion(motion_, tracker_.regions(), patient_, rims, out);
   }
 
  private:

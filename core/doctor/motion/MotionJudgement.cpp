@@ -251,12 +251,12 @@ std::vector<std::size_t> rivalsOf(const JudgedRegion& region) {
   return out;
 }
 
-Judged judgeMotion(const MotionEvidence& evidence, const std::vector<Region>& regions, bool areRimsSeen) {
+Judged judgeMotion(const MotionEvidence& evidence, const std::vector<Region>& regions, const RimsSeen& rims) {
   Judged out;
   out.regions = judgedRegions(evidence, regions);
   out.unseen = static_cast<std::size_t>(std::ranges::count(evidence.regions(), 0u, &RegionEvidence::seen));
-  out.isLate = areRimsSeen && isLate(out.regions);
-  if (out.isLate || !areRimsSeen)
+  out.isLate = rims.ofTime && isLate(out.regions);
+  if (out.isLate || !rims.ofPlace)
     for (JudgedRegion& region : out.regions)
       if (region.decision.isByOutline) region.decision = decideByPixels(*region.evidence, evidence.trials());
   judgeByWitness(out, evidence);

@@ -27,6 +27,12 @@ struct JudgedRegion {
   PixelsSay pixelsSay = PixelsSay::Nothing;
 };
 
+/// What rims are witnesses of.
+struct RimsSeen {
+  bool ofTime = true;  ///< depth has the rims of the pictures: they say when motion was made
+  bool ofPlace = true; ///< so has motion: outlines say where regions lay
+};
+
 struct Judged {
   std::vector<JudgedRegion> regions; ///< that were measured, and whose motion is one
   /// An explanation that depth and matrices make, and pixels contradict: these may be wrong instead.
@@ -36,9 +42,8 @@ struct Judged {
 };
 
 /// `regions`: those of the evidence, which live as long as what is returned.
-/// `areRimsSeen`: depth and motion have the rims that pictures have, by which motion is late, and outlines
-/// speak.
-Judged judgeMotion(const MotionEvidence& evidence, const std::vector<Region>& regions, bool areRimsSeen);
+Judged judgeMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
+                   const RimsSeen& rims = {});
 
 /// Explanations that fit a region as well; those that lead elsewhere, and those that lead to the same places.
 std::vector<std::size_t> rivalsOf(const JudgedRegion& region);

@@ -196,10 +196,10 @@ RegionPlace placeOf(const Region& region, const Patient& patient, double allPixe
 }
 
 std::optional<MotionTrial> tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
-                                      const Patient& patient, bool areRimsSeen, Diagnosis& out) {
+                                      const Patient& patient, const RimsSeen& rims, Diagnosis& out) {
   const double allPixels = static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
   tellMarks(evidence, regions, patient, allPixels, out);
-  Judged judged = judgeMotion(evidence, regions, areRimsSeen);
+  Judged judged = judgeMotion(evidence, regions, rims);
   tellUnwrittenSky(judged.regions, patient, allPixels, out);
   std::optional<MotionTrial> most;
   for (const FaultGroup& group : groupsOf(judged.regions, evidence.trials())) {

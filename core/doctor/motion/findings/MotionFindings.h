@@ -5,6 +5,7 @@
 #include "core/doctor/Patient.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/motion/MotionEvidence.h"
+#include "core/doctor/motion/MotionJudgement.h"
 
 #include <optional>
 #include <vector>
@@ -16,8 +17,7 @@ RegionPlace placeOf(const Region& region, const Patient& patient, double allPixe
 
 /// Adds findings, what is undecided and what is right about the motion of all regions. Expects that motion
 /// is known. Returns what the motion of all or most of the picture is told by, where that is one explanation.
-/// `areRimsSeen`: see judgeMotion().
 std::optional<MotionTrial> tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
-                                      const Patient& patient, bool areRimsSeen, Diagnosis& out);
+                                      const Patient& patient, const RimsSeen& rims, Diagnosis& out);
 
 } // namespace taa::doctor

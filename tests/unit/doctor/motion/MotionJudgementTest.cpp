@@ -41,7 +41,7 @@ struct PaintedCase {
 
 TEST(MotionJudgement, TellsWhatRestsByDepthAndMatricesThoughItIsPlain) {
   const PaintedCase painted({0.5f, 0.5f}, true);
-  const Judged judged = judgeMotion(painted.evidence, painted.tracker.regions(), true);
+  const Judged judged = judgeMotion(painted.evidence, painted.tracker.regions());
   ASSERT_FALSE(judged.regions.empty());
   for (const JudgedRegion& region : judged.regions) {
     if (region.region->objectId == test::kBoardId) continue;
@@ -54,7 +54,7 @@ TEST(MotionJudgement, TellsWhatRestsByDepthAndMatricesThoughItIsPlain) {
 
 TEST(MotionJudgement, LeavesToPixelsWhatMovesByItself) {
   const PaintedCase painted({1.0f, -1.0f}, false);
-  const Judged judged = judgeMotion(painted.evidence, painted.tracker.regions(), true);
+  const Judged judged = judgeMotion(painted.evidence, painted.tracker.regions());
   for (const JudgedRegion& region : judged.regions) {
     EXPECT_FALSE(region.isWitnessed);
     EXPECT_EQ(region.trial.has_value(), region.region->objectId == test::kBoardId);
@@ -92,7 +92,7 @@ TEST(MotionJudgement, LeavesASkyOpenThatAloneIsAFrameLate) {
   const MotionDecision byItself = decideMotion(ofSky, evidence.trials());
   ASSERT_EQ(byItself.verdict, MotionVerdict::Wrong);
   ASSERT_EQ(trialId(evidence.trials()[byItself.explanations.at(0)]), "frameLate");
-  for (const JudgedRegion& region : judgeMotion(evidence, tracker.regions(), true).regions) {
+  for (const JudgedRegion& region : judgeMotion(evidence, tracker.regions()).regions) {
     if (!region.region->isSky) continue;
     EXPECT_FALSE(region.trial);
     EXPECT_EQ(region.decision.verdict, MotionVerdict::Contradicted);
