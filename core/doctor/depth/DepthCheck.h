@@ -35,8 +35,8 @@ struct DepthRelation {
 
 /// Over all frames.
 struct DepthEvidence {
-  std::vector<DepthSample>
-      samples; ///< pixels that the camera's way past them moves, of a motion that some depth makes
+  /// Pixels that the camera's way past them moves, of a motion that some depth makes.
+  std::vector<DepthSample> samples;
   std::vector<double> factors; ///< DoctorFrame::distanceFactor, where it is known
   DepthOrder order;            ///< added to by whoever knows regions, as is the form
   DepthForm form;
