@@ -26,7 +26,6 @@ constexpr double kFittingError = 0.008;
 constexpr double kPixelsPerPair = 130000.0; ///< looked at of larger pictures
 constexpr int kCellSamples = 16;            ///< a side of a square
 constexpr std::size_t kLeastInCell = 12;
-constexpr float kHiddenShare = 0.9f; ///< of the distance: what is so much nearer hides a surface
 constexpr int kLeastReachPx = 12;
 
 struct CellPixel {
@@ -47,15 +46,6 @@ bool isInPicture(const glm::vec2& place, const glm::ivec2& sizePx) {
 bool isLongerThanPicture(const glm::vec2& motionPx, const glm::ivec2& sizePx) {
   return std::abs(motionPx.x) >= static_cast<float>(sizePx.x) ||
          std::abs(motionPx.y) >= static_cast<float>(sizePx.y);
-}
-
-/// Whether something nearer lay at the place in the frame before, or the sky is now where it was not.
-bool wasHidden(const FrameNeighbors& frames, const glm::ivec2& pixel, const glm::vec2& place) {
-  if (frames.now.depth.empty() || frames.before.depth.empty()) return false;
-  const float before = *frames.before.depthView.at(static_cast<int>(place.x), static_cast<int>(place.y));
-  if (*frames.now.depth.at(pixel.x, pixel.y) == 0.0f) return before != 0.0f;
-  const float expected = *frames.now.previousDepthView.at(pixel.x, pixel.y);
-  return expected > 0.0f && before > 0.0f && before < kHiddenShare * expected;
 }
 
 bool isMasked(const DoctorFrame& frame, const glm::ivec2& pixel) {
@@ -143,7 +133,7 @@ class PairEvidence {
     if (isLongerThanPicture(given, frames_.now.sizePx()))
       ++regions_[static_cast<std::size_t>(region)].outside;
     const glm::vec2 place = placeOf(pixel, given);
-    if (!isInPicture(place, frames_.now.sizePx()) || wasHidden(frames_, pixel, place)) return;
+    if (!isInPicture(place, frames_.now.sizePx()) || wasHidden(frames_, pixel, glm::ivec2(place))) return;
     if (frames_.before.isCovered(glm::ivec2(place))) return;
     RegionEvidence& out = regions_[static_cast<std::size_t>(region)];
     CellPixel seen{pixel, *frames_.now.luma.at(pixel.x, pixel.y), given, 0.0f};

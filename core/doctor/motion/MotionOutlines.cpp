@@ -18,7 +18,6 @@ constexpr float kApartPx = 1.5f;
 constexpr double kOutlinePixelsPerPair = 130000.0; ///< looked at of larger pictures
 /// Pixels from the rim: of the picture's width, at least and at most.
 constexpr int kReachShare = 60, kLeastReach = 4, kMostReach = 32;
-constexpr float kHidingShare = 0.9f; ///< of the distance: what is so much nearer hides a surface
 /// A region that is as large in both frames is seen whole.
 constexpr double kAsLargeShare = 0.03;
 constexpr double kEnoughOfWhole = 150.0;
@@ -85,6 +84,10 @@ class PairOutlines {
     return labels_[static_cast<std::size_t>(pixel.y) * sizePx_.x + pixel.x];
   }
 
+  glm::ivec2 pixelAt(std::size_t index) const {
+    return {static_cast<int>(index) % sizePx_.x, static_cast<int>(index) / sizePx_.x};
+  }
+
   bool isNearRim(const glm::ivec2& pixel) const {
     const RegionIndex label = labelAt(pixel);
     // A part that no number says ends where depth or motion does, which may be anywhere on a surface.
@@ -140,18 +143,11 @@ class PairOutlines {
     if (!around) return {};
     for (const std::size_t i : *around)
       if (labelsBefore_[i] == labelAt(pixel)) return false;
-    const auto isUnknown = [&](std::size_t i) { return labelsBefore_[i] == kNoRegion || isHidden(pixel, i); };
+    const auto isUnknown = [&](std::size_t i) {
+      return labelsBefore_[i] == kNoRegion || wasHidden(frames_, pixel, pixelAt(i));
+    };
     if (std::ranges::any_of(*around, isUnknown)) return {};
     return true;
-  }
-
-  /// Whether something nearer lay at a pixel of the frame before.
-  bool isHidden(const glm::ivec2& pixel, std::size_t before) const {
-    if (frames_.now.depth.empty() || frames_.before.depth.empty()) return false;
-    const float there = frames_.before.depthView.pixels[before];
-    const float expected = *frames_.now.previousDepthView.at(pixel.x, pixel.y);
-    if (there == 0.0f) return false;
-    return expected == 0.0f || there < kHidingShare * expected;
   }
 
   std::optional<glm::vec2> motionOfMiddle(RegionIndex region) const {

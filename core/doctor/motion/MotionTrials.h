@@ -68,6 +68,10 @@ struct FrameNeighbors {
   glm::vec2 jitterStep() const { return before.jitterPx - now.jitterPx; }
 };
 
+/// Whether something nearer lay at `before`, a pixel of the frame before, than what a pixel shows; or the sky
+/// is now where it was not. False where no depth tells.
+bool wasHidden(const FrameNeighbors& frames, const glm::ivec2& pixel, const glm::ivec2& before);
+
 /// What a pixel moves by if the trial is right, px; nothing where it says nothing.
 std::optional<glm::vec2> trueMotion(const MotionTrial& trial, const FrameNeighbors& frames,
                                     const glm::ivec2& pixel);
