@@ -101,6 +101,7 @@ class Examiner {
     depth_.add(now);
     depth_.order.add(now, *before, labels, labelsBefore);
     depth_.form.add(now, labels);
+    depth_.ends.add(now);
     if (examination_.known.motion) motion_.add(frames, labels, labelsBefore);
   }
 

@@ -136,30 +136,63 @@ Finding depthFinding(const std::vector<DepthRelation>& relations, const DepthRel
   return out;
 }
 
-/// By what hides what alone. Which way around a depth is that grows with the distance, its form over flat
-/// surfaces says; where that says nothing, one name stands for both.
-Finding orderFinding(const DepthEvidence& evidence) {
+/// What the values stored say by themselves, whatever moves; nothing where what hides what contradicts it.
+std::optional<RelationKind> storedKind(const DepthEvidence& evidence) {
+  const OrderVerdict order = evidence.order.verdict();
+  if (order == OrderVerdict::Agrees) return {};
   const std::optional<bool> isDistance = evidence.form.isDistance();
-  const RelationKind kind = isDistance.value_or(false) ? RelationKind::Linear : RelationKind::Reversed;
+  if (isDistance.value_or(false)) return RelationKind::Linear;
+  if (order == OrderVerdict::Reversed || evidence.ends.isTurned()) return RelationKind::Reversed;
+  return {};
+}
+
+/// Sentences: what says that depth grows with the distance, and which way it does.
+std::string storedReason(const DepthEvidence& evidence) {
+  std::vector<std::string> parts;
+  if (evidence.order.verdict() == OrderVerdict::Reversed)
+    parts.push_back(
+        say<"At %1 of %2 pixels that come out from behind something, what hid them is farther away by the "
+            "depth stored.">(evidence.order.farther, evidence.order.pixels()));
+  if (const DepthEnds& ends = evidence.ends; ends.isSkyNear())
+    parts.push_back(say<"%1 % of all pixels lie exactly in the near plane by the depth stored, and none "
+                        "infinitely far away.">(
+        shortNumber(100.0 * static_cast<double>(ends.atNear) / static_cast<double>(ends.pixels()))));
+  if (const std::optional<bool> isDistance = evidence.form.isDistance())
+    parts.push_back(*isDistance
+                        ? say<"Over flat surfaces 1 over it grows evenly, as it does over a distance.">()
+                        : say<"Over flat surfaces it grows evenly, as the depth of a projection does.">());
+  std::string out;
+  for (const std::string& part : parts) out.append(out.empty() ? "" : " ").append(part);
+  return out;
+}
+
+/// By the values stored and what hides what. Which way around a depth is that grows with the distance, its
+/// form over flat surfaces says; where that says nothing, one name stands for both.
+Finding storedFinding(const DepthEvidence& evidence, RelationKind kind) {
+  const std::optional<bool> isDistance = evidence.form.isDistance();
   Finding out = faultFinding(depthFault(kind));
   out.isWholePicture = true;
   out.change = depthChange({kind});
   mendBy(depthMending({kind}), out);
-  out.reason = say<"At %1 of %2 pixels that come out from behind something, what hid them is farther away by "
-                   "the depth stored.">(evidence.order.farther, evidence.order.pixels());
-  if (isDistance)
-    out.reason +=
-        ' ' + (*isDistance ? say<"Over flat surfaces 1 over it grows evenly, as it does over a distance.">()
-                           : say<"Over flat surfaces it grows evenly, as the depth of a projection does.">());
+  out.reason = storedReason(evidence);
+  if (!isDistance) out.alike = {std::string(faultInfo(depthFault(RelationKind::Linear)).id)};
+  const auto compare = [&](std::string measure, double given, double tried) {
+    out.measure = std::move(measure);
+    for (const RelationKind relation : {kind, RelationKind::AsStated}) {
+      const bool isGiven = relation == RelationKind::AsStated;
+      out.residuals.push_back({std::string(kRelationIds[static_cast<std::size_t>(relation)]),
+                               relationText({relation}), isGiven ? given : tried, isGiven, !isGiven});
+    }
+  };
+  if (evidence.order.verdict() == OrderVerdict::Reversed)
+    compare(say<"share of these pixels with what hid them farther away">(), evidence.order.reversedShare(),
+            1.0 - evidence.order.reversedShare());
+  else if (kind == RelationKind::Linear)
+    compare(say<"share of rows over flat surfaces that are less even than those of the other">(),
+            evidence.form.distanceShare(), 1.0 - evidence.form.distanceShare());
   else
-    out.alike = {std::string(faultInfo(depthFault(RelationKind::Linear)).id)};
-  out.measure = say<"share of these pixels with what hid them farther away">();
-  const double share = evidence.order.reversedShare();
-  for (const RelationKind tried : {kind, RelationKind::AsStated}) {
-    const bool isGiven = tried == RelationKind::AsStated;
-    out.residuals.push_back({std::string(kRelationIds[static_cast<std::size_t>(tried)]),
-                             relationText({tried}), isGiven ? share : 1.0 - share, isGiven, !isGiven});
-  }
+    compare(say<"share of pixels in the near plane">(),
+            static_cast<double>(evidence.ends.atNear) / static_cast<double>(evidence.ends.pixels()), 0.0);
   return out;
 }
 
@@ -208,11 +241,17 @@ const DepthRelation* clearRelation(const std::vector<DepthRelation>& relations,
 } // namespace
 
 std::optional<DepthRelation> otherDepth(const DepthEvidence& evidence) {
-  if (evidence.samples.size() < kEnoughDepths) return {};
-  const std::vector<DepthRelation> relations = depthRelations(evidence.samples);
-  const DepthRelation* best = clearRelation(relations, evidence.samples);
-  if (!best || (best->kind != RelationKind::Reversed && best->kind != RelationKind::Linear)) return {};
-  return *best;
+  if (evidence.samples.size() >= kEnoughDepths) {
+    const std::vector<DepthRelation> relations = depthRelations(evidence.samples);
+    const DepthRelation* best = clearRelation(relations, evidence.samples);
+    if (best && (best->kind == RelationKind::Reversed || best->kind == RelationKind::Linear)) return *best;
+    if (relations.front().residual <= kFittingLog) return {};
+  }
+  const auto kind = storedKind(evidence);
+  if (!kind) return {};
+  constexpr double kNearest = 0.1;
+  const bool isDistance = *kind == RelationKind::Linear;
+  return DepthRelation{*kind, isDistance ? kNearest * static_cast<double>(evidence.ends.least) : 1.0};
 }
 
 void mendDepth(const DepthRelation& relation, DoctorFrame& frame) {
@@ -266,8 +305,8 @@ void tellDepth(const DepthEvidence& evidence, Diagnosis& out) {
     out.findings.push_back(depthFinding(relations, *best, evidence.samples.size()));
     return;
   }
-  if (evidence.order.verdict() == OrderVerdict::Reversed) {
-    out.findings.push_back(orderFinding(evidence));
+  if (const auto kind = storedKind(evidence)) {
+    out.findings.push_back(storedFinding(evidence, *kind));
     return;
   }
   if (evidence.order.verdict() == OrderVerdict::Agrees)

@@ -1,8 +1,10 @@
 // Whether depth is what it is said to be: with the matrices it makes the motion of what rests, or it does
-// not; and what hides something else is nearer by it, or it is not.
+// not; what hides something else is nearer by it, or it is not; and its values have the form of a projection,
+// or another one.
 #pragma once
 
 #include "core/doctor/Diagnosis.h"
+#include "core/doctor/depth/DepthEnds.h"
 #include "core/doctor/depth/DepthForm.h"
 #include "core/doctor/depth/DepthOrder.h"
 #include "core/doctor/frames/DoctorFrame.h"
@@ -40,6 +42,7 @@ struct DepthEvidence {
   std::vector<double> factors; ///< DoctorFrame::distanceFactor, where it is known
   DepthOrder order;            ///< added to by whoever knows regions, as is the form
   DepthForm form;
+  DepthEnds ends; ///< likewise, as no camera is asked
 
   void add(const DoctorFrame& frame);
 };
@@ -47,7 +50,8 @@ struct DepthEvidence {
 /// All relations, AsStated first. Expects samples.
 std::vector<DepthRelation> depthRelations(const std::vector<DepthSample>& samples);
 
-/// How, where depth is clearly the other way around or linear: no mistake of motion looks like that.
+/// How, where depth is clearly the other way around or linear: no mistake of motion looks like that. Where
+/// nothing tells the unit of a distance, what is nearest is taken to be at ten near planes.
 std::optional<DepthRelation> otherDepth(const DepthEvidence& evidence);
 /// Makes a frame's depth the one that follows from the stored one. What the same surface had a frame ago is
 /// held to be what it has now.

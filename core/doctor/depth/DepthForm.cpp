@@ -55,9 +55,13 @@ void DepthForm::add(const DoctorFrame& frame, const std::vector<RegionIndex>& la
     }
 }
 
+double DepthForm::distanceShare() const {
+  return rows() == 0 ? 0.0 : static_cast<double>(evenReciprocal) / static_cast<double>(rows());
+}
+
 std::optional<bool> DepthForm::isDistance() const {
   if (rows() < kEnoughRows) return {};
-  const double share = static_cast<double>(evenReciprocal) / static_cast<double>(rows());
+  const double share = distanceShare();
   if (share >= kAgreed) return true;
   if (share <= 1.0 - kAgreed) return false;
   return {};

@@ -18,6 +18,8 @@ struct DepthForm {
 
   void add(const DoctorFrame& frame, const std::vector<RegionIndex>& labels);
   std::size_t rows() const { return even + evenReciprocal; }
+  /// Of these, over which 1 over the value is the even one. 0: there are none.
+  double distanceShare() const;
   /// Whether the value stored is a distance, which is even as 1 over it; nothing where the rows do not agree.
   std::optional<bool> isDistance() const;
 };

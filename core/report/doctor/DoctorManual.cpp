@@ -27,7 +27,7 @@ The shift of each picture against the one before, warped by the camera's motion,
 
 ### Depth
 
-Of pixels that the camera passes, motion and matrices say at which depth they rest. That depth is the stored one, or it follows from it: by a factor (the near plane is another one), the other way around, or as a distance. Where no camera tells, what hides what does, where objects have numbers: a pixel whose place of the frame before lies between four pixels of another region was hidden by that, which has to be nearer by the depth stored. Where in 40 pixels or more, and 95 % of them, it is farther away, depth grows with the distance; over flat surfaces the depth of a projection then grows evenly from pixel to pixel, and of a distance 1 over it does. The scale of depth is not decided so.
+Of pixels that the camera passes, motion and matrices say at which depth they rest. That depth is the stored one, or it follows from it: by a factor (the near plane is another one), the other way around, or as a distance. Where no camera tells, what hides what does, where objects have numbers: a pixel whose place of the frame before lies between four pixels of another region was hidden by that, which has to be nearer by the depth stored. Where in 40 pixels or more, and 95 % of them, it is farther away, depth grows with the distance. The values themselves say the rest, where nothing that hides something else contradicts them: over flat surfaces the depth of a projection grows evenly from pixel to pixel, and of a distance 1 over it does; and where 1 % of the picture lies exactly in the near plane, nothing infinitely far away, and nine tenths of all else nearer than two near planes, depth is the other way around. The scale of depth is not decided so.
 
 ### Color
 

@@ -111,6 +111,33 @@ TEST(DepthCheck, GoesByWhatHidesWhatWhereTheCameraDoesNotTell) {
   EXPECT_EQ(either.findings[0].alike, std::vector<std::string>{"depthLinear"});
 }
 
+// Nothing moves at all.
+TEST(DepthCheck, GoesByTheValuesStoredWhereNothingMoves) {
+  const auto idOf = [](const DepthEvidence& evidence) {
+    Diagnosis out;
+    tellDepth(evidence, out);
+    return out.findings.empty() ? "" : out.findings[0].id;
+  };
+  DepthEvidence reversed;
+  reversed.form = {.even = 300, .evenReciprocal = 12};
+  reversed.ends = {.atNear = 250, .nearHalf = 740, .farHalf = 10};
+  EXPECT_EQ(idOf(reversed), "depthReversed");
+  ASSERT_TRUE(otherDepth(reversed));
+  EXPECT_EQ(otherDepth(reversed)->kind, RelationKind::Reversed);
+  DepthEvidence linear;
+  linear.form = {.even = 12, .evenReciprocal = 300};
+  linear.ends = {.atNear = 250, .nearHalf = 40, .farHalf = 700, .least = 0.02f};
+  EXPECT_EQ(idOf(linear), "depthLinear");
+  ASSERT_TRUE(otherDepth(linear));
+  EXPECT_NEAR(otherDepth(linear)->factor, 0.002, 1e-6); // 0.02 becomes a tenth
+  // What hides what contradicts it.
+  for (DepthEvidence* evidence : {&reversed, &linear}) {
+    evidence->order = {.nearer = 396, .farther = 4, .frames = 8};
+    EXPECT_EQ(idOf(*evidence), "");
+    EXPECT_FALSE(otherDepth(*evidence));
+  }
+}
+
 TEST(DepthCheck, LeavesTheScaleOpenWhereOnlyTheOrderIsSeen) {
   DepthEvidence evidence;
   evidence.order = {.nearer = 396, .farther = 4, .frames = 8};
