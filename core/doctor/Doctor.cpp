@@ -164,7 +164,7 @@ Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, Diagnosis& out) {
   const bool isMotionRight = out.findings.size() == before;
   const bool isMotionWrong =
       std::any_of(out.findings.begin() + static_cast<std::ptrdiff_t>(before), out.findings.end(), isOfMuch);
-  if (tellsDepth && !isMotionWrong) tellDepth(examiner.depth(), out);
+  if (tellsDepth && !isMotionWrong) tellDepth(examiner.depth(), out, isMotionRight);
   tellRims(examiner.rims(), isMotionRight, out);
   if (!tellsDepth || !isMotionWrong) return {};
   Hiding hiding;

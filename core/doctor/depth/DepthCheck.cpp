@@ -137,13 +137,18 @@ Finding depthFinding(const std::vector<DepthRelation>& relations, const DepthRel
 }
 
 /// What the values stored say by themselves, whatever moves; nothing where what hides what contradicts it.
-std::optional<RelationKind> storedKind(const DepthEvidence& evidence) {
-  const OrderVerdict order = evidence.order.verdict();
-  if (order == OrderVerdict::Agrees) return {};
-  const std::optional<bool> isDistance = evidence.form.isDistance();
-  if (isDistance.value_or(false)) return RelationKind::Linear;
-  if (order == OrderVerdict::Reversed || evidence.ends.isTurned()) return RelationKind::Reversed;
+std::optional<RelationKind> kindByValues(const DepthEvidence& evidence) {
+  if (evidence.order.verdict() == OrderVerdict::Agrees) return {};
+  if (evidence.form.isDistance().value_or(false)) return RelationKind::Linear;
+  if (evidence.ends.isTurned()) return RelationKind::Reversed;
   return {};
+}
+
+/// Likewise, or what hides what, which is asked only where motion is right.
+std::optional<RelationKind> storedKind(const DepthEvidence& evidence) {
+  const auto byValues = kindByValues(evidence);
+  if (byValues || evidence.order.verdict() != OrderVerdict::Reversed) return byValues;
+  return RelationKind::Reversed;
 }
 
 /// Sentences: what says that depth grows with the distance, and which way it does.
@@ -247,7 +252,7 @@ std::optional<DepthRelation> otherDepth(const DepthEvidence& evidence) {
     if (best && (best->kind == RelationKind::Reversed || best->kind == RelationKind::Linear)) return *best;
     if (relations.front().residual <= kFittingLog) return {};
   }
-  const auto kind = storedKind(evidence);
+  const auto kind = kindByValues(evidence);
   if (!kind) return {};
   constexpr double kNearest = 0.1;
   const bool isDistance = *kind == RelationKind::Linear;
@@ -288,7 +293,7 @@ std::vector<DepthRelation> depthRelations(const std::vector<DepthSample>& sample
   return out;
 }
 
-void tellDepth(const DepthEvidence& evidence, Diagnosis& out) {
+void tellDepth(const DepthEvidence& evidence, Diagnosis& out, bool isMotionRight) {
   if (const double factor = median(evidence.factors);
       factor > 0.0 && std::abs(std::log(factor)) >= kWrongNearLog) {
     out.findings.push_back(statedNearFinding(factor));
@@ -305,7 +310,7 @@ void tellDepth(const DepthEvidence& evidence, Diagnosis& out) {
     out.findings.push_back(depthFinding(relations, *best, evidence.samples.size()));
     return;
   }
-  if (const auto kind = storedKind(evidence)) {
+  if (const auto kind = isMotionRight ? storedKind(evidence) : kindByValues(evidence)) {
     out.findings.push_back(storedFinding(evidence, *kind));
     return;
   }

@@ -57,7 +57,8 @@ std::optional<DepthRelation> otherDepth(const DepthEvidence& evidence);
 /// held to be what it has now.
 void mendDepth(const DepthRelation& relation, DoctorFrame& frame);
 
-/// Adds what is wrong, right or not decided about depth.
-void tellDepth(const DepthEvidence& evidence, Diagnosis& out);
+/// Adds what is wrong, right or not decided about depth. `isMotionRight`: as far as is known; else what hides
+/// what is no witness, which motion tells.
+void tellDepth(const DepthEvidence& evidence, Diagnosis& out, bool isMotionRight = true);
 
 } // namespace taa::doctor

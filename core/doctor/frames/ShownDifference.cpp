@@ -48,11 +48,13 @@ double outputBetween(const DoctorFrame& a, const DoctorFrame& b, int x, int y) {
 } // namespace
 
 void ShownDifference::add(const DoctorFrame& a, const DoctorFrame& b) {
+  // Nothing reads motion where history starts anew.
+  const bool usesMotion = !a.motionPx.empty() && !(a.startsHistory && b.startsHistory);
   std::size_t seen = 0;
   double motion = 0.0, depths = 0.0, lumas = 0.0, outputs = 0.0;
   for (int y = 0; y < a.luma.height; ++y)
     for (int x = 0; x < a.luma.width; ++x) {
-      const double moved = a.motionPx.empty() ? 0.0 : motionBetween(a, b, x, y);
+      const double moved = usesMotion ? motionBetween(a, b, x, y) : 0.0;
       const double farther =
           a.depthView.empty() ? 0.0 : depthBetween(*a.depthView.at(x, y), *b.depthView.at(x, y));
       const double lighter = std::abs(static_cast<double>(*a.luma.at(x, y) - *b.luma.at(x, y)));

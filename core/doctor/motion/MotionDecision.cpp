@@ -61,9 +61,10 @@ std::vector<std::size_t> winners(const RegionEvidence& evidence, const std::vect
   std::vector<std::size_t> winning, best;
   double most = 0.0;
   for (std::size_t t = 0; t < trials.size(); ++t) {
-    if (!isPossible(trials[t], isWitnessed) || !wins(evidence.trials[t], rule)) continue;
-    winning.push_back(t);
-    most = std::max(most, evidence.trials[t].gain());
+    if (!isPossible(trials[t], isWitnessed)) continue;
+    // What gains more and is not clear makes what gains less no explanation.
+    if (evidence.trials[t].pixels >= kEnoughOfRegion) most = std::max(most, evidence.trials[t].gain());
+    if (wins(evidence.trials[t], rule)) winning.push_back(t);
   }
   std::ranges::copy_if(winning, std::back_inserter(best),
                        [&](std::size_t t) { return evidence.trials[t].gain() >= kSameGain * most; });
@@ -141,8 +142,8 @@ MotionDecision decideMotion(const RegionEvidence& evidence, const std::vector<Mo
   if (isTold || byPixels.verdict == MotionVerdict::TooSmall) return byPixels;
   std::vector<std::size_t> best = outlineWinners(evidence.outline);
   std::erase_if(best, [&](std::size_t t) { return !isPossible(trials[t], isConfirmed(evidence)); });
-  if (!best.empty()) return {MotionVerdict::Wrong, std::move(best), true};
-  if (isOutlineFoundElsewhere(evidence.outline)) return {MotionVerdict::Wrong, {}, true};
+  if (!best.empty()) return {MotionVerdict::Wrong, std::move(best), DecidedBy::Outline};
+  if (isOutlineFoundElsewhere(evidence.outline)) return {MotionVerdict::Wrong, {}, DecidedBy::Outline};
   return byPixels;
 }
 

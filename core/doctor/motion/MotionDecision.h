@@ -21,12 +21,19 @@ enum class MotionVerdict : std::uint8_t {
   Doubtful,     ///< an explanation fits better, but not clearly
 };
 
+/// What a decision rests on.
+enum class DecidedBy : std::uint8_t {
+  Pixels,  ///< and, where they say more than pixels can, depth and matrices
+  Outline, ///< where the region lay
+  Middles, ///< what the middles of all small objects together move by
+};
+
 struct MotionDecision {
   MotionVerdict verdict = MotionVerdict::TooSmall;
   /// Of Wrong: indices of the explanations that these frames cannot tell apart, simple ones first; none: what
   /// searchMotion() found fits, and no trial.
   std::vector<std::size_t> explanations;
-  bool isByOutline = false; ///< of Wrong: told by where the region lay, not by its pixels
+  DecidedBy by = DecidedBy::Pixels;
 };
 
 /// A trial has to leave much less than motion given does, in nearly all squares of the picture and pairs of

@@ -87,6 +87,13 @@ void addPair(TrialEvidence& out, const CellSums& pair) {
   if (pair.tried < pair.given) ++out.pairsWon;
 }
 
+MotionExample exampleAt(const FrameNeighbors& frames, const std::vector<MotionTrial>& trials,
+                        const glm::ivec2& pixel, float lengthPx) {
+  MotionExample out{frames.now.frame, pixel, lengthPx, frames.now.motionAt(pixel.x, pixel.y), {}};
+  for (const MotionTrial& trial : trials) out.byTrial.push_back(trueMotion(trial, frames, pixel));
+  return out;
+}
+
 /// A pair of frames, worked through square by square.
 class PairEvidence {
  public:
@@ -149,7 +156,7 @@ class PairEvidence {
       addOffCamera(out, pixel, glm::dvec2(given - *camera));
       longest = std::max(longest, glm::length(*camera));
     }
-    if (longest > out.example.lengthPx) takeExample(out.example, pixel, given, longest);
+    if (longest > out.example.lengthPx) out.example = exampleAt(frames_, trials_, pixel, longest);
     PairSums& pair = pairs_[region];
     ++pair.pixels;
     pair.lengthPx += static_cast<double>(glm::length(given));
@@ -195,12 +202,6 @@ class PairEvidence {
     ++out.markedTextured;
     out.markedError += static_cast<double>(std::abs(*frames_.now.luma.at(pixel.x, pixel.y) -
                                                     capture::betweenPixels(frames_.before.luma, place)));
-  }
-
-  void takeExample(MotionExample& out, const glm::ivec2& pixel, const glm::vec2& given,
-                   float lengthPx) const {
-    out = {frames_.now.frame, pixel, lengthPx, given, {}};
-    for (const MotionTrial& trial : trials_) out.byTrial.push_back(trueMotion(trial, frames_, pixel));
   }
 
   glm::vec2 placeOf(const glm::ivec2& pixel, const glm::vec2& motionPx) const {
@@ -328,6 +329,11 @@ void MotionEvidence::add(const FrameNeighbors& frames, const std::vector<RegionI
   pairs_.push_back(pair.witness());
   for (const auto& [region, outline] : outlinesOf(known, trials_, labels, labelsBefore))
     regions_[static_cast<std::size_t>(region)].outline.add(outline);
+  for (const auto& [region, middle] : middles_.add(known, trials_, labels, labelsBefore)) {
+    RegionEvidence& evidence = regions_[static_cast<std::size_t>(region)];
+    evidence.middle.add(middle);
+    if (evidence.example.byTrial.empty()) evidence.example = exampleAt(known, trials_, middle.pixel, 0.0f);
+  }
 }
 
 } // namespace taa::doctor

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/doctor/frames/Regions.h"
+#include "core/doctor/motion/MotionMiddles.h"
 #include "core/doctor/motion/MotionOutlines.h"
 #include "core/doctor/motion/MotionTrials.h"
 #include "core/doctor/motion/MotionWitness.h"
@@ -31,7 +32,8 @@ struct TrialEvidence {
   }
 };
 
-/// The pixel of a region that moves most, and what it would move by under each trial.
+/// The pixel of a region that moves most, and what it would move by under each trial; of a region without
+/// pixels well inside it any of them.
 struct MotionExample {
   int frame = 0;
   glm::ivec2 pixel{0};
@@ -98,6 +100,7 @@ struct RegionEvidence {
   std::vector<PairTrace> traces;
   WitnessEvidence witness;
   OutlineEvidence outline;
+  MiddleEvidence middle;
 };
 
 /// px: a motion is the camera's where it differs by less, or by less than a thousandth; half floats do.
@@ -121,6 +124,7 @@ class MotionEvidence {
   std::vector<MotionTrial> trials_;
   std::vector<RegionEvidence> regions_;
   std::vector<PairWitness> pairs_;
+  MotionMiddles middles_;
 };
 
 } // namespace taa::doctor

@@ -23,7 +23,8 @@ std::vector<JudgedRegion> judgedRegions(const MotionEvidence& evidence, const st
   std::vector<JudgedRegion> out;
   for (std::size_t i = 0; i < regions.size() && i < evidence.regions().size(); ++i) {
     const RegionEvidence& measured = evidence.regions()[i];
-    if (measured.pixels == 0 || isUnwrittenMark(measured) || isKeptAsMissing(measured)) continue;
+    const bool isSeen = measured.pixels > 0 || !measured.middle.trials.empty();
+    if (!isSeen || isUnwrittenMark(measured) || isKeptAsMissing(measured)) continue;
     JudgedRegion region;
     region.region = &regions[i];
     region.evidence = &measured;
@@ -219,6 +220,44 @@ void explainByFewest(std::vector<JudgedRegion>& judged, const std::vector<Motion
   }
 }
 
+/// Whether an object's motion is open, and its middle may tell it.
+bool isOpenToMiddles(const JudgedRegion& region) {
+  const MotionVerdict verdict = region.decision.verdict;
+  return verdict != MotionVerdict::Right && verdict != MotionVerdict::Wrong &&
+         region.witness.verdict != WitnessVerdict::OfCamera && !isConfirmed(*region.evidence) &&
+         !region.evidence->middle.trials.empty();
+}
+
+/// Whether the pixels of objects speak against an explanation of how their middles move: what turns has
+/// another motion than its middle.
+bool contradictMiddles(const std::vector<const JudgedRegion*>& objects, std::size_t trial) {
+  double given = 0.0, tried = 0.0;
+  for (const JudgedRegion* object : objects) {
+    given += object->evidence->trials[trial].given;
+    tried += object->evidence->trials[trial].tried;
+  }
+  return tried > given;
+}
+
+/// Objects that are too small to tell anything by themselves tell it together.
+void judgeByMiddles(std::vector<JudgedRegion>& judged) {
+  MiddleEvidence all;
+  std::vector<const JudgedRegion*> objects;
+  for (const JudgedRegion& region : judged)
+    if (isOpenToMiddles(region)) {
+      all.add(region.evidence->middle);
+      objects.push_back(&region);
+    }
+  std::vector<std::size_t> winners = middleWinners(all);
+  std::erase_if(winners, [&](std::size_t trial) { return contradictMiddles(objects, trial); });
+  if (winners.empty()) return;
+  for (JudgedRegion& region : judged) {
+    if (!isOpenToMiddles(region)) continue;
+    const MiddleCounts& own = region.evidence->middle.trials[winners.front()];
+    if (own.given > own.tried) region.decision = {MotionVerdict::Wrong, winners, DecidedBy::Middles};
+  }
+}
+
 /// Everything is a frame late, or nothing: of the sky alone it is what leaks into it from what moves before
 /// it.
 void leaveSkyAlone(std::vector<JudgedRegion>& judged, const std::vector<MotionTrial>& trials) {
@@ -231,6 +270,30 @@ void leaveSkyAlone(std::vector<JudgedRegion>& judged, const std::vector<MotionTr
     if (!isOfTime || !isAlone) continue;
     sky.trial.reset();
     sky.decision = {MotionVerdict::Contradicted, {}};
+  }
+}
+
+/// Jitter is left in the motion of all that one pass draws. Of a few squares of one thing alone, where other
+/// things say no, it is something as thin as a pixel that stays on its pixels, or repeats.
+void leaveJitterAlone(std::vector<JudgedRegion>& judged, const std::vector<MotionTrial>& trials) {
+  constexpr std::size_t kEnoughSquaresAlone = 60, kEnoughPixelsApart = 150;
+  constexpr double kRefutes = 1.2;
+  for (std::size_t t = 0; t < trials.size(); ++t) {
+    if (!isOfJitter(trials[t].kind)) continue;
+    std::size_t squares = 0, refuting = 0;
+    for (const JudgedRegion& region : judged) {
+      const TrialEvidence& evidence = region.evidence->trials[t];
+      if (region.trial == t)
+        squares += evidence.cells;
+      else if (evidence.pixels >= kEnoughPixelsApart && evidence.tried >= kRefutes * evidence.given)
+        refuting += evidence.cells;
+    }
+    if (squares >= kEnoughSquaresAlone || refuting < squares) continue;
+    for (JudgedRegion& region : judged) {
+      if (region.trial != t) continue;
+      region.trial.reset();
+      region.decision = {MotionVerdict::Doubtful, {}};
+    }
   }
 }
 
@@ -254,14 +317,20 @@ std::vector<std::size_t> rivalsOf(const JudgedRegion& region) {
 Judged judgeMotion(const MotionEvidence& evidence, const std::vector<Region>& regions, const RimsSeen& rims) {
   Judged out;
   out.regions = judgedRegions(evidence, regions);
-  out.unseen = static_cast<std::size_t>(std::ranges::count(evidence.regions(), 0u, &RegionEvidence::seen));
+  out.unseen =
+      static_cast<std::size_t>(std::ranges::count_if(evidence.regions(), [](const RegionEvidence& region) {
+        return region.seen == 0 && region.middle.trials.empty();
+      }));
   out.isLate = rims.ofTime && isLate(out.regions);
   if (out.isLate || !rims.ofPlace)
     for (JudgedRegion& region : out.regions)
-      if (region.decision.isByOutline) region.decision = decideByPixels(*region.evidence, evidence.trials());
+      if (region.decision.by == DecidedBy::Outline)
+        region.decision = decideByPixels(*region.evidence, evidence.trials());
   judgeByWitness(out, evidence);
+  judgeByMiddles(out.regions);
   explainByFewest(out.regions, evidence.trials());
   leaveSkyAlone(out.regions, evidence.trials());
+  leaveJitterAlone(out.regions, evidence.trials());
   return out;
 }
 

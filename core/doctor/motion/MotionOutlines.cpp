@@ -1,5 +1,7 @@
 #include "core/doctor/motion/MotionOutlines.h"
 
+#include "core/doctor/frames/RegionMiddles.h"
+
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
@@ -25,34 +27,6 @@ constexpr double kEnoughOfWhole = 150.0;
 constexpr std::size_t kEnoughOutline = 150, kEnoughOutside = 40, kEnoughOutlinePairs = 3;
 constexpr double kOfJitter = 0.5; ///< of what it is off by, squared: so much is a factor of the jitter
 constexpr double kOutlineFactor = 4.0, kPairsShare = 0.8, kSameOutlineGain = 0.95;
-
-bool isOfJitter(MotionKind kind) {
-  return kind == MotionKind::JitterOfThis || kind == MotionKind::JitterOfPrevious ||
-         kind == MotionKind::JitterOfBoth || kind == MotionKind::JitterTakenOff;
-}
-
-/// Where a region lies in a frame.
-struct RegionMiddle {
-  double count = 0.0;
-  glm::dvec2 sum{0.0};
-  bool isCut = false; ///< by the picture's border
-};
-
-/// By region.
-std::vector<RegionMiddle> middlesOf(const std::vector<RegionIndex>& labels, const glm::ivec2& size) {
-  const auto highest = std::ranges::max_element(labels);
-  std::vector<RegionMiddle> out(highest == labels.end() ? 0 : static_cast<std::size_t>(*highest + 1));
-  for (int y = 0; y < size.y; ++y)
-    for (int x = 0; x < size.x; ++x) {
-      const RegionIndex label = labels[static_cast<std::size_t>(y) * size.x + x];
-      if (label == kNoRegion) continue;
-      RegionMiddle& middle = out[static_cast<std::size_t>(label)];
-      middle.count += 1.0;
-      middle.sum += glm::dvec2(x, y);
-      middle.isCut = middle.isCut || x == 0 || y == 0 || x + 1 == size.x || y + 1 == size.y;
-    }
-  return out;
-}
 
 class PairOutlines {
  public:
@@ -144,7 +118,7 @@ class PairOutlines {
     for (const std::size_t i : *around)
       if (labelsBefore_[i] == labelAt(pixel)) return false;
     const auto isUnknown = [&](std::size_t i) {
-      return labelsBefore_[i] == kNoRegion || wasHidden(frames_, pixel, pixelAt(i));
+      return labelsBefore_[i] == kNoRegion || wasHidden(frames_, pixel, pixelAt(i), kHiddenByOtherShare);
     };
     if (std::ranges::any_of(*around, isUnknown)) return {};
     return true;
@@ -157,7 +131,7 @@ class PairOutlines {
     const bool isWhole = !a.isCut && !b.isCut && std::min(a.count, b.count) >= kEnoughOfWhole &&
                          std::abs(a.count - b.count) <= kAsLargeShare * b.count;
     if (!isWhole) return {};
-    return glm::vec2(a.sum / a.count - b.sum / b.count) + rasterStep_;
+    return glm::vec2(a.place() - b.place()) + rasterStep_;
   }
 
   static void endPair(OutlineCounts& counts) {

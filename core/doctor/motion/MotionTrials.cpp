@@ -82,6 +82,11 @@ std::optional<glm::vec2> withoutOlder(const FrameNeighbors& frames, const glm::i
 
 } // namespace
 
+bool isOfJitter(MotionKind kind) {
+  return kind == MotionKind::JitterOfThis || kind == MotionKind::JitterOfPrevious ||
+         kind == MotionKind::JitterOfBoth || kind == MotionKind::JitterTakenOff;
+}
+
 std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx) {
   std::vector<MotionTrial> trials;
   for (const MotionKind kind :
@@ -123,13 +128,12 @@ std::string trialText(const MotionTrial& trial) {
   return wordsOf(trial).text();
 }
 
-bool wasHidden(const FrameNeighbors& frames, const glm::ivec2& pixel, const glm::ivec2& before) {
-  constexpr float kHiddenShare = 0.9f; // of the distance: what is so much nearer hides a surface
+bool wasHidden(const FrameNeighbors& frames, const glm::ivec2& pixel, const glm::ivec2& before, float share) {
   if (frames.now.depth.empty() || frames.before.depth.empty()) return false;
   const float there = *frames.before.depthView.at(before.x, before.y);
   if (*frames.now.depth.at(pixel.x, pixel.y) == 0.0f) return there != 0.0f;
   const float expected = *frames.now.previousDepthView.at(pixel.x, pixel.y);
-  return expected > 0.0f && there > 0.0f && there < kHiddenShare * expected;
+  return expected > 0.0f && there > 0.0f && there < share * expected;
 }
 
 std::optional<glm::vec2> trueMotion(const MotionTrial& trial, const FrameNeighbors& frames,

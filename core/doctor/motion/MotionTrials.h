@@ -49,6 +49,9 @@ struct MotionTrial {
   bool isDevice = false;  ///< of OtherUnit: device coordinates, not those of a texture
 };
 
+/// Whether jitter is left in it, or taken off though it had none.
+bool isOfJitter(MotionKind kind);
+
 /// AsGiven first, then all others for pictures of a size: those that say most before those that say little.
 std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx);
 
@@ -68,9 +71,13 @@ struct FrameNeighbors {
   glm::vec2 jitterStep() const { return before.jitterPx - now.jitterPx; }
 };
 
+/// Of the distance: what is so much nearer hides a surface, whatever depth is rounded to; or, where it is
+/// known to be another one, whatever lies before it at all.
+inline constexpr float kHiddenShare = 0.9f, kHiddenByOtherShare = 0.995f;
 /// Whether something nearer lay at `before`, a pixel of the frame before, than what a pixel shows; or the sky
 /// is now where it was not. False where no depth tells.
-bool wasHidden(const FrameNeighbors& frames, const glm::ivec2& pixel, const glm::ivec2& before);
+bool wasHidden(const FrameNeighbors& frames, const glm::ivec2& pixel, const glm::ivec2& before,
+               float share = kHiddenShare);
 
 /// What a pixel moves by if the trial is right, px; nothing where it says nothing.
 std::optional<glm::vec2> trueMotion(const MotionTrial& trial, const FrameNeighbors& frames,

@@ -31,6 +31,18 @@ TEST(ShownDifference, ShowsWhereARegionDiffersByWhatOneSees) {
   EXPECT_FALSE(ofLonger(kRegion, 0.125f).shows());
 }
 
+// Nothing reads motion there.
+TEST(ShownDifference, LeavesOutMotionWhereHistoryStarts) {
+  DoctorFrame frame = test::paintedFrame({}, 3);
+  frame.startsHistory = true;
+  DoctorFrame other = frame;
+  for (float& value : other.motionPx.pixels) value += 4.0f;
+  ShownDifference out;
+  out.add(frame, other);
+  EXPECT_FALSE(out.shows());
+  EXPECT_EQ(out.motionPx, 0.0);
+}
+
 TEST(ShownDifference, ShowsWhereJitterDiffers) {
   const DoctorFrame frame = test::paintedFrame({}, 3);
   DoctorFrame other = frame;

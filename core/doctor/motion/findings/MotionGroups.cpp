@@ -43,6 +43,11 @@ std::vector<std::size_t> witnessAlikes(const FaultGroup& group) {
   return out;
 }
 
+bool isBy(const FaultGroup& group, DecidedBy by) {
+  return std::ranges::all_of(group.regions,
+                             [by](const JudgedRegion* region) { return region->decision.by == by; });
+}
+
 } // namespace
 
 std::vector<FaultGroup> groupsOf(const std::vector<JudgedRegion>& judged,
@@ -72,8 +77,11 @@ bool isWitnessed(const FaultGroup& group) {
 }
 
 bool isOutlined(const FaultGroup& group) {
-  return std::ranges::all_of(group.regions,
-                             [](const JudgedRegion* region) { return region->decision.isByOutline; });
+  return isBy(group, DecidedBy::Outline);
+}
+
+bool isOfMiddles(const FaultGroup& group) {
+  return isBy(group, DecidedBy::Middles);
 }
 
 bool isTold(const FaultGroup& group) {

@@ -77,6 +77,26 @@ std::vector<Residual> outlineResiduals(const FaultGroup& group, const std::vecto
   return sortedResiduals(std::move(out));
 }
 
+/// Of an explanation, over all objects of a group.
+MiddleCounts middleCounts(const FaultGroup& group, std::size_t trial) {
+  MiddleCounts sum;
+  for (const JudgedRegion* region : group.regions) sum.add(region->evidence->middle.trials[trial]);
+  return sum;
+}
+
+/// Where the best one leads elsewhere than the motion given: how far each is from the way of the middles, px.
+std::vector<Residual> middleResiduals(const FaultGroup& group, const std::vector<MotionTrial>& trials) {
+  const MiddleCounts best = middleCounts(group, *group.trial);
+  std::vector<Residual> out;
+  for (std::size_t t = 0; t < trials.size(); ++t) {
+    const MiddleCounts counts = middleCounts(group, t);
+    const double left = std::max(0.0, best.given - (counts.given - counts.tried));
+    out.push_back({trialId(trials[t]), trialText(trials[t]), left / static_cast<double>(best.samples), t == 0,
+                   t == group.trial});
+  }
+  return sortedResiduals(std::move(out));
+}
+
 /// How far each explanation is from the camera's motion, of all regions of a group.
 std::vector<DistanceCounts> distancesOf(const FaultGroup& group, std::size_t trialCount) {
   std::vector<DistanceCounts> out(trialCount);
@@ -134,6 +154,19 @@ std::string outlineReason(const FaultGroup& group, const std::vector<MotionTrial
   return text;
 }
 
+std::string middleReason(const FaultGroup& group, const std::vector<MotionTrial>& trials) {
+  const MiddleCounts counts = middleCounts(group, *group.trial);
+  const auto mean = [&](double sum) { return shortNumber(sum / static_cast<double>(counts.samples)); };
+  std::string text =
+      say<"There is too little detail to follow, but the middle is seen to go %1 px away, in the "
+          "mean over %2 objects and frames; the motions given, added up, miss it by %3 px, and "
+          "taken like this by %4 px: %5.">(mean(counts.moved), counts.samples, mean(counts.given),
+                                           mean(counts.tried), trialText(trials[*group.trial]));
+  if (const std::vector<std::size_t> alikes = alikesOf(group); !alikes.empty())
+    text += " " + say<"Here it leads to the same places as: %1.">(namesOf(alikes, trials));
+  return text;
+}
+
 std::string reasonOf(const FaultGroup& group, const std::vector<MotionTrial>& trials) {
   TrialEvidence sum;
   std::vector<std::size_t> rivals;
@@ -170,6 +203,10 @@ void tellEvidence(const FaultGroup& group, const std::vector<MotionTrial>& trial
     out.reason = outlineReason(group, trials);
     out.measure = say<"share of pixels inside an outline that came from outside of it, %">();
     out.residuals = outlineResiduals(group, trials);
+  } else if (isOfMiddles(group)) {
+    out.reason = middleReason(group, trials);
+    out.measure = say<"mean distance from the way of the middle, px">();
+    out.residuals = middleResiduals(group, trials);
   } else {
     out.reason = reasonOf(group, trials);
     out.measure = say<"mean difference of luma, × 1000">();

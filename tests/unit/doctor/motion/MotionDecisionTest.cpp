@@ -74,6 +74,14 @@ TEST(MotionDecision, NamesAllThatFitAsWell) {
   EXPECT_EQ(decideMotion(wrong, trials()).explanations, Indices{2});
 }
 
+// Rest leaves less, though in half of the squares: then what leaves more is no explanation either.
+TEST(MotionDecision, TellsNothingWhereSomethingUnclearLeavesLess) {
+  RegionEvidence wrong = region();
+  wrong.trials[1] = evidenceOf(0.06, 0.005, 0.5);
+  wrong.trials[2] = evidenceOf(0.06, 0.02);
+  EXPECT_EQ(decideMotion(wrong, trials()).verdict, MotionVerdict::Doubtful);
+}
+
 TEST(MotionDecision, RestsOnMostSquaresAndOnEnoughOfAll) {
   for (const auto spoil :
        {+[](TrialEvidence& trial) { trial.cellsWon = 15; }, +[](TrialEvidence& trial) { trial.pairsWon = 3; },

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace taa::doctor {
@@ -59,6 +60,37 @@ TEST(MotionJudgement, LeavesToPixelsWhatMovesByItself) {
     EXPECT_FALSE(region.isWitnessed);
     EXPECT_EQ(region.trial.has_value(), region.region->objectId == test::kBoardId);
   }
+}
+
+// Jitter is left in the motion of one thing alone, and that of the ground is right: told where it shows in
+// many squares, as of what an own pass draws, and not where it shows in few, as a thin thing stays on its
+// pixels.
+TEST(MotionJudgement, TellsJitterOfOneThingAloneOnlyInManySquares) {
+  const auto trialOfBoard = [](int count) -> std::string {
+    std::vector<DoctorFrame> frames;
+    for (int i = 0; i < count; ++i) {
+      DoctorFrame& frame = frames.emplace_back(test::paintedFrame({}, i));
+      frame.previousClipFromClip.reset();
+      const glm::vec2 step = i == 0 ? glm::vec2(0.0f) : frame.jitterPx - frames[frames.size() - 2].jitterPx;
+      test::changeMotion(frame, test::kBoardId, [&](const glm::vec2& motion) { return motion + step; });
+    }
+    RegionTracker tracker;
+    MotionEvidence evidence(test::kPaintedPx);
+    std::vector<RegionIndex> before = tracker.label(frames[0]);
+    for (std::size_t i = 1; i < frames.size(); ++i) {
+      const std::vector<RegionIndex> labels = tracker.label(frames[i]);
+      evidence.add({frames[i], frames[i - 1]}, labels, before);
+      before = labels;
+    }
+    for (const JudgedRegion& region : judgeMotion(evidence, tracker.regions()).regions) {
+      if (region.region->objectId != test::kBoardId) continue;
+      EXPECT_EQ(decideMotion(*region.evidence, evidence.trials()).verdict, MotionVerdict::Wrong);
+      if (region.trial) return trialId(evidence.trials()[*region.trial]);
+    }
+    return "";
+  };
+  EXPECT_EQ(trialOfBoard(5), "");
+  EXPECT_EQ(trialOfBoard(20), "jitterOfBoth");
 }
 
 // Of the sky alone a frame late is told by nobody: what moves before it leaks into it where motion is a mean.
