@@ -65,6 +65,9 @@ class Examiner {
     return doctor::tellJitter(jitter_, {patient_, examination_.known.camera, skyPlace(out)}, out);
   }
   const DepthEvidence& depth() const { return depth_; }
+  bool isDepthDistance() const {
+    return patient_.conventions && patient_.conventions->depth.kind != capture::DepthKind::Window;
+  }
   const RimEvidence& rims() const { return rims_; }
   /// `out`: says how many frames there are.
   std::optional<RegionPlace> skyPlace(const Diagnosis& out) const {
@@ -74,7 +77,7 @@ class Examiner {
     return placeOf(*sky, patient_, pixels * out.frames);
   }
   const ResolveEvidence& resolve() const { return resolve_; }
-  std::optional<MotionTrial> tellMotion(Diagnosis& out) const {
+  std::optional<MotionOfAll> tellMotion(Diagnosis& out) const {
     const bool ofTime = rims_.depth.verdict() != RimVerdict::Unjittered;
     const RimsSeen rims{ofTime, ofTime && !isBeside(rims_.motion.verdict())};
     return doctor::tellMotion(motion_, tracker_.regions(), patient_, rims, out);
@@ -134,16 +137,24 @@ bool isOfMuch(const Finding& finding) {
   return finding.isWholePicture || share >= kMuch;
 }
 
+/// Marks that are taken for motion, or the other way around, whatever else is wrong with it.
+bool isOfMarks(const Finding& finding) {
+  return finding.id == faultInfo(Fault::MotionUnwritten).id ||
+         finding.id == faultInfo(Fault::ZeroTakenAsMissing).id;
+}
+
 /// What has to be made right before the rest can be told of; at most one of them.
 struct Hiding {
   std::optional<DepthRelation> depth;
   JitterMender jitter;
-  std::optional<MotionTrial> motion; ///< hides depth alone
+  std::optional<MotionTrial> motion;
+
+  bool isAny() const { return depth || jitter || motion; }
 };
 
 /// What an earlier look told of.
 struct ToldOf {
-  bool depth = false, jitter = false;
+  bool depth = false, jitter = false, motion = false;
 };
 
 /// Says what is hidden where it is not looked at again.
@@ -157,19 +168,31 @@ void leaveOpen(const Hiding& hiding, Diagnosis& out) {
                              say<"Mend motion first.">()});
 }
 
-/// Motion, and depth as far as motion is a witness of it. Returns what hides depth, where that is known.
-Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, Diagnosis& out) {
-  const std::size_t before = out.findings.size();
-  const std::optional<MotionTrial> trial = examiner.tellMotion(out);
-  const bool isMotionRight = out.findings.size() == before;
-  const bool isMotionWrong =
-      std::any_of(out.findings.begin() + static_cast<std::ptrdiff_t>(before), out.findings.end(), isOfMuch);
-  if (tellsDepth && !isMotionWrong) tellDepth(examiner.depth(), out, isMotionRight);
-  tellRims(examiner.rims(), isMotionRight, out);
+/// Motion, and depth as far as motion is a witness of it. `mayMend`: motion that one explanation makes right
+/// everywhere is told alone, and returned as what hides the rest.
+Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, const ToldOf& told,
+                  Diagnosis& out) {
+  Diagnosis seen = out;
+  const std::optional<MotionOfAll> all = examiner.tellMotion(seen);
+  if (all && mayMend && !told.motion && mendsAlone(all->trial)) {
+    std::ranges::copy_if(seen.findings, std::back_inserter(out.findings), isOfMarks);
+    out.findings.push_back(all->finding);
+    Hiding hiding;
+    hiding.motion = all->trial;
+    return hiding;
+  }
+  const auto before = static_cast<std::ptrdiff_t>(out.findings.size());
+  // What is right once motion is mended, is not right.
+  if (told.motion) seen.healthy = out.healthy;
+  out = std::move(seen);
+  const bool isMotionRight = static_cast<std::ptrdiff_t>(out.findings.size()) == before;
+  const bool isMotionWrong = std::any_of(out.findings.begin() + before, out.findings.end(), isOfMuch);
+  if (tellsDepth && !isMotionWrong)
+    tellDepth(examiner.depth(), out, {isMotionRight, examiner.isDepthDistance()});
+  tellRims(examiner.rims(), isMotionRight && !told.motion, out);
   if (!tellsDepth || !isMotionWrong) return {};
   Hiding hiding;
-  hiding.motion = trial.value_or(MotionTrial{});
-  if (trial && mendsAlone(*trial)) return hiding;
+  hiding.motion = all ? all->trial : MotionTrial{};
   leaveOpen(hiding, out);
   return {};
 }
@@ -189,10 +212,11 @@ void withholdMotion(const JitterOutcome& jitter, Diagnosis& out) {
 
 /// Depth that all else is examined by, jitter, and where these are right the planes. Returns what hides the
 /// rest.
-Hiding tellSeen(const Examiner& examiner, const Examination& examination, const ToldOf& told,
-                Diagnosis& out) {
+Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf& told, Diagnosis& out) {
   const KnownPlanes& known = examination.known;
   Hiding hiding;
+  if (known.depth && !told.depth)
+    told.depth = tellEnds(examiner.depth().ends, examiner.isDepthDistance(), out);
   if (known.motion && known.camera && !told.depth) hiding.depth = otherDepth(examiner.depth());
   if (hiding.depth) {
     tellDepth(examiner.depth(), out);
@@ -207,21 +231,11 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, const 
   }
   hiding.jitter = jitter.mender;
   if (hiding.jitter) return hiding;
-  hiding = tellPlanes(examiner, known.camera && !told.depth, out);
+  hiding = tellPlanes(examiner, known.camera && !told.depth, !jitter.isOpen, told, out);
   if (!jitter.isOpen) return hiding;
   leaveOpen(hiding, out);
   withholdMotion(jitter, out);
   return {};
-}
-
-/// Depth, where motion of all frames is made right by an explanation. `stated`: their jitter.
-void tellDepthAgain(const FrameReader& read, const MotionTrial& trial, const std::map<int, glm::vec2>& stated,
-                    Diagnosis& out) {
-  const FrameReader mended = withMotion(read, trial, stated);
-  DepthEvidence evidence;
-  for (auto frame = std::next(stated.begin()); frame != stated.end(); ++frame)
-    if (const DoctorFrame now = mended(frame->first); !now.startsHistory) evidence.add(now);
-  tellDepth(evidence, out);
 }
 
 /// What is wrong makes other things look wrong: they are looked at with it made right, until nothing is
@@ -230,19 +244,23 @@ void tellAll(const Examination& examination, const Examiner& first, const Bright
              FrameReader read, Diagnosis& out) {
   ToldOf told;
   std::optional<Examiner> next;
+  const Examiner* last = &first;
   Hiding hiding = tellSeen(first, examination, told, out);
-  while (hiding.depth || hiding.jitter) {
+  while (hiding.isAny()) {
     told.depth = told.depth || hiding.depth;
-    told.jitter = told.jitter || hiding.jitter;
-    read = hiding.depth ? withDepth(read, *hiding.depth)
-                        : withJitter(read, hiding.jitter, examination.first, examination.known.depthJittered);
-    next.emplace(first.another());
+    told.jitter = told.jitter || hiding.jitter || hiding.motion; // which is told beside jitter
+    told.motion = told.motion || hiding.motion;
+    if (hiding.depth)
+      read = withDepth(read, *hiding.depth);
+    else if (hiding.jitter)
+      read = withJitter(read, hiding.jitter, examination.first, examination.known.depthJittered);
+    else
+      read = withMotion(read, *hiding.motion, last->jitter().stated);
+    last = &next.emplace(first.another());
     next->look(read, out);
     hiding = tellSeen(*next, examination, told, out);
   }
-  const Examiner& last = next ? *next : first;
-  if (hiding.motion) tellDepthAgain(read, *hiding.motion, last.jitter().stated, out);
-  last.tellColor(brightness, out);
+  last->tellColor(brightness, out);
 }
 
 } // namespace
@@ -272,8 +290,9 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
   first.look(examination.read, out, [&] {
     if (!told) return;
     Diagnosis early = out;
+    ToldOf nothing;
     if (tellInterface(first.color(), early).empty())
-      leaveOpen(tellSeen(first, examination, {}, early), early);
+      leaveOpen(tellSeen(first, examination, nothing, early), early);
     told(early);
   });
   const std::vector<std::uint8_t> covered = tellInterface(first.color(), out);

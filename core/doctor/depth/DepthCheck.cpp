@@ -31,8 +31,9 @@ constexpr double kLeastParallaxPx = 0.2, kOffLinePx = 0.01;
 constexpr double kFittingLog = 0.05, kMissingLog = 0.15, kBetterRelation = 3.0;
 /// Of |log| of what is stated over the projection's distances.
 constexpr double kWrongNearLog = 0.05;
-/// Largest by smallest tenth of depths: with less the relations are alike.
-constexpr double kLeastRange = 1.5;
+/// Largest by smallest tenth of depths: with less the relations are alike, unless all others are so many
+/// times as far away.
+constexpr double kLeastRange = 1.5, kFarFromAll = 100.0;
 
 /// The depth with which a pixel's motion is that of something at rest: its place before is linear in depth
 /// before it is divided by w.
@@ -56,8 +57,18 @@ std::optional<double> depthOfMotion(const DoctorFrame& frame, const glm::ivec2& 
   return depth;
 }
 
-/// f(stored) of a relation; nothing where it has no depth.
-std::optional<double> related(RelationKind kind, double stored) {
+/// Of a way to what a pixel shows, over that along the viewing axis; 1 where cameras are not known.
+double rayLength(const DoctorFrame& frame, const glm::ivec2& pixel) {
+  if (!frame.cameras) return 1.0;
+  const glm::dvec2 ndc = (glm::dvec2(pixel) + 0.5) / (glm::dvec2(0.5, -0.5) * glm::dvec2(frame.sizePx())) +
+                         glm::dvec2(-1.0, 1.0);
+  const glm::dmat4& clip = frame.cameras->clipFromView;
+  const glm::dvec2 ray = (ndc + glm::dvec2(clip[2])) / glm::dvec2(clip[0][0], clip[1][1]);
+  return std::sqrt(1.0 + glm::dot(ray, ray));
+}
+
+/// f(stored) of a relation; nothing where it has no depth. `ray`: see DepthSample.
+std::optional<double> related(RelationKind kind, double stored, double ray = 1.0) {
   switch (kind) {
   case RelationKind::AsStated:
   case RelationKind::NearPlane:
@@ -66,6 +77,12 @@ std::optional<double> related(RelationKind kind, double stored) {
     return stored < 1.0 ? std::optional(1.0 - stored) : std::nullopt;
   case RelationKind::Linear:
     return stored > 0.0 ? std::optional(1.0 / stored) : std::nullopt;
+  case RelationKind::HalfRange:
+    return stored > 0.5 ? std::optional(2.0 * stored - 1.0) : std::nullopt;
+  case RelationKind::AlongRay:
+    return stored > 0.0 ? std::optional(stored * ray) : std::nullopt;
+  case RelationKind::AlongAxis:
+    return stored > 0.0 ? std::optional(stored / ray) : std::nullopt;
   }
   return {};
 }
@@ -73,14 +90,16 @@ std::optional<double> related(RelationKind kind, double stored) {
 DepthRelation relationOf(RelationKind kind, const std::vector<DepthSample>& samples) {
   std::vector<double> logs;
   for (const DepthSample& sample : samples)
-    if (const auto depth = related(kind, sample.stored)) logs.push_back(std::log(sample.byMotion / *depth));
+    if (const auto depth = related(kind, sample.stored, sample.ray))
+      logs.push_back(std::log(sample.byMotion / *depth));
   const bool isScaled = kind == RelationKind::NearPlane || kind == RelationKind::Linear;
   const double center = isScaled ? median(logs) : 0.0;
   for (double& value : logs) value = std::abs(value - center);
   return {kind, std::exp(center), logs.empty() ? 1e9 : median(logs)};
 }
 
-constexpr std::array<std::string_view, 4> kRelationIds = {"asStated", "nearPlane", "reversed", "linear"};
+constexpr std::array<std::string_view, 7> kRelationIds = {"asStated",  "nearPlane", "reversed", "linear",
+                                                          "halfRange", "alongRay",  "alongAxis"};
 
 std::string relationText(const DepthRelation& relation) {
   switch (relation.kind) {
@@ -92,19 +111,46 @@ std::string relationText(const DepthRelation& relation) {
     return say<"the other way around">();
   case RelationKind::Linear:
     return say<"linear in the distance">();
+  case RelationKind::HalfRange:
+    return say<"as it is before it is brought from −1 … 1 to 0 … 1">();
+  case RelationKind::AlongRay:
+    return say<"that of a way along the ray">();
+  case RelationKind::AlongAxis:
+    return say<"that of a way along the axis">();
   }
   return {};
 }
 
-Fault depthFault(RelationKind kind) {
-  if (kind == RelationKind::Reversed) return Fault::DepthReversed;
-  return kind == RelationKind::Linear ? Fault::DepthLinear : Fault::NearPlaneWrong;
+Finding namedFinding(std::string id, std::string name) {
+  Finding out;
+  out.id = std::move(id);
+  out.name = std::move(name);
+  out.symptom = say<"Disocclusion is found everywhere or nowhere.">();
+  return out;
 }
 
-/// Nothing undoes a distance whose unit is not known.
+Finding kindFinding(RelationKind kind) {
+  switch (kind) {
+  case RelationKind::Reversed:
+    return faultFinding(Fault::DepthReversed);
+  case RelationKind::Linear:
+    return faultFinding(Fault::DepthLinear);
+  case RelationKind::HalfRange:
+    return namedFinding("depthRange", say<"Depth of another range">());
+  case RelationKind::AlongRay:
+  case RelationKind::AlongAxis:
+    return namedFinding("depthAlong", say<"Distances of the other kind">());
+  case RelationKind::AsStated:
+  case RelationKind::NearPlane:
+    break;
+  }
+  return faultFinding(Fault::NearPlaneWrong);
+}
+
+/// No setting undoes a distance whose unit is not known, another range, or another kind of distance.
 std::vector<std::string> depthMending(const DepthRelation& relation) {
   if (relation.kind == RelationKind::Reversed) return {"fault.depth=reversed"};
-  if (relation.kind == RelationKind::Linear) return {};
+  if (relation.kind != RelationKind::NearPlane) return {};
   return {"fault.nearPlane=" + shortNumber(1.0 / relation.factor)};
 }
 
@@ -114,6 +160,12 @@ std::string depthChange(const DepthRelation& relation) {
   if (relation.kind == RelationKind::Linear)
     return say<"State that depth is a distance, or write what the projection leaves: it grows with the "
                "distance.">();
+  if (relation.kind == RelationKind::HalfRange)
+    return say<"State that depth is stored from 0 to 1: it is not from −1 to 1.">();
+  if (relation.kind == RelationKind::AlongRay)
+    return say<"State that distances are those from the eye: they are not those along the viewing axis.">();
+  if (relation.kind == RelationKind::AlongAxis)
+    return say<"State that distances are those along the viewing axis: they are not those from the eye.">();
   return say<
       "State a near plane that is %1 times as far: with the matrices, only that depth makes the motion "
       "of what rests.">(shortNumber(1.0 / relation.factor));
@@ -121,7 +173,7 @@ std::string depthChange(const DepthRelation& relation) {
 
 Finding depthFinding(const std::vector<DepthRelation>& relations, const DepthRelation& best,
                      std::size_t samples) {
-  Finding out = faultFinding(depthFault(best.kind));
+  Finding out = kindFinding(best.kind);
   out.isWholePicture = true;
   out.change = depthChange(best);
   mendBy(depthMending(best), out);
@@ -175,12 +227,12 @@ std::string storedReason(const DepthEvidence& evidence) {
 /// form over flat surfaces says; where that says nothing, one name stands for both.
 Finding storedFinding(const DepthEvidence& evidence, RelationKind kind) {
   const std::optional<bool> isDistance = evidence.form.isDistance();
-  Finding out = faultFinding(depthFault(kind));
+  Finding out = kindFinding(kind);
   out.isWholePicture = true;
   out.change = depthChange({kind});
   mendBy(depthMending({kind}), out);
   out.reason = storedReason(evidence);
-  if (!isDistance) out.alike = {std::string(faultInfo(depthFault(RelationKind::Linear)).id)};
+  if (!isDistance) out.alike = {std::string(faultInfo(Fault::DepthLinear).id)};
   const auto compare = [&](std::string measure, double given, double tried) {
     out.measure = std::move(measure);
     for (const RelationKind relation : {kind, RelationKind::AsStated}) {
@@ -198,6 +250,24 @@ Finding storedFinding(const DepthEvidence& evidence, RelationKind kind) {
   else
     compare(say<"share of pixels in the near plane">(),
             static_cast<double>(evidence.ends.atNear) / static_cast<double>(evidence.ends.pixels()), 0.0);
+  return out;
+}
+
+/// All that is drawn lies at one end of depth.
+Finding endFinding(const DepthEnds& ends, bool isDistance) {
+  Finding out = ends.isAllNear() && !isDistance
+                    ? kindFinding(RelationKind::Linear)
+                    : namedFinding("depthKind", say<"Depth of another kind or range">());
+  out.isWholePicture = true;
+  out.sureness = Sureness::Likely;
+  out.reason = ends.isAllNear()
+                   ? say<"By the depth that is decoded everything lies in the near plane.">()
+                   : say<"By the depth that is decoded nothing is drawn where object numbers say "
+                         "that something is.">();
+  out.change = !isDistance && ends.isAllNear() ? depthChange({RelationKind::Linear})
+               : isDistance
+                   ? say<"State that depth is what the projection leaves, or the unit of its distances.">()
+                   : say<"State the range of depth as it is stored, and whether it is reversed.">();
   return out;
 }
 
@@ -232,15 +302,37 @@ bool haveRange(const std::vector<DepthSample>& samples) {
   return depths[depths.size() * 9 / 10] >= kLeastRange * depths[depths.size() / 10];
 }
 
+/// Whether no mistake of motion looks like that.
+bool isOfForm(RelationKind kind) {
+  return kind == RelationKind::Reversed || kind == RelationKind::Linear || kind == RelationKind::HalfRange;
+}
+
 /// The relation that fits where what is stated does not, and none of the others nearly as well; null: none.
 const DepthRelation* clearRelation(const std::vector<DepthRelation>& relations,
                                    const std::vector<DepthSample>& samples) {
   const DepthRelation& best = *std::ranges::min_element(relations, {}, &DepthRelation::residual);
-  const bool isClear = std::ranges::all_of(relations, [&](const DepthRelation& other) {
-    return &other == &best || other.residual >= kBetterRelation * best.residual;
-  });
+  const auto areFarther = [&](double factor, double least) {
+    return std::ranges::all_of(relations, [&](const DepthRelation& other) {
+      return &other == &best || other.residual >= std::max(least, factor * best.residual);
+    });
+  };
   const bool fits = best.residual <= kFittingLog && relations.front().residual >= kMissingLog;
-  return fits && isClear && haveRange(samples) ? &best : nullptr;
+  const bool isClear =
+      haveRange(samples) ? areFarther(kBetterRelation, 0.0) : areFarther(kFarFromAll, kFittingLog);
+  return fits && isClear ? &best : nullptr;
+}
+
+/// Of distances: those of the other kind, where these fit far better than the stated ones.
+const DepthRelation* otherDistance(const std::vector<DepthRelation>& relations) {
+  constexpr double kFarBetter = 10.0, kLeastMiss = 2e-3;
+  const double stated = relations.front().residual;
+  if (stated < kLeastMiss) return nullptr;
+  const auto fits = [&](const DepthRelation& relation) {
+    return (relation.kind == RelationKind::AlongRay || relation.kind == RelationKind::AlongAxis) &&
+           kFarBetter * relation.residual <= stated;
+  };
+  const auto found = std::ranges::find_if(relations, fits);
+  return found == relations.end() ? nullptr : &*found;
 }
 
 } // namespace
@@ -249,7 +341,7 @@ std::optional<DepthRelation> otherDepth(const DepthEvidence& evidence) {
   if (evidence.samples.size() >= kEnoughDepths) {
     const std::vector<DepthRelation> relations = depthRelations(evidence.samples);
     const DepthRelation* best = clearRelation(relations, evidence.samples);
-    if (best && (best->kind == RelationKind::Reversed || best->kind == RelationKind::Linear)) return *best;
+    if (best && isOfForm(best->kind)) return *best;
     if (relations.front().residual <= kFittingLog) return {};
   }
   const auto kind = kindByValues(evidence);
@@ -282,18 +374,26 @@ void DepthEvidence::add(const DoctorFrame& frame) {
   for (int y = step / 2; y < size.y; y += step)
     for (int x = step / 2; x < size.x; x += step)
       if (const auto depth = depthOfMotion(frame, {x, y}))
-        samples.push_back({static_cast<double>(*frame.depth.at(x, y)), *depth});
+        samples.push_back(
+            {static_cast<double>(*frame.depth.at(x, y)), *depth, rayLength(frame, glm::ivec2(x, y))});
 }
 
 std::vector<DepthRelation> depthRelations(const std::vector<DepthSample>& samples) {
   std::vector<DepthRelation> out;
   for (const RelationKind kind :
-       {RelationKind::AsStated, RelationKind::NearPlane, RelationKind::Reversed, RelationKind::Linear})
+       {RelationKind::AsStated, RelationKind::NearPlane, RelationKind::Reversed, RelationKind::Linear,
+        RelationKind::HalfRange, RelationKind::AlongRay, RelationKind::AlongAxis})
     out.push_back(relationOf(kind, samples));
   return out;
 }
 
-void tellDepth(const DepthEvidence& evidence, Diagnosis& out, bool isMotionRight) {
+bool tellEnds(const DepthEnds& ends, bool isDistance, Diagnosis& out) {
+  if (!ends.isAllNear() && !ends.isDrawnFar()) return false;
+  out.findings.push_back(endFinding(ends, isDistance));
+  return true;
+}
+
+void tellDepth(const DepthEvidence& evidence, Diagnosis& out, const DepthPatient& patient) {
   if (const double factor = median(evidence.factors);
       factor > 0.0 && std::abs(std::log(factor)) >= kWrongNearLog) {
     out.findings.push_back(statedNearFinding(factor));
@@ -302,6 +402,10 @@ void tellDepth(const DepthEvidence& evidence, Diagnosis& out, bool isMotionRight
   const bool isMeasured = evidence.samples.size() >= kEnoughDepths;
   const std::vector<DepthRelation> relations =
       isMeasured ? depthRelations(evidence.samples) : std::vector<DepthRelation>();
+  if (const DepthRelation* along = patient.isDistance && isMeasured ? otherDistance(relations) : nullptr) {
+    out.findings.push_back(depthFinding(relations, *along, evidence.samples.size()));
+    return;
+  }
   if (isMeasured && relations.front().residual <= kFittingLog) {
     out.healthy.push_back(say<"Depth and matrices make the motion of what rests.">());
     return;
@@ -310,7 +414,7 @@ void tellDepth(const DepthEvidence& evidence, Diagnosis& out, bool isMotionRight
     out.findings.push_back(depthFinding(relations, *best, evidence.samples.size()));
     return;
   }
-  if (const auto kind = isMotionRight ? storedKind(evidence) : kindByValues(evidence)) {
+  if (const auto kind = patient.isMotionRight ? storedKind(evidence) : kindByValues(evidence)) {
     out.findings.push_back(storedFinding(evidence, *kind));
     return;
   }

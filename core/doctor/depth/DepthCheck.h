@@ -22,11 +22,15 @@ enum class RelationKind : std::uint8_t {
   NearPlane, ///< by a factor: the near plane is another one
   Reversed,  ///< 1 − depth
   Linear,    ///< it grows with the distance
+  HalfRange, ///< ½ + ½ of it: what is stored from 0 to 1 is said to be from −1 to 1
+  AlongRay,  ///< of distances from the eye that are said to be those along the axis; the other way around
+  AlongAxis,
 };
 
 /// A pixel's depth as stored, and the one with which the cameras make the motion given.
 struct DepthSample {
   double stored = 0.0, byMotion = 0.0;
+  double ray = 1.0; ///< the way from the eye to it, over that along the viewing axis
 };
 
 struct DepthRelation {
@@ -57,8 +61,14 @@ std::optional<DepthRelation> otherDepth(const DepthEvidence& evidence);
 /// held to be what it has now.
 void mendDepth(const DepthRelation& relation, DoctorFrame& frame);
 
-/// Adds what is wrong, right or not decided about depth. `isMotionRight`: as far as is known; else what hides
-/// what is no witness, which motion tells.
-void tellDepth(const DepthEvidence& evidence, Diagnosis& out, bool isMotionRight = true);
+struct DepthPatient {
+  bool isMotionRight = true; ///< as far as is known; else what hides what is no witness, which motion tells
+  bool isDistance = false;   ///< depth is stated to be a distance, and no device depth
+};
+/// Adds what is wrong where all that is drawn lies at one end of depth, and returns whether it does: then
+/// depth says nothing else. `isDistance`: see DepthPatient.
+bool tellEnds(const DepthEnds& ends, bool isDistance, Diagnosis& out);
+/// Adds what is wrong, right or not decided about depth.
+void tellDepth(const DepthEvidence& evidence, Diagnosis& out, const DepthPatient& patient = {});
 
 } // namespace taa::doctor

@@ -9,6 +9,7 @@
 #include "core/doctor/mending/Mending.h"
 #include "core/settings/Faults.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -34,6 +36,9 @@ struct JitterWords {
   Fault fault;
   std::string change;
 };
+
+/// What no fault of the table is.
+constexpr std::string_view kOtherUnitId = "jitterUnit";
 
 JitterWords jitterWords(const JitterTrial& trial) {
   switch (trial.kind) {
@@ -174,6 +179,10 @@ Finding otherJitter(const JitterFit& fit, const std::vector<JitterTrial>& trials
   const JitterTrial& best = trials[fit.best];
   const TrialFit& won = fit.trials[fit.best];
   Finding out = jitterFinding(jitterWords(best));
+  if (best.kind == JitterKind::OtherUnit) {
+    out.id = kOtherUnitId;
+    out.name = say<"Jitter of another unit">();
+  }
   if (best.kind == JitterKind::Scaled && best.factor.x != 0.5f && best.factor.x != 2.0f)
     out.name = scaledName(best.factor);
   out.change += " " + exampleOf(best, evidence, patient);
@@ -191,6 +200,39 @@ Finding otherJitter(const JitterFit& fit, const std::vector<JitterTrial>& trials
     out.reason += " " + say<"Without depth and matrices it may also be motion that holds jitter.">();
     out.sureness = Sureness::Likely;
   }
+  return out;
+}
+
+/// Jitter of so many pixels is none, whatever pictures show: of another unit it goes to half of one.
+std::optional<std::size_t> unitOfRange(const JitterEvidence& evidence,
+                                       const std::vector<JitterTrial>& trials) {
+  constexpr float kNoJittersPx = 4.0f, kHalfPx = 0.5f, kRoundedPx = 0.55f;
+  glm::vec2 farthest(0.0f);
+  for (const auto& [frame, stated] : evidence.stated) farthest = glm::max(farthest, glm::abs(stated));
+  if (!(std::max(farthest.x, farthest.y) >= kNoJittersPx)) return {};
+  std::optional<std::size_t> best;
+  float nearest = kHalfPx;
+  for (std::size_t t = 0; t < trials.size(); ++t) {
+    const glm::vec2 shown = farthest * trials[t].factor;
+    if (trials[t].kind != JitterKind::OtherUnit || trials[t].factor.y < 0.0f ||
+        std::max(shown.x, shown.y) > kRoundedPx)
+      continue;
+    const float miss = std::abs(kHalfPx - std::max(shown.x, shown.y));
+    if (miss >= nearest) continue;
+    nearest = miss;
+    best = t;
+  }
+  return best;
+}
+
+Finding unitOfRangeFinding(const JitterTrial& trial, const JitterEvidence& evidence, const Patient& patient) {
+  Finding out = jitterFinding(jitterWords(trial));
+  out.id = kOtherUnitId;
+  out.name = say<"Jitter of another unit">();
+  out.sureness = Sureness::Likely;
+  out.change += " " + exampleOf(trial, evidence, patient);
+  out.reason = say<"Jitter that is stated goes over many pixels; it goes to half of one like this: %1.">(
+      jitterTrialText(trial));
   return out;
 }
 
@@ -333,15 +375,21 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
     tellTrial(trials, 0, evidence, patient.sky, out);
     return {};
   }
+  const auto menderOf = [&](const JitterTrial& trial) -> JitterMender {
+    return [trial, all = evidence.stated](int frame) { return trueJitter(trial, all, frame); };
+  };
   if (!fit.isContradicted()) {
+    if (const auto unit = unitOfRange(evidence, trials)) {
+      out.findings.push_back(unitOfRangeFinding(trials[*unit], evidence, patient.patient));
+      return {menderOf(trials[*unit])};
+    }
     tellNoFit(missPx, out);
     tellShort(evidence.stated, out);
     return {{}, missPx > kMissingPx, true};
   }
   out.findings.push_back(otherJitter(fit, trials, evidence, patient.isCameraKnown, patient.patient));
   tellTrial(trials, fit.best, evidence, patient.sky, out);
-  return {
-      [trial = trials[fit.best], all = evidence.stated](int frame) { return trueJitter(trial, all, frame); }};
+  return {menderOf(trials[fit.best])};
 }
 
 } // namespace taa::doctor

@@ -6,7 +6,9 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string_view>
@@ -41,6 +43,11 @@ std::optional<glm::vec2> statedAt(const std::map<int, glm::vec2>& stated, int fr
   return found->second;
 }
 
+bool isOfManyPixels(const std::map<int, glm::vec2>& stated) {
+  constexpr float kManyPx = 4.0f;
+  return std::ranges::any_of(stated, [](const auto& frame) { return glm::length(frame.second) >= kManyPx; });
+}
+
 TrialLuma trialLuma(const std::vector<SearchedPixel>& samples, const FrameNeighbors& frames,
                     const std::map<int, glm::vec2>& stated) {
   TrialLuma out;
@@ -51,6 +58,10 @@ TrialLuma trialLuma(const std::vector<SearchedPixel>& samples, const FrameNeighb
     out.push_back(isKnown ? lumaLeft(samples, frames.before.luma, *before - *now)
                           : std::numeric_limits<double>::quiet_NaN());
   }
+  // What leads farther than pictures are compared leaves at least what the worst of the others leaves.
+  if (std::isnan(out.front()))
+    for (const double luma : out)
+      if (std::isnan(out.front()) || luma > out.front()) out.front() = luma;
   return out;
 }
 
@@ -97,9 +108,9 @@ std::vector<JitterTrial> jitterTrials(const glm::ivec2& sizePx) {
     trials.push_back({kind});
   for (const float factor : {0.5f, 2.0f, 2.0f / 3.0f, 0.75f, 4.0f / 3.0f, 1.5f})
     trials.push_back({JitterKind::Scaled, glm::vec2(factor)});
-  // Texture or device coordinates taken for pixels; y of the latter may point up.
+  // Texture or device coordinates taken for pixels, and the other way; y of the latter may point up.
   const glm::vec2 uv(sizePx), ndc = 0.5f * uv, yUp(1.0f, -1.0f);
-  for (const glm::vec2& unit : {uv, ndc})
+  for (const glm::vec2& unit : {uv, ndc, 1.0f / uv, 1.0f / ndc})
     for (const glm::vec2& factor : {unit, unit * yUp}) trials.push_back({JitterKind::OtherUnit, factor});
   return trials;
 }
@@ -139,8 +150,11 @@ std::optional<glm::vec2> trueJitter(const JitterTrial& trial, const std::map<int
     return -*jitter;
   case JitterKind::SwappedAxes:
     return glm::vec2(jitter->y, jitter->x);
-  case JitterKind::Scaled:
   case JitterKind::OtherUnit:
+    // What shrinks jitter of parts of a pixel leaves none, which is said otherwise.
+    if (trial.factor.x < 1.0f && !isOfManyPixels(stated)) return {};
+    return *jitter * trial.factor;
+  case JitterKind::Scaled:
     return *jitter * trial.factor;
   }
   return jitter;

@@ -37,6 +37,8 @@ bool mendsAlone(const MotionTrial& trial) {
   case MotionKind::JitterOfPrevious:
   case MotionKind::JitterOfBoth:
   case MotionKind::JitterTakenOff:
+  case MotionKind::JitterOfThisTakenOff:
+  case MotionKind::JitterOfPreviousTakenOff:
   case MotionKind::Encoded:
   case MotionKind::Root:
     return true;

@@ -65,6 +65,10 @@ std::vector<std::string> motionMending(const MotionTrial& trial) {
     return {"fault.motionJitter=bothOff"};
   case MotionKind::JitterTakenOff:
     return {"fault.motionJitter=both"};
+  case MotionKind::JitterOfThisTakenOff:
+    return {"fault.motionJitter=this"};
+  case MotionKind::JitterOfPreviousTakenOff:
+    return {"fault.motionJitter=last"};
   case MotionKind::FrameLate:
     return {"fault.motionLag=-1"};
   case MotionKind::FrameEarly:

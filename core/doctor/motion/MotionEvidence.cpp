@@ -138,7 +138,7 @@ class PairEvidence {
     ++regions_[static_cast<std::size_t>(region)].seen;
     if (!isMotion(given)) return addMarked(pixel, region);
     if (isLongerThanPicture(given, frames_.now.sizePx()))
-      ++regions_[static_cast<std::size_t>(region)].outside;
+      addOutside(given, regions_[static_cast<std::size_t>(region)]);
     const glm::vec2 place = placeOf(pixel, given);
     if (!isInPicture(place, frames_.now.sizePx()) || wasHidden(frames_, pixel, glm::ivec2(place))) return;
     if (frames_.before.isCovered(glm::ivec2(place))) return;
@@ -182,6 +182,11 @@ class PairEvidence {
       out.off += rims.off;
       out.offLate += rims.offLate;
     }
+  }
+
+  static void addOutside(const glm::vec2& given, RegionEvidence& out) {
+    if (out.outside++ == 0) out.mark = given;
+    if (given == out.mark) ++out.marks;
   }
 
   void addOffCamera(RegionEvidence& out, const glm::ivec2& pixel, const glm::dvec2& offPx) const {

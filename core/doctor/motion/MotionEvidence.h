@@ -86,8 +86,10 @@ struct RegionEvidence {
   std::size_t cameraKnown = 0;
   /// Motion given less the camera's, px, and times the distance of what is seen, px m.
   EvenVectors offCamera, offCameraByDistance;
-  std::size_t seen = 0;           ///< pixels well inside the region, whatever their motion
-  std::size_t outside = 0;        ///< of these: with a motion that is longer than the picture
+  std::size_t seen = 0; ///< pixels well inside the region, whatever their motion
+  /// Of these: with a motion that is longer than the picture; that is the same as the first of these.
+  std::size_t outside = 0, marks = 0;
+  glm::vec2 mark{0.0f};           ///< that motion
   std::size_t marked = 0;         ///< likewise: with the mark of no previous position; the rest is of these:
   std::size_t markedTextured = 0; ///< with detail
   double markedError = 0.0;       ///< sum of |luma − luma of the frame before| there, at rest in the world

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace taa::doctor {
@@ -191,11 +193,13 @@ std::size_t broadestTrial(const std::vector<JudgedRegion*>& open, std::size_t tr
       gains[trial] += region->evidence->trials[trial].gain();
     }
   const double most = *std::ranges::max_element(pixels);
-  double gain = 0.0;
+  // What is told by outlines or middles may gain nothing by its pixels, or lose.
+  double gain = std::numeric_limits<double>::lowest();
   for (std::size_t t = 0; t < trialCount; ++t)
     if (pixels[t] == most) gain = std::max(gain, gains[t]);
+  const double least = gain - (1.0 - kAsMuch) * std::abs(gain);
   std::size_t best = 0;
-  while (pixels[best] < most || gains[best] < kAsMuch * gain) ++best;
+  while (best + 1 < trialCount && (pixels[best] < most || gains[best] < least)) ++best;
   return best;
 }
 

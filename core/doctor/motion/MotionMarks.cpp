@@ -35,7 +35,7 @@ Finding markFinding(Fault fault, std::string reason, std::string change) {
 } // namespace
 
 bool isUnwrittenMark(const RegionEvidence& evidence) {
-  return evidence.seen >= kEnoughMarks * kEnoughMarkedPairs && isNearlyAll(evidence.outside, evidence.seen);
+  return evidence.seen >= kEnoughMarks * kEnoughMarkedPairs && isNearlyAll(evidence.marks, evidence.seen);
 }
 
 bool isKeptAsMissing(const RegionEvidence& evidence) {
@@ -48,7 +48,8 @@ void tellMarks(const MotionEvidence& evidence, const std::vector<Region>& region
                double allPixels, Diagnosis& out) {
   Finding unwritten = markFinding(
       Fault::MotionUnwritten,
-      say<"Motion there is longer than the picture in every frame: it is a mark, and no motion.">(),
+      say<"Motion there is longer than the picture, and the same, in every frame: it is a mark, and no "
+          "motion.">(),
       say<"State the value that means \"not written\", and what it stands for: rebuild motion from depth and "
           "matrices there, or write it.">());
   Finding missing = markFinding(

@@ -10,7 +10,8 @@
 
 namespace taa::doctor {
 
-/// Whether nearly all motion of a region is longer than the picture, frame after frame: nothing moves so.
+/// Whether nearly all motion of a region is longer than the picture and one value, frame after
+/// frame: nothing moves so.
 bool isUnwrittenMark(const RegionEvidence& evidence);
 /// Whether nearly all of a region is said to have no previous position, frame after frame, though it fits
 /// what was there before.

@@ -18,7 +18,7 @@ struct TrialWords {
 };
 
 /// In the order of the enumerators; those with a factor say it.
-constexpr std::array<TrialWords, 24> kTrialWords = {{
+constexpr std::array<TrialWords, 26> kTrialWords = {{
     {"asGiven", [] { return say<"as given">(); }},
     {"resting", [] { return say<"at rest on the screen">(); }},
     {"ofCamera", [] { return say<"that of the camera">(); }},
@@ -34,6 +34,8 @@ constexpr std::array<TrialWords, 24> kTrialWords = {{
     {"jitterOfPrevious", [] { return say<"without the jitter of the frame before">(); }},
     {"jitterOfBoth", [] { return say<"without the difference of both jitters">(); }},
     {"jitterTakenOff", [] { return say<"with the difference of both jitters added">(); }},
+    {"jitterOfThisTakenOff", [] { return say<"with this frame's jitter added">(); }},
+    {"jitterOfPreviousTakenOff", [] { return say<"with the jitter of the frame before added">(); }},
     {"frameLate", [] { return say<"that of the frame after">(); }},
     {"frameEarly", [] { return say<"that of the frame before">(); }},
     {"encoded", [] { return say<"decoded from 0 to 1">(); }},
@@ -83,8 +85,17 @@ std::optional<glm::vec2> withoutOlder(const FrameNeighbors& frames, const glm::i
 } // namespace
 
 bool isOfJitter(MotionKind kind) {
-  return kind == MotionKind::JitterOfThis || kind == MotionKind::JitterOfPrevious ||
-         kind == MotionKind::JitterOfBoth || kind == MotionKind::JitterTakenOff;
+  switch (kind) {
+  case MotionKind::JitterOfThis:
+  case MotionKind::JitterOfPrevious:
+  case MotionKind::JitterOfBoth:
+  case MotionKind::JitterTakenOff:
+  case MotionKind::JitterOfThisTakenOff:
+  case MotionKind::JitterOfPreviousTakenOff:
+    return true;
+  default:
+    return false;
+  }
 }
 
 std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx) {
@@ -92,7 +103,8 @@ std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx) {
   for (const MotionKind kind :
        {MotionKind::AsGiven, MotionKind::Resting, MotionKind::MirroredX, MotionKind::MirroredY,
         MotionKind::Opposite, MotionKind::SwappedAxes, MotionKind::JitterOfThis, MotionKind::JitterOfPrevious,
-        MotionKind::JitterOfBoth, MotionKind::JitterTakenOff, MotionKind::FrameLate, MotionKind::FrameEarly})
+        MotionKind::JitterOfBoth, MotionKind::JitterTakenOff, MotionKind::JitterOfThisTakenOff,
+        MotionKind::JitterOfPreviousTakenOff, MotionKind::FrameLate, MotionKind::FrameEarly})
     trials.push_back({kind});
   for (const float factor :
        {0.5f, 2.0f, 0.25f, 1.0f / 3.0f, 2.0f / 3.0f, 0.75f, 4.0f / 3.0f, 1.5f, 3.0f, 4.0f})
@@ -170,6 +182,10 @@ std::optional<glm::vec2> trueMotion(const MotionTrial& trial, const FrameNeighbo
     return given - (jitter - previousJitter);
   case MotionKind::JitterTakenOff:
     return given + (jitter - previousJitter);
+  case MotionKind::JitterOfThisTakenOff:
+    return given + jitter;
+  case MotionKind::JitterOfPreviousTakenOff:
+    return given - previousJitter;
   case MotionKind::FrameLate:
     if (!frames.after || frames.after->startsHistory || frames.after->motionPx.empty()) return {};
     return knownMotion(frames.after->motionAt(pixel.x, pixel.y));

@@ -31,13 +31,16 @@ enum class MotionKind : std::uint8_t {
   JitterOfThis, ///< m holds the jitter of this frame; of the frame before; the difference of both
   JitterOfPrevious,
   JitterOfBoth,
-  JitterTakenOff, ///< the difference was taken off though m had none
-  FrameLate,      ///< m is that of the frame before
-  FrameEarly,     ///< m is that of the frame after
-  Encoded,        ///< m is ½ + ½ of what it should be, in shares of the picture
-  Root,           ///< m is the root of what it should be, in shares of the picture
-  TwoFramesOld,   ///< m goes back two frames
-  CameraTurned,   ///< m was made with a previous camera that is turned; moved; mirrored; never set
+  JitterTakenOff, ///< the difference was taken off though m had none; likewise that of this frame alone, of
+                  ///< the frame before
+  JitterOfThisTakenOff,
+  JitterOfPreviousTakenOff,
+  FrameLate,    ///< m is that of the frame before
+  FrameEarly,   ///< m is that of the frame after
+  Encoded,      ///< m is ½ + ½ of what it should be, in shares of the picture
+  Root,         ///< m is the root of what it should be, in shares of the picture
+  TwoFramesOld, ///< m goes back two frames
+  CameraTurned, ///< m was made with a previous camera that is turned; moved; mirrored; never set
   CameraBeside,
   CameraMirrored,
   CameraIdentity,

@@ -154,6 +154,8 @@ bool isParticular(const MotionTrial& trial) {
   case MotionKind::JitterOfPrevious:
   case MotionKind::JitterOfBoth:
   case MotionKind::JitterTakenOff:
+  case MotionKind::JitterOfThisTakenOff:
+  case MotionKind::JitterOfPreviousTakenOff:
   case MotionKind::Encoded:
   case MotionKind::Root:
   case MotionKind::CameraTurned:

@@ -140,6 +140,11 @@ std::string nearestText(const ResolveFit& fit) {
       shortNumber(kPer1000 * fit.error));
 }
 
+/// Whether history is read elsewhere than motion leads.
+bool isOfReading(ResolveKind kind) {
+  return kind == ResolveKind::ReadJittered || kind == ResolveKind::InPlace || kind == ResolveKind::Opposite;
+}
+
 /// The kind that explains a set much better than any sound model, in nearly all pairs.
 std::optional<ResolveFit> mistakeOf(const ResolveEvidence& evidence, PixelSet set) {
   const auto sound = evidence.best(ResolveKind::Sound, set);
@@ -370,6 +375,11 @@ void tellResolve(const ResolveEvidence& evidence, bool areInputsRight, Diagnosis
   const double least = mistake ? mistake->error : sound->error;
   if (!areInputsRight && least > kExact)
     return leaveUndecided(say<"the frames that it is made of are wrong">(), say<"Mend these first.">(), out);
+  // Motion that is stated otherwise than it is used looks like history that is read elsewhere.
+  if (!areInputsRight && mistake && isOfReading(modelOf(*mistake).kind))
+    return leaveUndecided(say<"it is made as if %1, which what is wrong with its frames may be as well">(
+                              resolveKindText(modelOf(*mistake).kind)),
+                          say<"Mend these first.">(), out);
   if (tellStuckAlpha(evidence, mistake, out)) return;
   const bool isMistaken = mistake && pairsWon(evidence, *mistake, *sound) >= kPairsWon;
   if (isMistaken)

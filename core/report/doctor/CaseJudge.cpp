@@ -36,10 +36,16 @@ bool leavesOpen(const doctor::Undecided& open, Fault fault) {
   return std::ranges::find(open.faults, fault) != open.faults.end();
 }
 
-bool isOpenIn(const Diagnosis& diagnosis, const std::vector<Fault>& faults) {
-  return std::ranges::any_of(diagnosis.undecided, [&](const doctor::Undecided& open) {
-    return std::ranges::any_of(faults, [&](Fault fault) { return leavesOpen(open, fault); });
-  });
+bool isOpenIn(const Diagnosis& diagnosis, Fault fault) {
+  return std::ranges::any_of(diagnosis.undecided,
+                             [&](const doctor::Undecided& open) { return leavesOpen(open, fault); });
+}
+
+/// Of the fault, or of all of several that are not named.
+bool isOpenIn(const Diagnosis& diagnosis, const JudgedCase& judged) {
+  std::vector<Fault> asked = judged.tried.faults;
+  if (asked.size() > 1) std::erase_if(asked, [&](Fault fault) { return isNamed(fault, judged); });
+  return std::ranges::all_of(asked, [&](Fault fault) { return isOpenIn(diagnosis, fault); });
 }
 
 bool isFound(const Diagnosis& diagnosis, const std::string& id) {
@@ -119,6 +125,14 @@ std::vector<std::string> CaseJudge::sameAs(const Frames& frames, const JudgedCas
   return out;
 }
 
+bool CaseJudge::showsBeside(const Frames& frames, const DoctorCase& tried) {
+  return std::ranges::all_of(tried.faults, [&](Fault fault) {
+    DoctorCase without = tried;
+    std::erase(without.faults, fault);
+    return shownBetween(frames, without.faults.empty() ? healthy_ : framesOf(without)).shows();
+  });
+}
+
 JudgedCase CaseJudge::judge(const PlannedCase& planned, const Progress& progress) {
   open(planned, progress);
   JudgedCase out;
@@ -129,14 +143,14 @@ JudgedCase CaseJudge::judge(const PlannedCase& planned, const Progress& progress
   }
   const Frames frames = framesOf(planned.tried);
   const Diagnosis diagnosis = diagnosisOf(frames, progress);
-  out.shows = shownBetween(frames, healthy_).shows();
-  out.isOpen = isOpenIn(diagnosis, planned.tried.faults);
+  out.shows = showsBeside(frames, planned.tried);
   for (const doctor::Finding& finding : diagnosis.findings) {
     if (isFound(ofHealthy_, finding.id) && !isOneOf(planned.tried.faults, finding.id)) continue;
     out.named.push_back(finding.id);
     // What it is not told from stands behind it.
     out.named.insert(out.named.end(), finding.alike.begin(), finding.alike.end());
   }
+  out.isOpen = isOpenIn(diagnosis, out);
   if (out.tried.faults.size() == 1 && out.shows) out.same = sameAs(frames, out);
   return out;
 }

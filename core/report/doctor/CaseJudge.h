@@ -26,6 +26,8 @@ class CaseJudge {
   void open(const PlannedCase& planned, const Progress& progress);
   Frames framesOf(const DoctorCase& tried);
   doctor::Diagnosis diagnosisOf(const Frames& frames, const Progress& progress) const;
+  /// Whether each fault makes frames differ from those without it.
+  bool showsBeside(const Frames& frames, const DoctorCase& tried);
   /// Of what is named, other faults that make the same frames.
   std::vector<std::string> sameAs(const Frames& frames, const JudgedCase& judged);
 

@@ -27,11 +27,13 @@ struct DoctorCase {
 
 struct JudgedCase {
   DoctorCase tried;
-  bool shows = false; ///< frames differ from the healthy ones by what one sees
+  /// Frames differ from those without the fault by what one sees; of several for each, beside the others.
+  bool shows = false;
   /// Ids of findings in their order, without those that the healthy frames have as well.
   std::vector<std::string> named;
   std::vector<std::string> same; ///< of `named`: other faults that make the same frames
-  bool isOpen = false;           ///< a question of a fault's part is not decided, with its reason
+  /// A question of the fault's part is not decided, with its reason; of several for each that is not named.
+  bool isOpen = false;
 };
 
 /// What became of a case with one fault.

@@ -112,6 +112,7 @@ void addHealthy(std::ostream& out, const Cases& judged) {
 /// Which of two faults are named.
 struct PairCounts {
   std::size_t pairs = 0, both = 0, one = 0;
+  std::size_t open = 0; ///< not both, and what is not named is said not to be decided
 
   void add(const JudgedCase& pair) {
     const auto named =
@@ -119,9 +120,14 @@ struct PairCounts {
     ++pairs;
     if (named == 2) ++both;
     if (named == 1) ++one;
+    if (named < 2 && pair.isOpen) ++open;
   }
   std::string text() const {
-    return "both are named in " + caseShare(both, pairs) + ", one of them in " + caseShare(one, pairs);
+    const std::string text =
+        "both are named in " + caseShare(both, pairs) + ", one of them in " + caseShare(one, pairs);
+    if (both == pairs) return text;
+    return text + "; where not both are, the rest is said not to be decided in " +
+           caseShare(open, pairs - both);
   }
 };
 
@@ -199,7 +205,7 @@ std::string doctorConfusions(const std::vector<JudgedCase>& judged) {
   out << "\n### How often it is right\n\n`taa-batch confusions resources/doctor/judged.csv` injects the "
          "faults "
          "of this page and writes down what the doctor says; this part is made from that file. A fault is "
-         "shown where frames differ from the healthy ones by what one sees, in jitter or in pixels enough to "
+         "shown where frames differ from those without it by what one sees, in jitter or in pixels enough to "
          "be "
          "a region; it is named first, too, where another name stands first that makes the same frames. ";
   addTried(out, judged);

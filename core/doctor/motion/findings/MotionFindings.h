@@ -15,9 +15,15 @@ namespace taa::doctor {
 /// `allPixels`: of all frames that were looked at.
 RegionPlace placeOf(const Region& region, const Patient& patient, double allPixels);
 
+/// One explanation of the motion of all or most of the picture, with the finding that tells it.
+struct MotionOfAll {
+  MotionTrial trial;
+  Finding finding;
+};
+
 /// Adds findings, what is undecided and what is right about the motion of all regions. Expects that motion
 /// is known. Returns what the motion of all or most of the picture is told by, where that is one explanation.
-std::optional<MotionTrial> tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
+std::optional<MotionOfAll> tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
                                       const Patient& patient, const RimsSeen& rims, Diagnosis& out);
 
 } // namespace taa::doctor

@@ -71,10 +71,19 @@ MotionFault cameraFault(const Region& region, const RegionEvidence& evidence) {
 }
 
 MotionFault jitterLeftFault(MotionKind kind) {
-  if (kind == MotionKind::JitterTakenOff)
-    return {"motionJitterTakenOff", say<"Jitter taken off motion that had none">(),
-            say<"The whole picture trembles, at rest too.">(),
-            say<"Take no jitter off: the matrices that motion is made with have none.">()};
+  const bool isTakenOff = kind == MotionKind::JitterTakenOff || kind == MotionKind::JitterOfThisTakenOff ||
+                          kind == MotionKind::JitterOfPreviousTakenOff;
+  if (isTakenOff)
+    return {
+        "motionJitterTakenOff", say<"Jitter taken off motion that had none">(),
+        say<"The whole picture trembles, at rest too.">(),
+        kind == MotionKind::JitterTakenOff
+            ? say<"Take no jitter off, or state that it is in motion no more: the matrices that motion is "
+                  "made with have none.">()
+        : kind == MotionKind::JitterOfThisTakenOff
+            ? say<"Take this frame's jitter off no more, or state that motion does not hold it.">()
+            : say<"Take the jitter of the frame before off no more, or state that motion does not hold "
+                  "it.">()};
   const std::string change = say<"Make motion with both frames' projections without jitter, or state which "
                                  "jitter is in it.">();
   if (kind == MotionKind::JitterOfThis) return ofTable(Fault::MotionJitterThis, change);
@@ -183,6 +192,8 @@ MotionFault motionFault(const MotionTrial* trial, const Region& region, const Re
   case MotionKind::JitterOfPrevious:
   case MotionKind::JitterOfBoth:
   case MotionKind::JitterTakenOff:
+  case MotionKind::JitterOfThisTakenOff:
+  case MotionKind::JitterOfPreviousTakenOff:
     return jitterLeftFault(trial->kind);
   case MotionKind::FrameLate:
   case MotionKind::FrameEarly:

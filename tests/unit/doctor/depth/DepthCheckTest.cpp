@@ -76,6 +76,32 @@ TEST(DepthCheck, DoesNotDecideWhereDepthsAreAlike) {
   EXPECT_EQ(diagnosis.undecided.size(), 1u);
 }
 
+// Stated from −1 to 1, and stored from 0 to 1.
+TEST(DepthCheck, NamesAnotherRange) {
+  EXPECT_EQ(foundIn([](double depth) { return 0.5 + 0.5 * depth; }), "depthRange");
+}
+
+// A hundredth more than the nearest: too alike for anything but an exact fit.
+TEST(DepthCheck, NamesWhatFitsExactlyThoughDepthsAreNearlyAlike) {
+  EXPECT_EQ(diagnosisOf(passingFrame([](double depth) { return 0.5 * depth; }, 0.001)).findings.at(0).id,
+            "nearPlaneWrong");
+}
+
+TEST(DepthCheck, TellsDistancesFromTheEyeFromThoseAlongTheAxis) {
+  DepthEvidence evidence;
+  for (int i = 0; i < 1000; ++i) {
+    const double depth = 0.05 + 0.0003 * i, ray = 1.0 + 0.0005 * (i % 400);
+    evidence.samples.push_back({depth / ray, depth, ray});
+  }
+  Diagnosis distances, device;
+  tellDepth(evidence, distances, {.isDistance = true});
+  ASSERT_EQ(distances.findings.size(), 1u);
+  EXPECT_EQ(distances.findings[0].id, "depthAlong");
+  EXPECT_NE(distances.findings[0].change.find("from the eye"), std::string::npos);
+  tellDepth(evidence, device);
+  EXPECT_TRUE(device.isHealthy()) << "device depth has no rays";
+}
+
 TEST(DepthCheck, LeavesOutWhatMovesByItself) {
   DoctorFrame frame = passingFrame([](double depth) { return depth; });
   for (std::size_t i = 1; i < frame.motionPx.pixels.size(); i += 2) frame.motionPx.pixels[i] = 0.5f;

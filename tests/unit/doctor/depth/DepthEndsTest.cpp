@@ -45,6 +45,26 @@ TEST(DepthEnds, AreNotTurnedWhereDistancesAreStored) {
   EXPECT_NEAR(distances.least, 0.02, 1e-6); // the last row, 2 m away
 }
 
+// Device depth that is taken for a distance in meters is nearer than any near plane.
+TEST(DepthEnds, AreAllNearWhereDepthIsOfAnotherKind) {
+  const DepthEnds all = endsOf([](std::optional<double> m) { return m ? 1.0 : 0.0; });
+  EXPECT_TRUE(all.isAllNear());
+  EXPECT_FALSE(all.isDrawnFar());
+  EXPECT_FALSE(endsOf([](std::optional<double> m) { return m ? 0.1 / *m : 0.0; }).isAllNear());
+}
+
+TEST(DepthEnds, AreDrawnFarWhereNumbersSayThatSomethingIsThere) {
+  DoctorFrame frame;
+  frame.depth = Image(kWidth, kHeight, 1);
+  DepthEnds sky;
+  sky.add(frame);
+  EXPECT_FALSE(sky.isDrawnFar()) << "without numbers it may be the sky";
+  frame.objectId.assign(frame.depth.pixels.size(), 3);
+  DepthEnds ends;
+  ends.add(frame);
+  EXPECT_TRUE(ends.isDrawnFar());
+}
+
 // A weapon or an interface that is drawn in the near plane has the sky, or what is far away, beside it.
 TEST(DepthEnds, AreNotTurnedBySomethingInTheNearPlane) {
   EXPECT_FALSE(endsOf([](std::optional<double> m) {

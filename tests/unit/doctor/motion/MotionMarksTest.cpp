@@ -14,11 +14,12 @@ namespace taa::doctor {
 TEST(MotionMarks, AreLongerThanThePictureNearlyEverywhere) {
   RegionEvidence region;
   region.seen = 1000;
-  region.outside = 900;
+  region.outside = 1000;
+  region.marks = 900;
   EXPECT_TRUE(isUnwrittenMark(region));
-  region.outside = 899;
+  region.marks = 899; // motion of another unit is as long, and not one value
   EXPECT_FALSE(isUnwrittenMark(region));
-  region.seen = region.outside = 449; // too few
+  region.seen = region.marks = 449; // too few
   EXPECT_FALSE(isUnwrittenMark(region));
 }
 
