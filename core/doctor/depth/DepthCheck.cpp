@@ -307,6 +307,11 @@ bool isOfForm(RelationKind kind) {
   return kind == RelationKind::Reversed || kind == RelationKind::Linear || kind == RelationKind::HalfRange;
 }
 
+/// Whether it would be a distance, and its values over flat surfaces are not those of one.
+bool isAgainstForm(RelationKind kind, const DepthForm& form) {
+  return kind == RelationKind::Linear && !form.isDistance().value_or(true);
+}
+
 /// The relation that fits where what is stated does not, and none of the others nearly as well; null: none.
 const DepthRelation* clearRelation(const std::vector<DepthRelation>& relations,
                                    const std::vector<DepthSample>& samples) {
@@ -341,7 +346,7 @@ std::optional<DepthRelation> otherDepth(const DepthEvidence& evidence) {
   if (evidence.samples.size() >= kEnoughDepths) {
     const std::vector<DepthRelation> relations = depthRelations(evidence.samples);
     const DepthRelation* best = clearRelation(relations, evidence.samples);
-    if (best && isOfForm(best->kind)) return *best;
+    if (best && isOfForm(best->kind) && !isAgainstForm(best->kind, evidence.form)) return *best;
     if (relations.front().residual <= kFittingLog) return {};
   }
   const auto kind = kindByValues(evidence);
@@ -410,7 +415,8 @@ void tellDepth(const DepthEvidence& evidence, Diagnosis& out, const DepthPatient
     out.healthy.push_back(say<"Depth and matrices make the motion of what rests.">());
     return;
   }
-  if (const DepthRelation* best = isMeasured ? clearRelation(relations, evidence.samples) : nullptr) {
+  const DepthRelation* best = isMeasured ? clearRelation(relations, evidence.samples) : nullptr;
+  if (best && !isAgainstForm(best->kind, evidence.form)) {
     out.findings.push_back(depthFinding(relations, *best, evidence.samples.size()));
     return;
   }

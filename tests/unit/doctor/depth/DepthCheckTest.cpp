@@ -76,6 +76,18 @@ TEST(DepthCheck, DoesNotDecideWhereDepthsAreAlike) {
   EXPECT_EQ(diagnosis.undecided.size(), 1u);
 }
 
+// Motion that is twice as long may ask for a distance; the values stored are none.
+TEST(DepthCheck, TellsNoDistanceAgainstTheFormOfItsValues) {
+  DepthEvidence evidence;
+  evidence.add(passingFrame([](double depth) { return 0.01 / depth; }));
+  ASSERT_TRUE(otherDepth(evidence));
+  evidence.form = {.even = 300, .evenReciprocal = 12};
+  EXPECT_FALSE(otherDepth(evidence));
+  Diagnosis out;
+  tellDepth(evidence, out);
+  EXPECT_TRUE(out.isHealthy());
+}
+
 // Stated from −1 to 1, and stored from 0 to 1.
 TEST(DepthCheck, NamesAnotherRange) {
   EXPECT_EQ(foundIn([](double depth) { return 0.5 + 0.5 * depth; }), "depthRange");
