@@ -20,6 +20,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -155,6 +156,7 @@ struct Hiding {
 /// What an earlier look told of.
 struct ToldOf {
   bool depth = false, jitter = false, motion = false;
+  std::vector<std::string> ofMotion = {}; ///< ids of what was found beside motion that was mended
 };
 
 /// Says what is hidden where it is not looked at again.
@@ -170,11 +172,11 @@ void leaveOpen(const Hiding& hiding, Diagnosis& out) {
 
 /// Motion, and depth as far as motion is a witness of it. `mayMend`: motion that one explanation makes right
 /// everywhere is told alone, and returned as what hides the rest.
-Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, const ToldOf& told,
-                  Diagnosis& out) {
+Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, ToldOf& told, Diagnosis& out) {
   Diagnosis seen = out;
   const std::optional<MotionOfAll> all = examiner.tellMotion(seen);
   if (all && mayMend && !told.motion && mendsAlone(all->trial)) {
+    for (const Finding& finding : seen.findings) told.ofMotion.push_back(finding.id);
     std::ranges::copy_if(seen.findings, std::back_inserter(out.findings), isOfMarks);
     out.findings.push_back(all->finding);
     Hiding hiding;
@@ -182,8 +184,17 @@ Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, const
     return hiding;
   }
   const auto before = static_cast<std::ptrdiff_t>(out.findings.size());
-  // What is right once motion is mended, is not right.
-  if (told.motion) seen.healthy = out.healthy;
+  // What is right once motion is mended, is not right; and what is wrong only then, and not everywhere, is
+  // what mending has made of it.
+  if (told.motion) {
+    seen.healthy = out.healthy;
+    seen.findings.erase(std::remove_if(seen.findings.begin() + before, seen.findings.end(),
+                                       [&](const Finding& finding) {
+                                         return !finding.isWholePicture &&
+                                                std::ranges::count(told.ofMotion, finding.id) == 0;
+                                       }),
+                        seen.findings.end());
+  }
   out = std::move(seen);
   const bool isMotionRight = static_cast<std::ptrdiff_t>(out.findings.size()) == before;
   const bool isMotionWrong = std::any_of(out.findings.begin() + before, out.findings.end(), isOfMuch);
