@@ -26,6 +26,7 @@ FrameReader withDepth(FrameReader read, DepthRelation relation) {
 }
 
 bool mendsAlone(const MotionTrial& trial) {
+  if (isOfJitter(trial.kind)) return true;
   switch (trial.kind) {
   case MotionKind::Scaled:
   case MotionKind::OtherUnit:
@@ -33,12 +34,6 @@ bool mendsAlone(const MotionTrial& trial) {
   case MotionKind::MirroredY:
   case MotionKind::Opposite:
   case MotionKind::SwappedAxes:
-  case MotionKind::JitterOfThis:
-  case MotionKind::JitterOfPrevious:
-  case MotionKind::JitterOfBoth:
-  case MotionKind::JitterTakenOff:
-  case MotionKind::JitterOfThisTakenOff:
-  case MotionKind::JitterOfPreviousTakenOff:
   case MotionKind::Encoded:
   case MotionKind::Root:
     return true;

@@ -149,13 +149,8 @@ bool isFitted(const MotionTrial& trial) {
 }
 
 bool isParticular(const MotionTrial& trial) {
+  if (isOfJitter(trial.kind)) return true;
   switch (trial.kind) {
-  case MotionKind::JitterOfThis:
-  case MotionKind::JitterOfPrevious:
-  case MotionKind::JitterOfBoth:
-  case MotionKind::JitterTakenOff:
-  case MotionKind::JitterOfThisTakenOff:
-  case MotionKind::JitterOfPreviousTakenOff:
   case MotionKind::Encoded:
   case MotionKind::Root:
   case MotionKind::CameraTurned:
