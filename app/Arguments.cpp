@@ -7,6 +7,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/ShownText.h"
+#include "core/cli/EmptyValues.h"
 #include "core/io/CameraTrackJson.h"
 #include "core/lessons/Lesson.h"
 #include "core/lessons/LessonText.h"
@@ -84,7 +85,7 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
       ->type_name("WxH");
   app.add_option("--frame", texts.frame, "Go to frame N and pause")
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, kMaxShotFrames - 1));
   app.add_option("--pixel", texts.pixel, "Probe this pixel")->type_name("X,Y");
   app.add_option("--zoom", texts.zoom, "Screen pixels for each pixel, around the probe")
       ->type_name("Z")
@@ -242,6 +243,7 @@ std::optional<EarlyEnd> parseArguments(int argc, const char* const* argv, Argume
   Texts texts;
   addOptions(app, arguments, texts);
   addSceneOptions(app, arguments, texts);
+  cli::refuseEmptyValues(app);
   try {
     app.parse(argc, argv);
     readTexts(texts, arguments);

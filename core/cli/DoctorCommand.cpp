@@ -4,7 +4,8 @@
 #include "core/base/Files.h"
 #include "core/base/Say.h"
 #include "core/cli/Commands.h"
-#include "core/cli/Shot.h"
+#include "core/cli/shot/PlanChecks.h"
+#include "core/cli/shot/Shot.h"
 #include "core/doctor/Doctor.h"
 #include "core/doctor/mending/MendedLook.h"
 #include "core/gl/Context.h"
@@ -47,13 +48,18 @@ void refuseFiles(const DoctorArguments& arguments) {
 }
 
 doctor::DoctorSource openedSource(const ShotPlan& plan, const Progress& progress) {
-  doctor::DoctorSource source = doctor::openForDoctor(
-      {plan.source, plan.camera, plan.size, plan.lanes.front().settings, plan.choice}, progress);
-  if (plan.track) source.request.track = std::make_shared<const CameraTrack>(*plan.track);
-  source.request.motionModes = plan.motionModes;
-  source.request.filter = plan.filter;
-  source.request.objectClasses = plan.objectClasses;
-  source.request.restarts = plan.restarts;
+  const ShotWishes wishes = wishesOf(plan);
+  doctor::DoctorSource source;
+  openChosen(plan, [&] {
+    source = doctor::openForDoctor(
+        {plan.source, wishes.camera, plan.size, plan.lanes.front().settings, plan.choice}, progress);
+  });
+  checkWishes(plan, {source.scene.get(), source.frameCount});
+  if (wishes.track) source.request.track = std::make_shared<const CameraTrack>(*wishes.track);
+  source.request.motionModes = wishes.motionModes;
+  source.request.filter = wishes.filter;
+  source.request.objectClasses = wishes.objectClasses;
+  source.request.restarts = wishes.restarts;
   return source;
 }
 

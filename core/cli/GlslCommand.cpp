@@ -3,7 +3,7 @@
 
 #include "core/base/ExistingFiles.h"
 #include "core/base/Files.h"
-#include "core/cli/Shot.h"
+#include "core/cli/shot/Shot.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 #include "core/taa/glsl/GlslExport.h"

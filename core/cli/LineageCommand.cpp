@@ -1,7 +1,7 @@
 // taa-batch lineage: which samples one pixel of one frame is made of.
 #include "core/cli/Commands.h"
-#include "core/cli/Shot.h"
 #include "core/cli/Table.h"
+#include "core/cli/shot/Shot.h"
 #include "core/report/LineageReport.h"
 #include "core/verdict/lineage/LineageWords.h"
 
@@ -20,7 +20,7 @@ void runLineage(const LineageArguments& arguments, std::ostream& out, const Prog
   if (frame < 0) throw UsageError("--frame is required: the number of a frame, from 0");
   Inspector inspector;
   openShot(inspector, arguments.shot, plan, progress);
-  requireFrame(inspector, frame);
+  requireFrame(inspector, plan, frame);
   requirePixel(inspector, pixel);
   inspector.shot().seek(frame, progress);
 

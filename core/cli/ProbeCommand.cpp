@@ -2,8 +2,8 @@
 #include "core/cli/Commands.h"
 
 #include "core/base/Error.h"
-#include "core/cli/Shot.h"
 #include "core/cli/Table.h"
+#include "core/cli/shot/Shot.h"
 #include "core/inspect/ShownPicture.h"
 #include "core/inspect/verdicts/WorstOfShot.h"
 #include "core/io/FrameJson.h"
@@ -177,7 +177,7 @@ void runProbe(const ProbeArguments& arguments, std::ostream& out, const Progress
   if (frame < 0) throw UsageError("--frame is required: the number of a frame, from 0");
   Inspector inspector;
   openShot(inspector, arguments.shot, plan, progress);
-  requireFrame(inspector, frame);
+  requireFrame(inspector, plan, frame);
   if (!arguments.pixel.empty()) requirePixel(inspector, parsePixel(arguments.pixel));
   if (!arguments.region.empty()) inspector.views().watch(resolvedRows(arguments)); // exposed in one run
   inspector.shot().seek(frame, progress);

@@ -3,8 +3,8 @@
 
 #include "core/base/Error.h"
 #include "core/base/Median.h"
-#include "core/cli/Shot.h"
 #include "core/cli/Table.h"
+#include "core/cli/shot/Shot.h"
 #include "core/io/FrameJson.h"
 
 #include <algorithm>
@@ -116,7 +116,7 @@ void runProfile(const ProfileArguments& arguments, std::ostream& out, const Prog
     throw UsageError("--frames " + arguments.frames + ": frame 0 has no history; start from 1");
   Inspector inspector;
   openShot(inspector, arguments.shot, plan, progress);
-  requireFrame(inspector, frames.last);
+  requireFrame(inspector, plan, frames.last);
   inspector.shot().seek(frames.first, progress); // compiles: nothing of that is measured
   inspector.shot().seek(frames.first - 1, progress);
   inspector.profiler().setProfiling(true);

@@ -298,7 +298,7 @@ void runRender(const RenderArguments& arguments, std::ostream& out, const Progre
     sayScene(inspector.shot().scene());
     sayMemory(inspector, ids); // what is open says its size, and whether it has fog
   }
-  requireFrame(inspector, range.last);
+  requireFrame(inspector, plan, range.last);
   if (!arguments.force)
     refuseToReplace(captured ? sequenceFiles(*captured)
                              : plannedFiles(arguments, plan, range, ids, pictures));

@@ -1,7 +1,7 @@
 // taa-batch trace: intermediates at pixels over frames.
 #include "core/base/Error.h"
 #include "core/cli/Commands.h"
-#include "core/cli/Shot.h"
+#include "core/cli/shot/Shot.h"
 #include "core/report/TraceText.h"
 
 #include <nlohmann/json.hpp>
@@ -23,7 +23,7 @@ void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress
         {{parsePixel(pixel), arguments.surface ? Follow::Surface : Follow::Screen, range.first, {}}, {}});
   Inspector inspector;
   openShot(inspector, arguments.shot, plan, progress);
-  requireFrame(inspector, range.last);
+  requireFrame(inspector, plan, range.last);
   for (const std::string& pixel : arguments.pixels) requirePixel(inspector, parsePixel(pixel));
   if (arguments.surface && inspector.shot().capture())
     throw UsageError("--surface: a capture has no surfaces to follow, only pictures of them; leave it out");

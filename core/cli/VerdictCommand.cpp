@@ -1,6 +1,6 @@
 // taa-batch verdict: what is wrong with one pixel of one frame, or with all of it.
 #include "core/cli/Commands.h"
-#include "core/cli/Shot.h"
+#include "core/cli/shot/Shot.h"
 #include "core/report/verdicts/MapReport.h"
 #include "core/report/verdicts/VerdictReport.h"
 
@@ -66,7 +66,7 @@ void runVerdict(const VerdictArguments& arguments, std::ostream& out, const Prog
   if (frame < 0) throw UsageError("--frame is required: the number of a frame, from 0");
   Inspector inspector;
   openShot(inspector, arguments.shot, plan, progress);
-  requireFrame(inspector, frame);
+  requireFrame(inspector, plan, frame);
   if (isOfPixel) requirePixel(inspector, parsePixel(arguments.pixel));
   inspector.shot().seek(frame, progress);
   if (isOfPixel) return printOfPixel(arguments, plan, inspector, out, progress);

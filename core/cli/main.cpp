@@ -3,15 +3,17 @@
 #include "core/base/ShownText.h"
 #include "core/base/Text.h"
 #include "core/cli/Commands.h"
-#include "core/cli/ShotOptions.h"
+#include "core/cli/EmptyValues.h"
 #include "core/cli/Terminal.h"
 #include "core/cli/doctor/ConfusionsOptions.h"
 #include "core/cli/lessons/LessonsOptions.h"
+#include "core/cli/shot/ShotOptions.h"
 #include "core/cli/sweep/SweepOptions.h"
 #include "core/doctor/Diagnosis.h"
 #include "core/inspect/Comparison.h"
 #include "core/measure/Flicker.h"
 #include "core/measure/Metrics.h"
+#include "core/scene/ShotChoice.h"
 #include "core/verdict/lineage/Lineage.h"
 
 #include <CLI/CLI.hpp>
@@ -152,7 +154,7 @@ void addProbe(CLI::App& app, ProbeArguments& probe, const taa::Progress& progres
       "Print every intermediate at one pixel of one frame, or how their values are spread over a region");
   addShotOptions(*command, probe.shot);
   command->add_option("--frame", probe.frame, "Number of the frame, from 0; else the session's")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, taa::kMaxShotFrames - 1));
   command->add_option("--pixel", probe.pixel, "X,Y; 0,0 is the top left");
   command
       ->add_option("--find", probe.find,
@@ -186,7 +188,7 @@ void addLineage(CLI::App& app, LineageArguments& lineage, const taa::Progress& p
       "lineage", "Print which samples of the frames before one pixel of one frame is made of");
   addShotOptions(*command, lineage.shot);
   command->add_option("--frame", lineage.frame, "Number of the frame, from 0; else the session's")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, taa::kMaxShotFrames - 1));
   command->add_option("--pixel", lineage.pixel, "X,Y; 0,0 is the top left")->required();
   command->add_option("--frames", lineage.frames, "How many frames are followed back, with the frame itself")
       ->check(CLI::Range(1, taa::kMaxLineageFrames))
@@ -203,7 +205,7 @@ void addVerdict(CLI::App& app, VerdictArguments& verdict, const taa::Progress& p
       "worst pixels of each");
   addShotOptions(*command, verdict.shot);
   command->add_option("--frame", verdict.frame, "Number of the frame, from 0; else the session's")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, taa::kMaxShotFrames - 1));
   CLI::Option* pixel = command->add_option("--pixel", verdict.pixel, "X,Y; 0,0 is the top left");
   command->add_option("--worst", verdict.worst, "Without a pixel: worst pixels of each, 0 to 1000")
       ->check(CLI::Range(0, 1000))
@@ -417,6 +419,7 @@ int run(int argc, char** argv) {
   addTune(app, tune, progress);
   addLessons(app, lessons, progress, isMistaken);
   addManual(app, manual);
+  refuseEmptyValues(app);
   requireCommand(app, argc, argv);
   try {
     app.parse(argc, argv);

@@ -9,6 +9,7 @@
 #include "core/inspect/ShotProfiler.h"
 #include "core/picture/Visualizer.h"
 #include "core/render/CaptureFacts.h"
+#include "core/render/FrameClock.h"
 #include "core/replay/ShotPlayer.h"
 #include "core/scene/Pose.h"
 #include "core/settings/Parameters.h"
@@ -302,10 +303,7 @@ const std::vector<int>& InspectedShot::restarts() const {
 
 void InspectedShot::setRestarts(std::vector<int> frames) {
   assert(player_.isOpen());
-  for (const int frame : frames)
-    if (frame < 0 || frame >= frameCount())
-      throw Error(say<"cannot restart the history at frame %1: the shot has frames 0 to %2">(
-          frame, frameCount() - 1));
+  checkRestarts(frames, frameCount());
   std::ranges::sort(frames);
   frames.erase(std::ranges::unique(frames).begin(), frames.end());
   std::erase(frames, 0); // history starts there anyway
@@ -325,8 +323,7 @@ void InspectedShot::setCameraTrack(CameraTrack track) {
   assert(player_.isOpen());
   requireScene();
   checkCameraTrack(track);
-  if (std::ranges::count(cameraNames(scene()), track.name) > 0)
-    throw Error(say<"the scene has a camera called \"%1\" already; give the path another name">(track.name));
+  requireNewCamera(scene(), track.name);
   ShotState next = player_.state();
   const CameraTrackHandle old = next.track();
   const auto made = std::make_shared<const CameraTrack>(std::move(track));

@@ -24,6 +24,7 @@ using nlohmann::ordered_json;
 constexpr std::uintmax_t kMaxTrackBytes = std::uintmax_t(64) << 20;
 constexpr int kMaxFirstFrame = 1'000'000;
 constexpr std::size_t kMaxNumbers = 6, kMinNumbers = 5;
+constexpr std::size_t kMaxPoses = 1'000'000;
 
 std::array<float, kMaxNumbers> numbersOf(const CameraPose& pose) {
   return {pose.position.x, pose.position.y, pose.position.z, pose.yaw, pose.pitch, pose.fovY};
@@ -37,6 +38,16 @@ CameraPose poseFrom(const std::vector<float>& numbers) {
   pose.pitch = numbers[4];
   if (numbers.size() == kMaxNumbers) pose.fovY = numbers[5];
   return pose;
+}
+
+CameraPose poseFrom(const nlohmann::json& row, const std::string& place) {
+  requireList(row, place, kMaxNumbers);
+  if (row.size() < kMinNumbers)
+    throw Error(say<"\"%1\" has %2 numbers; a pose is [x, y, z, yaw, pitch, fov]">(place, row.size()));
+  std::vector<float> numbers;
+  for (const nlohmann::json& number : row)
+    numbers.push_back(static_cast<float>(numberOf(number, elementOf(place, numbers.size()))));
+  return poseFrom(numbers);
 }
 
 } // namespace
@@ -76,28 +87,28 @@ ordered_json cameraTrackJson(const CameraTrack& track) {
   return {{"name", track.name}, {"firstFrame", track.firstFrame}, {"poses", std::move(poses)}};
 }
 
-CameraTrack cameraTrackFrom(const nlohmann::json& json) {
-  try {
-    CameraTrack track;
-    track.name = plainText(json.at("name").get<std::string>());
-    track.firstFrame = static_cast<int>(integerOf(json.at("firstFrame"), "firstFrame", 0, kMaxFirstFrame));
-    for (const nlohmann::json& row : json.at("poses")) {
-      const auto numbers = row.get<std::vector<float>>();
-      if (numbers.size() < kMinNumbers || numbers.size() > kMaxNumbers)
-        throw Error(say<"a pose is [x, y, z, yaw, pitch, fov]">());
-      track.poses.push_back(poseFrom(numbers));
-    }
-    checkCameraTrack(track);
-    return track;
-  } catch (const nlohmann::json::exception&) {
-    throw Error(
-        say<"a camera path is {\"name\", \"firstFrame\", \"poses\": [[x, y, z, yaw, pitch, fov], ...]}">());
-  }
+CameraTrack cameraTrackFrom(const nlohmann::json& json, const std::string& place) {
+  static constexpr std::string_view kKeys[] = {"name", "firstFrame", "poses"};
+  requireKeys(json, place, kKeys);
+  const auto given = [&](std::string_view key) -> const nlohmann::json& {
+    return requireField(json, place, key);
+  };
+  CameraTrack track;
+  track.name = plainText(textOf(given("name"), pathOf(place, "name")));
+  track.firstFrame =
+      static_cast<int>(integerOf(given("firstFrame"), pathOf(place, "firstFrame"), 0, kMaxFirstFrame));
+  const std::string list = pathOf(place, "poses");
+  requireList(given("poses"), list, kMaxPoses);
+  for (const nlohmann::json& row : given("poses"))
+    track.poses.push_back(poseFrom(row, elementOf(list, track.poses.size())));
+  checkCameraTrack(track);
+  return track;
 }
 
 CameraTrack readCameraTrack(const std::filesystem::path& path) {
+  const std::string text = readFile(path, kMaxTrackBytes);
   try {
-    return cameraTrackFrom(parseLimited(readFile(path, kMaxTrackBytes)));
+    return cameraTrackFrom(parseLimited(text));
   } catch (const Error& error) {
     throw Error(say<"cannot read the camera path %1: %2">(path.string(), error.what()));
   }

@@ -17,8 +17,9 @@ CameraPose parseCameraPose(const std::string& text);
 
 /// {"name": …, "firstFrame": …, "poses": [[x, y, z, yaw, pitch, fov], …]}
 nlohmann::ordered_json cameraTrackJson(const CameraTrack& track);
-/// Throws Error that says what is wrong with it.
-CameraTrack cameraTrackFrom(const nlohmann::json& json);
+/// `place`: its path in the file, empty where it is all of it. Throws Error that says what is wrong where.
+CameraTrack cameraTrackFrom(const nlohmann::json& json, const std::string& place = {});
+/// Throws Error that names the file.
 CameraTrack readCameraTrack(const std::filesystem::path& path);
 
 } // namespace taa

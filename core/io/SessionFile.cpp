@@ -18,7 +18,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <string_view>
 #include <utility>
 
@@ -35,58 +34,42 @@ constexpr std::size_t kLongestName = 4096, kMaxModes = 4096;
 constexpr std::size_t kMaxFurtherLanes = kMaxLanes - 1;
 constexpr int kMaxFrame = 1'000'000, kMaxSide = 32768, kMinSide = 4, kMaxMiB = 1 << 20;
 
-enum class Part { Session, Lane };
-
-void checkKeys(const Json& object, Part part, std::initializer_list<std::string_view> known) {
-  const bool isLane = part == Part::Lane;
-  if (!object.is_object())
-    throw Error(isLane ? say<"a lane is not an object">() : say<"the session is not an object">());
-  for (const auto& [key, value] : object.items()) {
-    if (std::ranges::find(known, key) != known.end()) continue;
-    const std::string shown = shownText(key);
-    throw Error(isLane ? say<"there is no field \"%1\" in a lane">(shown)
-                       : say<"there is no field \"%1\" in the session">(shown));
-  }
-}
-
-const Json& field(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  if (found == object.end()) throw Error(say<"the field \"%1\" is missing">(key));
-  return *found;
-}
-
-std::string nameFrom(const Json& value, const char* key) {
-  std::string text = textOf(value, key);
-  if (text.size() > kLongestName) throw Error(say<"\"%1\" is too long">(key));
+std::string nameFrom(const Json& value, const std::string& place) {
+  std::string text = textOf(value, place);
+  if (text.size() > kLongestName) throw Error(say<"\"%1\" is longer than %2 bytes">(place, kLongestName));
   return text;
 }
 
-int wholeFrom(const Json& value, const char* key, int least, int most) {
-  return static_cast<int>(integerOf(value, key, least, most));
+int wholeFrom(const Json& value, const std::string& place, int least, int most) {
+  return static_cast<int>(integerOf(value, place, least, most));
 }
 
 using Notes = std::vector<std::string>;
 
-SessionLane laneFromJson(const Json& preset, const Json& settings, const Json* presetSettings, Notes& notes) {
+/// Reads what settings(path) holds; errors name it.
+void settingsFrom(const Json& json, const std::string& place, Settings& settings, Notes& notes) {
+  try {
+    addNotes(notes, fromJson(json, settings));
+  } catch (const Error& error) {
+    throw Error(say<"\"%1\": %2">(place, error.what()));
+  }
+}
+
+/// `place`: of the object that has a lane's three fields.
+SessionLane laneFromJson(const Json& object, const std::string& place, Notes& notes) {
   SessionLane lane;
-  lane.preset = nameFrom(preset, "preset");
-  addNotes(notes, fromJson(settings, lane.settings));
+  lane.preset = nameFrom(requireField(object, place, "preset"), pathOf(place, "preset"));
+  settingsFrom(requireField(object, place, "settings"), pathOf(place, "settings"), lane.settings, notes);
   const auto known = std::ranges::find(builtinPresets(), lane.preset, &Preset::id);
   if (known != builtinPresets().end()) lane.presetSettings = known->settings;
-  if (presetSettings)
-    addNotes(notes, fromJson(*presetSettings, lane.presetSettings));
+  if (const Json* const own = findField(object, "presetSettings"))
+    settingsFrom(*own, pathOf(place, "presetSettings"), lane.presetSettings, notes);
   else if (known == builtinPresets().end()) {
     lane.presetSettings = lane.settings;
     addNotes(notes, {say<"there is no preset \"%1\"; the settings of the session are taken for it">(
                         shownText(lane.preset))});
   }
   return lane;
-}
-
-SessionLane laneFromJson(const Json& object, Notes& notes) {
-  const auto own = object.find("presetSettings");
-  return laneFromJson(field(object, "preset"), field(object, "settings"),
-                      own == object.end() ? nullptr : &*own, notes);
 }
 
 // What a built-in preset says is not said again.
@@ -98,39 +81,29 @@ void laneToJson(const SessionLane& lane, ordered_json& object) {
   object["settings"] = toJson(lane.settings);
 }
 
-std::vector<std::string> namesFromJson(const Json& object, const char* key) {
-  const Json list = object.value(key, Json::array());
-  if (!list.is_array() || list.size() > kMaxModes)
-    throw Error(say<"\"%1\" is not a list of at most %2 names">(key, kMaxModes));
-  std::vector<std::string> names;
-  for (const Json& name : list) names.push_back(nameFrom(name, key));
-  return names;
+/// What `read` makes of each entry of a list and its path; nothing where there is no list.
+template <typename Read>
+auto listFrom(const Json& object, const std::string& key, std::size_t most, Read read) {
+  std::vector<decltype(read(object, key))> entries;
+  const Json* const list = findField(object, key);
+  if (!list) return entries;
+  requireList(*list, key, most);
+  for (const Json& entry : *list) entries.push_back(read(entry, elementOf(key, entries.size())));
+  return entries;
 }
 
-std::vector<ClassOverride> classesFromJson(const Json& object) {
-  if (!object.is_object() || object.size() > kMaxModes)
-    throw Error(say<"\"%1\" is not an object of at most %2 names">("classes", kMaxModes));
-  std::vector<ClassOverride> classes;
-  for (const auto& [name, given] : object.items())
-    classes.push_back(parseClassOverride(name.substr(0, kLongestName) + "=" + nameFrom(given, "classes")));
-  return classes;
-}
-
-std::vector<int> restartsFromJson(const Json& list) {
-  if (!list.is_array() || list.size() > kMaxModes)
-    throw Error(say<"\"%1\" is not a list of at most %2">("restarts", kMaxModes));
-  std::vector<int> frames;
-  for (const Json& frame : list) frames.push_back(wholeFrom(frame, "restarts", 0, kMaxFrame));
-  return frames;
-}
-
-std::vector<MotionOverride> modesFromJson(const Json& object) {
-  if (!object.is_object() || object.size() > kMaxModes)
-    throw Error(say<"\"%1\" is not an object of at most %2 names">("motionModes", kMaxModes));
-  std::vector<MotionOverride> modes;
-  for (const auto& [node, mode] : object.items())
-    modes.push_back(parseMotionOverride(node.substr(0, kLongestName) + "=" + nameFrom(mode, "motionModes")));
-  return modes;
+/// What `read` makes of "name=value" of each field of an object; nothing where there is no object.
+template <typename Read>
+auto overridesFrom(const Json& object, const std::string& key, Read read) {
+  std::vector<decltype(read(key))> overrides;
+  const Json* const given = findField(object, key);
+  if (!given) return overrides;
+  requireObject(*given, key);
+  if (given->size() > kMaxModes) throw Error(say<"\"%1\" has more than %2 names">(key, kMaxModes));
+  for (const auto& [name, value] : given->items())
+    overrides.push_back(
+        read(name.substr(0, kLongestName) + "=" + nameFrom(value, pathOf(key, shownText(name)))));
+  return overrides;
 }
 
 /// Fields of the window's state as earlier versions wrote them. They are read for one version more.
@@ -157,41 +130,53 @@ void renameFields(Json& window, Notes& notes) {
   }
 }
 
+glm::ivec2 sizeFrom(const Json& size) {
+  if (!size.is_array() || size.size() != 2) throw Error(say<"\"%1\" wants [width, height]">("size"));
+  return {wholeFrom(size[0], "size[0]", kMinSide, kMaxSide),
+          wholeFrom(size[1], "size[1]", kMinSide, kMaxSide)};
+}
+
+SessionLane furtherLaneFrom(const Json& lane, const std::string& place, Notes& notes) {
+  static constexpr std::string_view kKeys[] = {"preset", "presetSettings", "settings"};
+  requireKeys(lane, place, kKeys);
+  return laneFromJson(lane, place, notes);
+}
+
 SessionFile sessionFromJson(const Json& object) {
-  checkKeys(object, Part::Session,
-            {"format", "source", "camera", "frame", "size", "preset", "presetSettings", "settings", "lanes",
-             "track", "animation", "length", "hidden", "isolated", "motionModes", "classes", "restarts",
-             "checkpointsMiB", "window"});
-  if (const Json& format = field(object, "format"); format != kSessionFormat)
-    throw Error(say<"its format is %1, this program reads %2">(shownText(format.dump()), kSessionFormat));
+  static constexpr std::string_view kKeys[] = {
+      "format",      "source",  "camera",   "frame",          "size",   "preset", "presetSettings",
+      "settings",    "lanes",   "track",    "animation",      "length", "hidden", "isolated",
+      "motionModes", "classes", "restarts", "checkpointsMiB", "window"};
+  requireKeys(object, "", kKeys);
+  const auto required = [&](std::string_view key) -> const Json& { return requireField(object, "", key); };
+  requireFormat(object, kSessionFormat);
   SessionFile session;
-  session.source = nameFrom(field(object, "source"), "source");
+  Notes& notes = session.notes;
+  session.source = nameFrom(required("source"), "source");
+  if (session.source.empty()) throw Error(say<"\"%1\" is empty">("source"));
   session.camera = nameFrom(object.value("camera", Json("")), "camera");
   session.choice.animation = nameFrom(object.value("animation", Json("")), "animation");
   session.choice.frames = wholeFrom(object.value("length", Json(0)), "length", 0, kMaxShotFrames);
-  session.frame = wholeFrom(field(object, "frame"), "frame", 0, kMaxFrame);
-  const Json& size = field(object, "size");
-  if (!size.is_array() || size.size() != 2) throw Error(say<"\"%1\" wants [width, height]">("size"));
-  session.size = {wholeFrom(size[0], "size", kMinSide, kMaxSide),
-                  wholeFrom(size[1], "size", kMinSide, kMaxSide)};
-  session.settings = laneFromJson(object, session.notes);
-  const Json lanes = object.value("lanes", Json::array());
-  if (!lanes.is_array() || lanes.size() > kMaxFurtherLanes)
-    throw Error(say<"\"%1\" is not a list of at most %2">("lanes", kMaxFurtherLanes));
-  for (const Json& lane : lanes) {
-    checkKeys(lane, Part::Lane, {"preset", "presetSettings", "settings"});
-    session.lanes.push_back(laneFromJson(lane, session.notes));
-  }
-  if (const auto track = object.find("track"); track != object.end()) session.track = cameraTrackFrom(*track);
-  session.filter = {namesFromJson(object, "hidden"), namesFromJson(object, "isolated")};
-  session.motionModes = modesFromJson(object.value("motionModes", Json::object()));
-  session.objectClasses = classesFromJson(object.value("classes", Json::object()));
-  session.restarts = restartsFromJson(object.value("restarts", Json::array()));
+  session.frame = wholeFrom(required("frame"), "frame", 0, kMaxFrame);
+  session.size = sizeFrom(required("size"));
+  session.settings = laneFromJson(object, "", notes);
+  session.lanes =
+      listFrom(object, "lanes", kMaxFurtherLanes, [&](const Json& lane, const std::string& place) {
+        return furtherLaneFrom(lane, place, notes);
+      });
+  if (const Json* const track = findField(object, "track")) session.track = cameraTrackFrom(*track, "track");
+  session.filter = {listFrom(object, "hidden", kMaxModes, nameFrom),
+                    listFrom(object, "isolated", kMaxModes, nameFrom)};
+  session.motionModes = overridesFrom(object, "motionModes", parseMotionOverride);
+  session.objectClasses = overridesFrom(object, "classes", parseClassOverride);
+  session.restarts = listFrom(object, "restarts", kMaxModes, [](const Json& frame, const std::string& place) {
+    return wholeFrom(frame, place, 0, kMaxFrame);
+  });
   session.checkpointsMiB =
       wholeFrom(object.value("checkpointsMiB", Json(session.checkpointsMiB)), "checkpointsMiB", 0, kMaxMiB);
   Json window = object.value("window", Json::object());
-  if (!window.is_object()) throw Error(say<"\"%1\" is not an object">("window"));
-  renameFields(window, session.notes);
+  requireObject(window, "window");
+  renameFields(window, notes);
   session.window = window.dump();
   return session;
 }
@@ -206,13 +191,17 @@ bool isSessionName(std::string_view path) {
   return path.ends_with(kSessionEnding);
 }
 
+std::string sessionRefusal(const std::string& place, const std::string& reason) {
+  return say<"cannot open the session %1: %2">(place, reason);
+}
+
 SessionFile sessionFromText(const std::string& text, const std::string& place) {
   try {
     return sessionFromJson(parseLimited(text, {.bytes = kMaxSessionBytes}));
   } catch (const Json::exception& error) {
-    throw Error(say<"cannot open the session %1: %2">(place, shownReason(error)));
+    throw Error(sessionRefusal(place, shownReason(error)));
   } catch (const Error& error) {
-    throw Error(say<"cannot open the session %1: %2">(place, error.what()));
+    throw Error(sessionRefusal(place, error.what()));
   }
 }
 

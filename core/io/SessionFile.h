@@ -47,6 +47,9 @@ struct SessionFile {
 inline constexpr std::string_view kSessionEnding = ".taa.json";
 bool isSessionName(std::string_view path);
 
+/// As the errors of a session begin: what is wrong with the one of this place.
+std::string sessionRefusal(const std::string& place, const std::string& reason);
+
 /// Throws Error naming `place` and what is wrong with it: a key that is not known, a value out of range, JSON
 /// that is none.
 SessionFile sessionFromText(const std::string& text, const std::string& place);

@@ -7,6 +7,7 @@
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
 #include "core/lessons/LessonText.h"
+#include "core/report/Techniques.h"
 #include "core/settings/Presets.h"
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include <exception>
 #include <functional>
 #include <set>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -31,6 +33,17 @@ constexpr std::array<std::string_view, 6> kTeachingKeys{"claim", "rung",     "ta
                                                         "hint",  "solution", "techniques"};
 /// The first line of these in a step takes the place of what the step before said.
 constexpr std::array<std::string_view, 5> kListKeys{"view", "probe", "plots", "hide", "pose"};
+
+/// Each once: 24 comes several times.
+std::span<const std::string_view> techniqueRows() {
+  static const std::vector<std::string_view> kTechniqueRows = [] {
+    std::vector<std::string_view> rows;
+    for (const Technique& technique : techniques()) rows.push_back(technique.row);
+    rows.erase(std::ranges::unique(rows).begin(), rows.end());
+    return rows;
+  }();
+  return kTechniqueRows;
+}
 
 /// "03-the-box.md" is "the-box": the number is its place in the course.
 std::string idOf(const std::string& place) {
@@ -109,6 +122,8 @@ class LessonReader {
 
   void read(std::string_view line, int number) {
     line_ = number;
+    if (!isPlainText(line.find('\t') == line.npos ? line : withoutBlanks(line)))
+      throw Error(say<"the line has bytes that are no text">());
     if (inHeader_)
       readHeader(withoutBlanks(line));
     else
@@ -189,9 +204,11 @@ class LessonReader {
       taskOf(step);
       solution_.emplace_back(line_, value);
     } else if (key == "techniques") {
-      for (const std::string_view row : wordsOf(value))
+      for (const std::string_view row : wordsOf(value)) {
+        requireName(row, techniqueRows(), say<"technique">());
         if (std::ranges::find(lesson_.techniques, row) == lesson_.techniques.end())
           lesson_.techniques.emplace_back(row);
+      }
     } else {
       requireKnown(key);
       writer_->apply(key, value);
@@ -275,14 +292,10 @@ Lesson lessonFromText(const std::string& text, const std::string& place, const s
     throw Error(say<"%1: it has more than %2 bytes">(place, kMaxLessonBytes));
   LessonReader reader(place, folder);
   try {
-    forEachLine(text, [&](std::string_view line, int number) {
-      if (!isPlainText(line.find('\t') == line.npos ? line : withoutBlanks(line)))
-        throw Error(say<"line %1 has bytes that are no text">(number));
-      reader.read(line, number);
-    });
+    forEachLine(text, [&](std::string_view line, int number) { reader.read(line, number); });
     return reader.finish();
   } catch (const Error& error) {
-    throw Error(place + ":" + std::to_string(reader.line()) + ": " + error.what());
+    throw Error(place + (reader.line() > 0 ? ":" + std::to_string(reader.line()) : "") + ": " + error.what());
   }
 }
 
@@ -297,9 +310,8 @@ const std::vector<Lesson>& builtinLessons() {
 }
 
 Lesson readLesson(const fs::path& path) {
-  const fs::path folder = fs::absolute(path).parent_path();
-  const UntrustedFile file = openUntrusted(folder, path.filename(), kMaxLessonBytes);
-  return lessonFromText(file.text(kMaxLessonBytes), path.string(), folder.string());
+  const std::string text = readFile(path, kMaxLessonBytes);
+  return lessonFromText(text, path.string(), fs::absolute(path).parent_path().string());
 }
 
 LessonFolder readLessons(const fs::path& folder) {
@@ -312,6 +324,7 @@ LessonFolder readLessons(const fs::path& folder) {
   if (error) read.errors.push_back(say<"cannot read the folder %1: %2">(folder.string(), error.message()));
   std::ranges::sort(files);
   for (const fs::path& file : files) try {
+      requireRegularBelow(folder, file.filename());
       read.lessons.push_back(readLesson(file));
     } catch (const std::exception& wrong) {
       read.errors.push_back(shownReason(wrong));

@@ -1,5 +1,7 @@
 #include "core/render/FrameClock.h"
 
+#include "core/base/Error.h"
+#include "core/base/Say.h"
 #include "core/render/SceneRenderer.h"
 #include "core/render/jitter/Jitter.h"
 
@@ -14,6 +16,13 @@ double frameTime(const Scene& scene, int frame) {
 
 bool isCut(const Scene& scene, int frame) {
   return frame == 0 || std::ranges::find(scene.shot.cuts, frame) != scene.shot.cuts.end();
+}
+
+void checkRestarts(std::span<const int> frames, int frameCount) {
+  for (const int frame : frames)
+    if (frame < 0 || frame >= frameCount)
+      throw Error(
+          say<"cannot restart the history at frame %1: the shot has frames 0 to %2">(frame, frameCount - 1));
 }
 
 bool startsHistory(const Scene& scene, std::span<const int> restarts, int frame) {

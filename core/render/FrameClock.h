@@ -13,6 +13,9 @@ double frameTime(const Scene& scene, int frame);
 /// Whether nothing before it is its past: the first frame, and cuts.
 bool isCut(const Scene& scene, int frame);
 
+/// Throws Error naming the frames there are where one of `frames` is none of `frameCount`.
+void checkRestarts(std::span<const int> frames, int frameCount);
+
 /// Whether no history may be used: the first frame, cuts, and frames at which somebody restarts it.
 bool startsHistory(const Scene& scene, std::span<const int> restarts, int frame);
 

@@ -79,7 +79,7 @@ Scene openScene(const std::string& source, const Progress& progress, const ShotC
   Scene scene;
   if (isBuiltinScene(source)) {
     if (!choice.animation.empty())
-      throw Error(say<"%1 has one animation; only of a file's can one be chosen">(source));
+      throw ChoiceError(say<"%1 has one animation; only of a file's can one be chosen">(source));
     report(progress, say<"Opening the scene">(), 0, 1);
     scene = makeBuiltin(source);
     report(progress, say<"Opening the scene">(), 1, 1);

@@ -1,6 +1,5 @@
 #include "core/scene/ShotChoice.h"
 
-#include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
 #include "core/scene/Scene.h"
@@ -39,11 +38,11 @@ void chooseAnimation(Scene& scene, const std::string& name) {
   scene.animationNames = animationNamesOf(scene);
   const std::vector<std::string>& names = scene.animationNames;
   if (names.empty() && !name.empty())
-    throw Error(say<"it has no animation, so none called \"%1\"">(shownText(name)));
+    throw ChoiceError(say<"it has no animation, so none called \"%1\"">(shownText(name)));
   if (name == kAllAnimations || names.empty()) return;
   const auto found = name.empty() ? names.begin() : std::ranges::find(names, name);
   if (found == names.end())
-    throw Error(say<"it has no animation called \"%1\"; there are %2">(shownText(name), someNames(names)));
+    throw ChoiceError(say<"it has no animation called \"%1\"; there are %2">(shownText(name), someNames(names)));
   Animation chosen = std::move(scene.animations[static_cast<std::size_t>(found - names.begin())]);
   scene.animations.clear();
   scene.animations.push_back(std::move(chosen));
@@ -51,7 +50,7 @@ void chooseAnimation(Scene& scene, const std::string& name) {
 
 void chooseLength(Scene& scene, int frames) {
   if (frames < 1 || frames > kMaxShotFrames)
-    throw Error(say<"a shot of %1 frames cannot be made: give 1 to %2">(frames, kMaxShotFrames));
+    throw ChoiceError(say<"a shot of %1 frames cannot be made: give 1 to %2">(frames, kMaxShotFrames));
   scene.shot.loopFrames = scene.shot.cameraLoopFrames();
   scene.shot.frames = frames;
 }

@@ -1,6 +1,8 @@
 // What is shown of a scene that leaves it open: which of its animations plays, and for how long.
 #pragma once
 
+#include "core/base/Error.h"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,15 +23,21 @@ struct ShotChoice {
   bool operator==(const ShotChoice&) const = default;
 };
 
+/// What is open has no such animation, or no shot of that length.
+class ChoiceError : public Error {
+ public:
+  using Error::Error;
+};
+
 /// What animations are called: their names; "#2" where the second has none, or one that another has before
 /// it.
 std::vector<std::string> animationNamesOf(const Scene& scene);
 
-/// Leaves the animations that play, and fills Scene::animationNames with all there are. Throws Error naming
-/// them.
+/// Leaves the animations that play, and fills Scene::animationNames with all there are. Throws
+/// ChoiceError naming them.
 void chooseAnimation(Scene& scene, const std::string& name);
 
-/// Camera paths stay as fast as they are. Throws Error where there are too few or too many.
+/// Camera paths stay as fast as they are. Throws ChoiceError where there are too few or too many.
 void chooseLength(Scene& scene, int frames);
 
 } // namespace taa

@@ -26,7 +26,8 @@ std::string unknownPath(std::string_view path) {
   std::vector<std::string_view> paths;
   for (const Parameter& row : parameters()) paths.push_back(row.path);
   const std::vector<std::string_view> near = nearestNames(path, paths, 3);
-  return say<"there is no parameter \"%1\"; near it are %2, %3 or %4">(path, near[0], near[1], near[2]);
+  return say<"there is no parameter \"%1\"; near it are %2, %3 or %4">(shownText(path), near[0], near[1],
+                                                                       near[2]);
 }
 
 /// Paths as earlier versions wrote them. They are read for one version more.
@@ -146,6 +147,13 @@ std::string condition(const Parameter& user, const Parameter& row) {
   return path + "=" + ids;
 }
 
+/// Whether a parameter's path begins with it and a dot.
+bool isGroup(std::string_view name) {
+  return std::ranges::any_of(parameters(), [name](const Parameter& row) {
+    return row.path.starts_with(name) && row.path.substr(name.size()).starts_with('.');
+  });
+}
+
 double valueFromJson(const Parameter& row, const nlohmann::json& json) {
   if (row.kind == ParameterKind::Toggle && json.is_boolean()) return json.get<bool>() ? 1.0 : 0.0;
   if (row.kind == ParameterKind::Choice && json.is_string()) return parseValue(row, json.get<std::string>());
@@ -222,7 +230,8 @@ std::vector<std::string> notesOf(const Parameter& row, std::string_view path) {
 std::vector<std::string> applyAssignment(Settings& settings, std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos)
-    throw Error(say<"cannot read \"%1\": write path=value, for example rectify.method=clamp">(assignment));
+    throw Error(
+        say<"cannot read \"%1\": write path=value, for example rectify.method=clamp">(shownText(assignment)));
   const std::string_view path = assignment.substr(0, equals);
   const Parameter& row = parameter(path);
   row.set(settings, parseValue(row, assignment.substr(equals + 1)));
@@ -253,7 +262,8 @@ std::vector<std::string> fromJson(const nlohmann::json& json, Settings& settings
   std::vector<std::string> notes;
   for (const auto& [group, rows] : json.items()) {
     if (!rows.is_object())
-      throw Error(say<"cannot read settings: \"%1\" is not a group of parameters">(group));
+      throw Error(say<"cannot read settings: \"%1\" is not a group of parameters">(shownText(group)));
+    if (rows.empty() && !isGroup(group)) throw Error(unknownPath(group));
     for (const auto& [name, value] : rows.items()) {
       const std::string path = group + "." + name;
       const Parameter& row = parameter(path);

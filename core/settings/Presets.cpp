@@ -31,8 +31,7 @@ using SettingsOf = std::function<Settings(const std::string& id)>;
 
 Preset presetFromJson(const nlohmann::json& json, const SettingsOf& settingsOf) {
   requireKeys(json, "", kPresetFields);
-  if (const auto& format = requireField(json, "", "format"); format != kPresetFormat)
-    throw Error(say<"its format is %1, this program reads %2">(shownText(format.dump()), kPresetFormat));
+  requireFormat(json, kPresetFormat);
   const auto text = [&](const char* key) {
     const nlohmann::json* const found = findField(json, key);
     return found ? textOf(*found, key) : std::string();
@@ -116,15 +115,16 @@ Preset preset(const std::string& idOrPath) {
     known += (known.empty() ? "" : ", ") + row.id;
   }
   if (idOrPath.ends_with(".json")) return presetFromText(readFile(idOrPath, 1 << 20), idOrPath);
-  throw Error(
-      say<"there is no preset \"%1\"; there are %2, or give a file that ends in .json">(idOrPath, known));
+  throw Error(say<"there is no preset \"%1\"; there are %2, or give a file that ends in .json">(
+      shownText(idOrPath), known));
 }
 
 Preset presetFromText(const std::string& text, const std::string& place) {
   return readPreset(place, [&] {
     return presetFromJson(parseLimited(text), [](const std::string& id) {
       const auto base = std::ranges::find(builtinPresets(), id, &Preset::id);
-      if (base == builtinPresets().end()) throw Error(say<"there is no preset \"%1\" to go on from">(id));
+      if (base == builtinPresets().end())
+        throw Error(say<"there is no preset \"%1\" to go on from">(shownText(id)));
       return base->settings;
     });
   });

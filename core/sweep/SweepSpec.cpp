@@ -3,6 +3,7 @@
 #include "core/base/Error.h"
 #include "core/base/Files.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/base/Text.h"
 #include "core/base/json/Json.h"
 #include "core/base/json/JsonFields.h"
@@ -35,16 +36,12 @@ constexpr std::array<std::string_view, 4> kRangeKeys{"from", "to", "steps", "sca
 /// What says how much of old history stays, the best first.
 constexpr std::array<std::string_view, 3> kGhostMetrics{"ghostEnergy", "errorGhost", "rmse"};
 
-std::string entryPlace(const std::string& place, std::size_t index) {
-  return place + "[" + std::to_string(index) + "]";
-}
-
 /// Calls `read` with each entry of the list and its place; there is one at least.
 template <typename Read>
 void eachEntry(const Json& list, const std::string& place, Read read) {
   requireList(list, place, kMaxSweepEntries);
-  if (list.empty()) throw Error(say<"\"%1\" is empty; leave it out, or name what to go over">(place));
-  for (std::size_t index = 0; index < list.size(); ++index) read(list[index], entryPlace(place, index));
+  if (list.empty()) throw Error(say<"\"%1\" is empty; name what to go over">(place));
+  for (std::size_t index = 0; index < list.size(); ++index) read(list[index], elementOf(place, index));
 }
 
 std::vector<std::string> textsOf(const Json& list, const std::string& place) {
@@ -54,16 +51,21 @@ std::vector<std::string> textsOf(const Json& list, const std::string& place) {
   return texts;
 }
 
-/// Two whole numbers.
-glm::ivec2 twoNumbers(const Json& list, const std::string& place, int least, int most) {
-  requireList(list, place, 2);
-  if (list.size() != 2) throw Error(say<"\"%1\" wants two numbers">(place));
-  return {static_cast<int>(integerOf(list[0], entryPlace(place, 0), least, most)),
-          static_cast<int>(integerOf(list[1], entryPlace(place, 1), least, most))};
+/// `shape`: as the file has it, "[first, last]".
+glm::ivec2 twoNumbers(const Json& list, const std::string& place, const char* shape, int least, int most) {
+  if (!list.is_array() || list.size() != 2) throw Error(say<"\"%1\" wants %2">(place, shape));
+  return {static_cast<int>(integerOf(list[0], elementOf(place, 0), least, most)),
+          static_cast<int>(integerOf(list[1], elementOf(place, 1), least, most))};
 }
 
 void assignAll(Settings& settings, const Json& list, const std::string& place) {
-  for (const std::string& assignment : textsOf(list, place)) applyAssignment(settings, assignment);
+  eachEntry(list, place, [&](const Json& entry, const std::string& at) {
+    try {
+      applyAssignment(settings, textOf(entry, at));
+    } catch (const Error& error) {
+      throw Error(say<"\"%1\": %2">(at, error.what()));
+    }
+  });
 }
 
 /// As --set has it: "0.1", "on", "clamp".
@@ -150,7 +152,7 @@ Metric metricOfSpec(const std::string& id, const std::string& place) {
   if (const std::optional<Metric> metric = findMetric(id)) return *metric;
   std::vector<std::string> known;
   for (const MetricInfo& info : kMetrics) known.emplace_back(info.id);
-  throw Error(say<"\"%1\": there is no metric \"%2\"; there are %3">(place, id, joined(known)));
+  throw Error(say<"\"%1\": there is no metric \"%2\"; there are %3">(place, shownText(id), joined(known)));
 }
 
 void readAxes(const Json& json, SweepSpec& spec, const fs::path& folder) {
@@ -208,15 +210,16 @@ void readMetrics(const Json& json, SweepSpec& spec) {
 
 SweepSpec specFromJson(const Json& json, const fs::path& folder) {
   requireKeys(json, "", kSweepKeys);
-  integerOf(requireField(json, "", "format"), "format", kSweepFormat, kSweepFormat);
+  requireFormat(json, kSweepFormat);
   SweepSpec spec;
   readAxes(json, spec, folder);
-  const glm::ivec2 frames = twoNumbers(requireField(json, "", "frames"), "frames", 0, kMaxSweepFrame);
+  const glm::ivec2 frames =
+      twoNumbers(requireField(json, "", "frames"), "frames", "[first, last]", 0, kMaxSweepFrame);
   if (frames.y < frames.x) throw Error(say<"\"frames\": the last frame is before the first">());
   spec.first = frames.x;
   spec.last = frames.y;
   if (const Json* const size = findField(json, "size"))
-    spec.size = twoNumbers(*size, "size", kMinSweepSide, kMaxSweepSide);
+    spec.size = twoNumbers(*size, "size", "[width, height]", kMinSweepSide, kMaxSweepSide);
   readMetrics(json, spec);
   if (spec.pointCount() > kMaxSweepPoints)
     throw Error(say<"it has more than the %1 points allowed: make several of it">(kMaxSweepPoints));

@@ -15,17 +15,16 @@ namespace taa {
 
 using nlohmann::json;
 
-namespace {
-
-/// As messages call it: the root has no path.
-std::string placeName(const std::string& place) {
-  return place.empty() ? say<"what the file holds">() : "\"" + place + "\"";
-}
-
-} // namespace
-
 std::string pathOf(const std::string& place, std::string_view key) {
   return place.empty() ? std::string(key) : place + "." + std::string(key);
+}
+
+std::string elementOf(const std::string& place, std::size_t index) {
+  return place + "[" + std::to_string(index) + "]";
+}
+
+std::string placeName(const std::string& place) {
+  return place.empty() ? say<"what the file holds">() : "\"" + place + "\"";
 }
 
 void requireObject(const json& value, const std::string& place) {
@@ -57,6 +56,11 @@ const json& requireField(const json& object, const std::string& place, std::stri
   const json* const found = findField(object, key);
   if (!found) throw Error(say<"the key \"%1\" is missing">(pathOf(place, key)));
   return *found;
+}
+
+void requireFormat(const json& object, int known) {
+  if (const json& format = requireField(object, "", "format"); format != known)
+    throw Error(say<"its format is %1, this program reads %2">(shownText(format.dump()), known));
 }
 
 std::string textOf(const json& value, const std::string& place) {

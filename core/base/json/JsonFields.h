@@ -12,6 +12,10 @@ namespace taa {
 
 /// "planes" and "color" are "planes.color"; nothing and "size" are "size".
 std::string pathOf(const std::string& place, std::string_view key);
+/// "frames" and 3 are "frames[3]".
+std::string elementOf(const std::string& place, std::size_t index);
+/// As sentences call a path, in quotation marks; of an empty one that of the whole file in words.
+std::string placeName(const std::string& place);
 
 /// All throw Error that names `place`.
 void requireObject(const nlohmann::json& value, const std::string& place);
@@ -23,6 +27,9 @@ void requireKeys(const nlohmann::json& object, const std::string& place,
 const nlohmann::json* findField(const nlohmann::json& object, std::string_view key);
 const nlohmann::json& requireField(const nlohmann::json& object, const std::string& place,
                                    std::string_view key);
+
+/// Of an object, its "format".
+void requireFormat(const nlohmann::json& object, int known);
 
 std::string textOf(const nlohmann::json& value, const std::string& place);
 bool toggleOf(const nlohmann::json& value, const std::string& place);

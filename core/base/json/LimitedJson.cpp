@@ -3,6 +3,7 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
+#include "core/base/json/JsonFields.h"
 
 #include <nlohmann/json.hpp>
 
@@ -47,18 +48,20 @@ class LimitedBuilder {
     spend(kKeyBytes + name.size());
     requireRoom();
     const auto [place, isNew] = open_.back()->emplace(name, nullptr);
-    if (!isNew) throw Error(say<"the key \"%1\" comes twice in one object">(shownText(name)));
+    if (!isNew) throw Error(say<"the key \"%1\" comes twice">(shownText(pathOf(openPlace(), name))));
     slot_ = &*place;
     return true;
   }
 
   bool parse_error(std::size_t position, const std::string&, const json::exception& error) {
     constexpr int kNumberOverflow = 406;
-    const std::string_view before = text_.substr(0, position);
+    const std::string_view before = text_.substr(0, std::max<std::size_t>(position, 1) - 1); // the wrong byte
     const std::ptrdiff_t line = std::ranges::count(before, '\n') + 1;
-    const std::size_t column = before.size() - (before.rfind('\n') + 1);
+    const std::size_t column = before.size() - before.rfind('\n'); // after npos, which is −1, from 1 as well
     if (error.id == kNumberOverflow)
       throw Error(say<"a number in line %1, column %2 is too large">(line, column));
+    if (position > text_.size())
+      throw Error(say<"it ends in line %1, column %2, before it is whole">(line, column));
     throw Error(say<"it is not JSON from line %1, column %2 on">(line, column));
   }
 
@@ -71,7 +74,22 @@ class LimitedBuilder {
 
   void requireRoom() const {
     if (open_.back()->size() >= limits_.entries)
-      throw Error(say<"a list or an object has more than %1 entries">(limits_.entries));
+      throw Error(say<"%1 has more than %2 entries">(shownText(placeName(openPlace())), limits_.entries));
+  }
+
+  /// The path of what is read. Looked for when it has to be told, so that files that are right cost nothing.
+  std::string openPlace() const {
+    std::string place;
+    for (std::size_t i = 1; i < open_.size(); ++i) {
+      const json& parent = *open_[i - 1];
+      if (parent.is_array()) {
+        place = elementOf(place, parent.size() - 1);
+        continue;
+      }
+      for (const auto& [key, value] : parent.items())
+        if (&value == open_[i]) place = pathOf(place, key);
+    }
+    return place;
   }
 
   json* put(json&& value) {

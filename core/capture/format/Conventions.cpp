@@ -108,7 +108,10 @@ double parseNumber(const Convention& row, std::string_view text) {
 
 std::string numberText(double value) {
   char text[64];
-  const auto result = std::to_chars(text, text + sizeof(text), value);
+  const double size = std::abs(value);
+  const bool isReadable = size == 0.0 || (size >= 1e-4 && size <= 1e9); // 100000, not 1e+05
+  const auto result = isReadable ? std::to_chars(text, text + sizeof(text), value, std::chars_format::fixed)
+                                 : std::to_chars(text, text + sizeof(text), value);
   return {text, result.ptr};
 }
 

@@ -256,12 +256,6 @@ std::vector<std::string> readNotes(const json& list) {
   return notes;
 }
 
-void requireFormat(const json& object) {
-  const json format = requireField(object, "", "format");
-  if (format != kManifestFormat)
-    throw Error(say<"its format is %1, this program reads %2">(shownText(format.dump()), kManifestFormat));
-}
-
 void readAbout(const json& object, Manifest& manifest) {
   if (const json* schema = findField(object, "$schema")) textOf(*schema, "$schema"); // for editors
   if (const json* name = findField(object, "name")) manifest.name = plainText(textOf(*name, "name"));
@@ -278,7 +272,7 @@ void readAbout(const json& object, Manifest& manifest) {
 
 Manifest manifestFrom(const json& object) {
   requireObject(object, "");
-  requireFormat(object);
+  requireFormat(object, kManifestFormat);
   requireKeys(object, "", kManifestKeys);
   Manifest manifest;
   readAbout(object, manifest);

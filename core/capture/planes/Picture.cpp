@@ -70,6 +70,14 @@ std::string withoutQuotedFolders(std::string said) {
   return said;
 }
 
+/// Without what a library calls itself and the file: both are said already.
+std::string_view withoutLibrary(std::string_view said) {
+  for (const std::string_view name : {"OpenEXR exception: ", "Cannot open image file ", "Cannot read image file "})
+    if (said.starts_with(name)) said.remove_prefix(name.size());
+  const std::size_t close = said.starts_with('"') ? said.find("\". ", 1) : said.npos;
+  return close == said.npos ? said : said.substr(close + 3);
+}
+
 /// What OpenImageIO says in its last error, on one line.
 std::string failureOf(const OIIO::ImageInput& input) {
   const std::string said = input.geterror();
@@ -77,7 +85,7 @@ std::string failureOf(const OIIO::ImageInput& input) {
     return say<
         "it stores luminance and chroma (Y, RY, BY) or other channels of reduced size; save it as RGB">();
   if (said.empty()) return say<"it is damaged">();
-  return shownText(withoutQuotedFolders(said.substr(0, said.find('\n'))));
+  return shownText(withoutLibrary(withoutQuotedFolders(said.substr(0, said.find('\n')))));
 }
 
 std::unique_ptr<OIIO::ImageInput> openPicture(const UntrustedFile& file, const std::string& name) {
@@ -320,6 +328,9 @@ std::vector<PicturePart> picturePartsOf(const fs::path& folder, const std::strin
   for (int index = 0; index < kMaxParts && input->seek_subimage(index, 0); ++index) {
     const OIIO::ImageSpec spec = input->spec();
     if (spec.nchannels > kMaxChannels) throw Error(say<"%1 has %2 channels">(name, spec.nchannels));
+    if (std::max(spec.full_width, spec.full_height) > kMaxCaptureSide)
+      throw Error(say<"%1 is %2 × %3 pixels, more than the %4 a side allowed">(
+          name, spec.full_width, spec.full_height, kMaxCaptureSide));
     PicturePart part{
         std::string(spec.get_string_attribute("oiio:subimagename")), {spec.full_width, spec.full_height}, {}};
     for (int i = 0; i < spec.nchannels; ++i)

@@ -36,7 +36,7 @@ OpenedSource openSource(const std::string& source, const Progress& progress, con
                         const SceneBudget& budget) {
   if (!isBuiltinScene(source) && capture::isCapture(source)) {
     if (choice != ShotChoice{})
-      throw Error(say<"%1 is a captured sequence, whose animation and length are fixed">(source));
+      throw ChoiceError(say<"%1 is a captured sequence, whose animation and length are fixed">(source));
     return openCaptured(source, progress);
   }
   const auto scene = std::make_shared<const Scene>(openScene(source, progress, choice, budget));

@@ -1,8 +1,8 @@
 // taa-batch lessons: what lessons there are, whether what they say is true, and they as pages.
 #include "core/base/ExistingFiles.h"
-#include "core/cli/ShotOptions.h"
 #include "core/cli/Table.h"
 #include "core/cli/lessons/LessonsOptions.h"
+#include "core/cli/shot/ShotOptions.h"
 #include "core/inspect/Inspector.h"
 #include "core/lessons/LessonCheck.h"
 #include "core/lessons/LessonPages.h"

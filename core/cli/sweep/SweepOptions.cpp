@@ -1,7 +1,7 @@
 #include "core/cli/sweep/SweepOptions.h"
 
 #include "core/cli/Commands.h"
-#include "core/cli/ShotOptions.h"
+#include "core/cli/shot/ShotOptions.h"
 #include "core/measure/Flicker.h"
 
 #include <CLI/CLI.hpp>

@@ -3,8 +3,8 @@
 #include "core/base/ExistingFiles.h"
 #include "core/base/Files.h"
 #include "core/cli/Commands.h"
-#include "core/cli/Shot.h"
 #include "core/cli/Table.h"
+#include "core/cli/shot/Shot.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 #include "core/sweep/MetricsOfFrames.h"
@@ -123,7 +123,7 @@ void runTune(const TuneArguments& arguments, std::ostream& out, const Progress& 
   Inspector inspector;
   inspector.overTime().setFrames(arguments.flickerFrames);
   openShot(inspector, arguments.shot, plan, progress);
-  requireFrame(inspector, frames.last);
+  requireFrame(inspector, plan, frames.last);
   for (const Metric metric : goal.metrics())
     if (metricInfo(metric).needsReference) requireMeasurable(inspector, arguments.referenceSamples);
   Tuning tuning(inspector, tuneRequestOf(arguments, frames), progress);

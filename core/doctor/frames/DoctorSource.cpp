@@ -60,6 +60,7 @@ DoctorSource openSceneForDoctor(const SourceRequest& request, const Progress& pr
   OpenedSource opened = openSource(request.source, progress, request.choice);
   DoctorSource out;
   out.frames = std::move(opened.frames);
+  out.scene = opened.scene;
   out.frameCount = opened.scene->shot.frames;
   const SceneOutline outline = outlineOf(*opened.scene, request.source);
   for (const int node : outline.drawing) {
@@ -81,7 +82,7 @@ DoctorSource openForDoctor(const SourceRequest& request, const Progress& progres
   if (isBuiltinScene(request.source) || !capture::isCapture(request.source))
     return openSceneForDoctor(request, progress);
   if (request.choice != ShotChoice{})
-    throw Error(say<"%1 is a captured sequence, whose animation and length are fixed">(request.source));
+    throw ChoiceError(say<"%1 is a captured sequence, whose animation and length are fixed">(request.source));
   return openCaptureForDoctor(request, progress);
 }
 

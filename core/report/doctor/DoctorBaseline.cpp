@@ -21,18 +21,20 @@ constexpr std::size_t kMaxKnownFindings = 100'000;
 
 KnownFinding knownFrom(const nlohmann::json& entry, const std::string& place) {
   static constexpr std::string_view kKeys[] = {"id", "region"};
-  requireObject(entry, place);
   requireKeys(entry, place, kKeys);
   return {textOf(requireField(entry, place, "id"), pathOf(place, "id")),
           textOf(requireField(entry, place, "region"), pathOf(place, "region"))};
 }
 
-nlohmann::json parsedBaseline(const std::string& text, const std::string& place) {
-  try {
-    return parseLimited(text);
-  } catch (const Error& error) {
-    throw Error(say<"%1 is no baseline of the doctor: %2">(place, error.what()));
-  }
+DoctorBaseline baselineFrom(const nlohmann::json& file) {
+  static constexpr std::string_view kKeys[] = {"known"};
+  requireKeys(file, "", kKeys);
+  const nlohmann::json& list = requireField(file, "", "known");
+  requireList(list, "known", kMaxKnownFindings);
+  DoctorBaseline baseline;
+  for (const nlohmann::json& entry : list)
+    baseline.push_back(knownFrom(entry, elementOf("known", baseline.size())));
+  return baseline;
 }
 
 } // namespace
@@ -71,17 +73,11 @@ std::string baselineToText(const DoctorBaseline& baseline) {
 }
 
 DoctorBaseline baselineFromText(const std::string& text, const std::string& place) {
-  static constexpr std::string_view kKeys[] = {"known"};
-  const nlohmann::json file = parsedBaseline(text, place);
-  requireObject(file, place);
-  requireKeys(file, place, kKeys);
-  const std::string listPlace = pathOf(place, "known");
-  const nlohmann::json& list = requireField(file, place, "known");
-  requireList(list, listPlace, kMaxKnownFindings);
-  DoctorBaseline baseline;
-  for (std::size_t i = 0; i < list.size(); ++i)
-    baseline.push_back(knownFrom(list[i], listPlace + "[" + std::to_string(i) + "]"));
-  return baseline;
+  try {
+    return baselineFrom(parseLimited(text));
+  } catch (const Error& error) {
+    throw Error(say<"%1 is no baseline of the doctor: %2">(place, error.what()));
+  }
 }
 
 } // namespace taa

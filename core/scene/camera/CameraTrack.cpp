@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
@@ -97,10 +98,18 @@ CameraPose poseOf(const CameraState& camera) {
   return pose;
 }
 
+void requireNewCamera(const Scene& scene, const std::string& name) {
+  const std::vector<std::string> names = cameraNames(scene);
+  if (std::ranges::find(names, name) != names.end())
+    throw Error(
+        say<"the scene has a camera called \"%1\" already; give the path another name">(shownText(name)));
+}
+
 void checkCameraTrack(const CameraTrack& track) {
   if (track.name.empty()) throw Error(say<"a camera path needs a name">());
-  if (track.poses.empty()) throw Error(say<"the camera path \"%1\" has no pose">(track.name));
-  if (track.firstFrame < 0) throw Error(say<"the camera path \"%1\" begins at a frame before 0">(track.name));
+  const std::string name = shownText(track.name);
+  if (track.poses.empty()) throw Error(say<"the camera path \"%1\" has no pose">(name));
+  if (track.firstFrame < 0) throw Error(say<"the camera path \"%1\" begins at a frame before 0">(name));
   for (std::size_t i = 0; i < track.poses.size(); ++i) {
     const CameraPose& pose = track.poses[i];
     bool isRight = isIn(pose.yaw, -36000.0f, 36000.0f) && isIn(pose.pitch, -kMaxPitch, kMaxPitch) &&
@@ -108,7 +117,7 @@ void checkCameraTrack(const CameraTrack& track) {
     for (int axis = 0; axis < 3; ++axis) isRight = isRight && isIn(pose.position[axis], -kFarAway, kFarAway);
     if (!isRight)
       throw Error(say<"the camera path \"%1\" has a pose %2 that is out of range: positions within a million "
-                      "units, pitch within 89 degrees, field of view 1 to 160 degrees">(track.name, i));
+                      "units, pitch within 89 degrees, field of view 1 to 160 degrees">(name, i));
   }
 }
 

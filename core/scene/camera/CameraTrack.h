@@ -66,6 +66,9 @@ CameraState cameraAt(const Scene& scene, const CameraPose& pose, float aspect);
 /// The pose that looks as a camera does, as far as poses can: without its roll, in perspective.
 CameraPose poseOf(const CameraState& camera);
 
+/// Throws Error where a camera of the scene's own is called so already.
+void requireNewCamera(const Scene& scene, const std::string& name);
+
 /// Throws Error that says what is wrong with it: no pose, numbers that are none or out of their range.
 void checkCameraTrack(const CameraTrack& track);
 

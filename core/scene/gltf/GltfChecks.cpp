@@ -249,6 +249,29 @@ void checkAnimations(const Json& root) {
                                                                          animations[i]["samplers"].size()));
 }
 
+/// Of each camera: what its type names has to be there.
+void checkCameras(const Json& root) {
+  const Json& cameras = arrayOf(root, "cameras");
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const auto type = cameras[i]["type"].get<std::string>();
+    const std::string place = "cameras[" + std::to_string(i) + "].";
+    if (type != "perspective" && type != "orthographic")
+      throw Error(place + "type: " + say<"\"%1\" is neither perspective nor orthographic">(shownText(type)));
+    if (!cameras[i].contains(type)) throw Error(place + type + ": " + say<"missing">());
+  }
+}
+
+void checkLights(const Json& root) {
+  constexpr std::string_view kList = "/extensions/KHR_lights_punctual/lights";
+  const Json::json_pointer list{std::string(kList)};
+  if (!root.contains(list)) return;
+  std::size_t index = 0;
+  for (const Json& light : root[list])
+    if (const std::string place = "extensions.KHR_lights_punctual.lights[" + std::to_string(index++) + "].";
+        light["type"] == "spot" && !light.contains("spot"))
+      throw Error(place + "spot: " + say<"missing">());
+}
+
 /// Removes extras and unknown extensions at every level.
 void stripLevel(Json& value) {
   if (value.is_object()) {
@@ -275,6 +298,8 @@ void checkGltfData(GltfDocument& document) {
 void checkGltfGraph(const Json& root) {
   checkScenes(root, parentsOf(arrayOf(root, "nodes")));
   checkAnimations(root);
+  checkCameras(root);
+  checkLights(root);
 }
 
 void stripGltf(Json& root) {

@@ -103,8 +103,8 @@ void checkVersion(const Json& root) {
                      (root.contains("techniques") || (root.contains("nodes") && root["nodes"].is_object()));
   if (isOld)
     throw Error("asset: " + say<"it is glTF %1; only glTF 2.0 can be opened, export it anew">("1.0"));
-  if (asset == root.end() || !asset->is_object())
-    throw Error("asset: " + say<"missing; it is not a glTF file">());
+  if (asset == root.end()) throw Error("asset: " + say<"missing; it is not a glTF file">());
+  if (!asset->is_object()) throw Error("asset: " + say<"not an object">());
   const GltfVersion version = versionFrom(*asset, "version");
   if (version.major != 2)
     throw Error("asset.version: " + say<"it is glTF %1; only glTF 2.0 can be opened, export it anew">(

@@ -114,6 +114,8 @@ Scene loadGltf(const std::filesystem::path& file, const Progress& progress, cons
     throw;
   } catch (const BudgetError& error) {
     throw BudgetError(say<"cannot open %1: %2">(file.string(), shownReason(error)), error.needed());
+  } catch (const ChoiceError& error) {
+    throw ChoiceError(say<"cannot open %1: %2">(file.string(), shownReason(error)));
   } catch (const std::bad_alloc&) {
     throw Error(say<"cannot open %1: memory: it needs more than there is">(file.string()));
   } catch (

@@ -15,7 +15,7 @@ namespace taa {
 
 namespace {
 
-enum class Kind { Object, List, Text, Boolean, Integer, Count, Positive, Number, Index };
+enum class Kind { Object, Entries, List, Text, Boolean, Integer, Count, Positive, Number, Index };
 
 struct Rule {
   std::string_view path; ///< "[]": every element, "*": every member
@@ -29,6 +29,20 @@ constexpr bool kRequired = true;
 constexpr std::string_view kLights = "extensions.KHR_lights_punctual.lights";
 
 constexpr Rule kRules[] = {
+    // First: what is no list has no entries that an index could be counted against.
+    {"accessors", Kind::Entries},
+    {"animations", Kind::Entries},
+    {"bufferViews", Kind::Entries},
+    {"buffers", Kind::Entries},
+    {"cameras", Kind::Entries},
+    {"images", Kind::Entries},
+    {"materials", Kind::Entries},
+    {"meshes", Kind::Entries},
+    {"nodes", Kind::Entries},
+    {"samplers", Kind::Entries},
+    {"scenes", Kind::Entries},
+    {"skins", Kind::Entries},
+    {"textures", Kind::Entries},
     {"extensionsUsed[]", Kind::Text},
     {"extensions", Kind::Object},
     {"scene", Kind::Index, "scenes"},
@@ -260,6 +274,8 @@ class TypeCheck {
     switch (rule_->kind) {
     case Kind::Object:
       return expect(value.is_object(), say<"not an object">);
+    case Kind::Entries:
+      return expect(value.is_array(), say<"not a list">);
     case Kind::List:
       return expect(value.is_array() && !value.empty(), say<"not a list, or empty">);
     case Kind::Text:

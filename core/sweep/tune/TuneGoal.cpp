@@ -25,7 +25,8 @@ GoalTerm goalTerm(const std::string& text) {
   if (!term.metric && name != kCostGoal) {
     std::vector<std::string> known;
     for (const MetricInfo& info : kMetrics) known.emplace_back(info.id);
-    throw Error(say<"there is no metric \"%1\"; there are %2 and %3">(name, joined(known), kCostGoal));
+    throw Error(
+        say<"there is no metric \"%1\"; there are %2 and %3">(shownText(name), joined(known), kCostGoal));
   }
   const std::string_view weight =
       equals == std::string::npos ? std::string_view() : std::string_view(text).substr(equals + 1);

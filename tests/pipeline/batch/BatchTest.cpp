@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -175,7 +176,6 @@ TEST_F(BatchTest, SaysWhatIsWrongWithTheWorld) {
   const std::vector<std::string> end = {"--size", "16x16", "--out", folder.string()};
   expectFailure(joined({"render", "/nowhere/a.glb", "--frames", "0"}, end), {"/nowhere/a.glb"});
   const std::vector<std::string> fan = joined({"render", "builtin:fan"}, end);
-  expectFailure(joined(fan, {"--frames", "0", "--camera", "drone"}), {"drone", "orbit"});
   expectFailure(joined(fan, {"--frames", "0", "--preset", "/nowhere/a.json"}), {"/nowhere/a.json"});
   EXPECT_FALSE(fs::exists(folder)) << "nothing is made before it is known that it can be filled";
 }
@@ -190,6 +190,25 @@ TEST_F(BatchTest, SaysThatTheCallAsksForWhatIsNotThere) {
   expectUsageError(joined(fan, {"--frames", "0", "--length", "0"}), {"--length", "1", "100000"});
   expectUsageError(joined(fan, {"--frames", "0", "--fps", "nan"}), {"--fps", "nan", "1000"});
   expectUsageError(joined(fan, {"--frames", "0", "--divider", "nan"}), {"--divider", "nan"});
+  // Whatever command it is asked of.
+  for (const auto& [flag, value, word] :
+       std::vector<std::tuple<std::string, std::string, std::string>>{{"--camera", "drone", "orbit"},
+                                                                      {"--animation", "walk", "one animation"},
+                                                                      {"--hide", "sail", "rotor"},
+                                                                      {"--isolate", "sail", "rotor"},
+                                                                      {"--motion-mode", "sail=none", "rotor"},
+                                                                      {"--class", "sail=still", "rotor"},
+                                                                      {"--restart", "99998", "frames 0 to"}}) {
+    const std::string name = value.substr(0, value.find('='));
+    expectUsageError(joined(fan, {"--frames", "0", flag, value}), {flag, name, word});
+    expectUsageError({"doctor", "builtin:fan", "--size", "16x16", "--frames", "2", flag, value},
+                     {flag, name, word});
+  }
+  expectUsageError(joined(fan, {"--frames", "0", "--restart", "-1"}), {"--restart", "-1", "0 to 99999"});
+  for (const std::string flag : {"--camera-path", "--camera", "--session", "--preset"})
+    expectUsageError(joined(fan, {"--frames", "0", flag, ""}), {flag, "its value is empty"});
+  expectUsageError({"doctor", "builtin:fan", "--baseline", ""}, {"--baseline", "its value is empty"});
+  expectUsageError({"lessons", ""}, {"its value is empty"});
   expectUsageError(joined({"render", "builtin:fan", "--size", "3x3", "--frames", "0"}, out),
                    {"--size", "3x3", "4 to 32768"});
   const std::string source = "builtin:fan";

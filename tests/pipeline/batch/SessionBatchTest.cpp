@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -133,6 +134,39 @@ TEST_F(SessionBatchTest, MistakesAreNamed) {
       batch(joined(flags("render"), {"--frames", "0", "--out", folder_.string(), "--style", "map=pink"}));
   EXPECT_EQ(style.exitCode, 2);
   EXPECT_NE(style.err.find("viridis"), std::string::npos) << style.err;
+}
+
+TEST_F(SessionBatchTest, WhatItAsksForAndIsNotThereIsItsFaultAndWhatTheCallAsksForTheCalls) {
+  const auto changed = [&](const char* name, auto change) {
+    taa::SessionFile session = taa::readSession(file());
+    change(session);
+    const fs::path path = folder_ / (std::string(name) + ".taa.json");
+    writeSession(path, session);
+    return path.string();
+  };
+  const std::pair<std::string, std::string> cases[] = {
+      {changed("camera", [](taa::SessionFile& session) { session.camera = "drone"; }),
+       "there is no camera \"drone\" in builtin:fan"},
+      {changed("animation", [](taa::SessionFile& session) { session.choice.animation = "walk"; }),
+       "builtin:fan has one animation"},
+      {changed("hidden", [](taa::SessionFile& session) { session.filter.hidden = {"sail"}; }),
+       "no object is called \"sail\""},
+      {changed("restart", [](taa::SessionFile& session) { session.restarts = {999}; }),
+       "cannot restart the history at frame 999"},
+      {changed("frame", [](taa::SessionFile& session) { session.frame = 999; }),
+       "there is no frame 999: builtin:fan has frames 0 to 239"},
+  };
+  const std::vector<std::string> out = {"--out", (folder_ / "none").string()};
+  for (const auto& [path, reason] : cases) {
+    const ProcessResult result = batch(joined({"render", "--session", path}, out));
+    EXPECT_EQ(result.exitCode, 1) << result.err;
+    EXPECT_EQ(result.err.find("taa-batch: cannot open the session " + path + ": " + reason), 0u) << result.err;
+  }
+  const ProcessResult mine =
+      batch(joined({"render", "--session", file().string(), "--hide", "sail", "--frames", "0"}, out));
+  EXPECT_EQ(mine.exitCode, 2);
+  EXPECT_EQ(mine.err.find("taa-batch: --hide: no object is called \"sail\""), 0u) << mine.err;
+  EXPECT_FALSE(fs::exists(out.back()));
 }
 
 TEST_F(SessionBatchTest, WritesAnAnimationForEachIntermediate) {

@@ -147,7 +147,7 @@ TEST(Conventions, AreRefusedBySentencesThatSayWhatIsAllowed) {
   for (const char* number : {"nan", "inf", "-inf", "1e10", "", " 1", "1 ", "0x10", "none"})
     EXPECT_EQ(refusalOf(std::string("motion.scaleX=") + number),
               std::string("cannot set motion.scaleX to \"") + number +
-                  "\": give a number from -1e+09 to 1e+09");
+                  "\": give a number from -1000000000 to 1000000000");
   EXPECT_EQ(refusalOf("motion.yAxis"),
             "cannot read \"motion.yAxis\": write path=value, for example motion.yAxis=up");
   EXPECT_EQ(refusalOf("motion.yaxis=up"), "there is no convention \"motion.yaxis\"; near it are "

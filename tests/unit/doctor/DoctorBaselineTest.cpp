@@ -87,10 +87,15 @@ TEST(DoctorBaseline, TellsNewsFromWhatIsKnown) {
 }
 
 TEST(DoctorBaseline, SaysWhatIsWrongWithAFile) {
-  EXPECT_NE(refusal("[1, 2"), "");
-  EXPECT_NE(refusal(R"({"know": []})").find("known"), std::string::npos);
-  EXPECT_NE(refusal(R"({"known": [{"id": "motionZero"}]})").find("region"), std::string::npos);
-  EXPECT_NE(refusal(R"({"known": [{"id": 3, "region": ""}]})").find("known[0].id"), std::string::npos);
+  const std::string no = "known.json is no baseline of the doctor: ";
+  EXPECT_EQ(refusal("[1, 2"), no + "it ends in line 1, column 6, before it is whole");
+  EXPECT_EQ(refusal("[]"), no + "what the file holds is not an object");
+  EXPECT_EQ(refusal(R"({"know": []})"), no + "there is no key \"know\"; near it is \"known\"");
+  EXPECT_EQ(refusal("{}"), no + "the key \"known\" is missing");
+  EXPECT_EQ(refusal(R"({"known": 3})"), no + "\"known\" is not a list");
+  EXPECT_EQ(refusal(R"({"known": [3]})"), no + "\"known[0]\" is not an object");
+  EXPECT_EQ(refusal(R"({"known": [{"id": "motionZero"}]})"), no + "the key \"known[0].region\" is missing");
+  EXPECT_EQ(refusal(R"({"known": [{"id": 3, "region": ""}]})"), no + "\"known[0].id\" is not text");
 }
 
 } // namespace taa

@@ -49,7 +49,9 @@ TEST(LimitedJson, TakesTimeThatGrowsWithTheTextAlone) {
 
 TEST(LimitedJson, RefusesWhatIsBeyondItsLimits) {
   EXPECT_EQ(refusalOf("[1, 2, 3]", {.entries = 3}), "");
-  EXPECT_EQ(refusalOf("[1, 2, 3, 4]", {.entries = 3}), "a list or an object has more than 3 entries");
+  EXPECT_EQ(refusalOf("[1, 2, 3, 4]", {.entries = 3}), "what the file holds has more than 3 entries");
+  EXPECT_EQ(refusalOf(R"({"x": 1, "a": [0, {"b": [1, 2, 3, 4]}]})", {.entries = 3}),
+            "\"a[1].b\" has more than 3 entries");
   EXPECT_EQ(refusalOf("[[0]]", {.depth = 2}), "");
   EXPECT_EQ(refusalOf("[[[0]]]", {.depth = 2}), "it is nested deeper than 2 levels");
   EXPECT_EQ(refusalOf("[1]", {.bytes = 2}), "it has 3 bytes, more than the 2 allowed");
@@ -61,7 +63,16 @@ TEST(LimitedJson, SaysWhereItIsNone) {
   EXPECT_EQ(refusalOf(""), "it is empty");
   EXPECT_EQ(refusalOf("{\"a\": 1,\n\"b\": x}"), "it is not JSON from line 2, column 6 on");
   EXPECT_EQ(refusalOf("[1e999]"), "a number in line 1, column 6 is too large");
-  EXPECT_EQ(refusalOf("{\"a\\n\": 1, \"a\\n\": 2}"), "the key \"a?\" comes twice in one object");
+  EXPECT_EQ(refusalOf("{\"a\\n\": 1, \"a\\n\": 2}"), "the key \"a?\" comes twice");
+  EXPECT_EQ(refusalOf(R"({"x": 3, "a": [{"b": {"c": 1, "c": 1}}]})"), "the key \"a[0].b.c\" comes twice");
+}
+
+TEST(LimitedJson, SaysWhereItWasCut) {
+  EXPECT_EQ(refusalOf("["), "it ends in line 1, column 2, before it is whole");
+  EXPECT_EQ(refusalOf("{\"a\":\n"), "it ends in line 2, column 1, before it is whole");
+  EXPECT_EQ(refusalOf("{\"a\":\n \"b"), "it ends in line 2, column 4, before it is whole");
+  EXPECT_EQ(refusalOf("[\"a\n\"]"),
+            "it is not JSON from line 1, column 4 on"); // a line must not end in a text
 }
 
 TEST(LimitedJson, OpensScenesOfAnyShapeInTimeOfTheirSize) {
@@ -90,7 +101,7 @@ TEST(LimitedJson, ReadsTheLargestSessionInTimeOfItsSize) {
   const double seconds =
       processorSeconds([&] { said = test::errorOf([&] { sessionFromText(text, "it"); }); });
   EXPECT_LT(seconds, kMaxSeconds);
-  EXPECT_EQ(said, "cannot open the session it: a list or an object has more than 1000000 entries");
+  EXPECT_EQ(said, "cannot open the session it: \"window.a\" has more than 1000000 entries");
 }
 
 } // namespace

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,13 @@ std::string changed(const std::string& key, const nlohmann::json& value) {
   else
     json[key] = value;
   return json.dump();
+}
+
+/// A lane of it that is right but for one field.
+nlohmann::json lane(const std::string& key = "preset", const nlohmann::json& value = "sharp") {
+  nlohmann::json json{{"preset", "sharp"}, {"settings", nlohmann::json::object()}};
+  json[key] = value;
+  return json;
 }
 
 } // namespace
@@ -159,40 +167,56 @@ TEST(SessionFile, KeepsTheAnimationAndTheLength) {
 
 TEST(SessionFile, RefusesByName) {
   const std::pair<std::string, std::string> cases[] = {
-      {changed("colour", 1), "\"colour\""},
-      {changed("format", 2), "format is 2"},
-      {changed("source", nullptr), "\"source\" is missing"},
+      {changed("frames", 1), "there is no key \"frames\"; near it is \"frame\""},
+      {changed("format", 2), "its format is 2, this program reads 1"},
+      {changed("source", nullptr), "the key \"source\" is missing"},
       {changed("source", 7), "\"source\" is not text"},
+      {changed("source", ""), "\"source\" is empty"},
+      {changed("source", std::string(5000, 'x')), "\"source\" is longer than 4096 bytes"},
       {changed("animation", 7), "\"animation\" is not text"},
       {changed("length", 100001), "\"length\" wants a whole number from 0 to 100000"},
-      {changed("frame", -1), "\"frame\""},
-      {changed("frame", 1.5), "\"frame\""},
-      {changed("frame", 1e300), "\"frame\""},
-      {changed("size", {1, 2, 3}), "\"size\""},
-      {changed("size", {640, 99999}), "\"size\""},
-      {changed("settings", {{"weight", {{"minimun", 0.1}}}}), "weight.minimun"},
-      {changed("settings", {{"weight", {{"minimum", 7}}}}), "weight.minimum"},
-      {changed("lanes", {1, 2, 3, 4, 5}), "\"lanes\""},
-      {changed("lanes", {{{"preset", "x"}, {"settings", nlohmann::json::object()}, {"more", 1}}}),
-       "\"more\""},
-      {changed("motionModes", {{"floor", "sideways"}}), "sideways"},
-      {changed("classes", {{"floor", "sky"}}), "floor=sky"},
-      {changed("restarts", 7), "\"restarts\""},
-      {changed("restarts", {1, -1}), "\"restarts\""},
-      {changed("hidden", "floor"), "\"hidden\""},
-      {changed("isolated", {7}), "\"isolated\""},
-      {changed("track", {{"name", "x"}}), "poses"},
-      {changed("checkpointsMiB", -5), "\"checkpointsMiB\""},
-      {changed("window", 3), "\"window\""},
-      {changed("source", std::string(5000, 'x')), "too long"},
-      {"not JSON", "a.taa.json"},
-      {"[]", "not an object"},
-      {std::string(100000, '['), "nested"},
+      {changed("frame", -1), "\"frame\" wants a whole number from 0 to 1000000"},
+      {changed("frame", 1.5), "\"frame\" wants a whole number from 0 to 1000000"},
+      {changed("frame", 1e300), "\"frame\" wants a whole number from 0 to 1000000"},
+      {changed("size", {1, 2, 3}), "\"size\" wants [width, height]"},
+      {changed("size", {640, 99999}), "\"size[1]\" wants a whole number from 4 to 32768"},
+      {changed("settings", 3), "\"settings\": cannot read settings: expected an object of groups"},
+      {changed("settings", {{"weights", nlohmann::json::object()}}),
+       "\"settings\": there is no parameter \"weights\"; near it are weight.mask, weight.source or "
+       "weight.alpha"},
+      {changed("presetSettings", {{"weight", {{"minimum", 7}}}}),
+       "\"presetSettings\": cannot set weight.minimum to \"7\": give a number from 0 to 1"},
+      {changed("lanes", {1}), "\"lanes[0]\" is not an object"},
+      {changed("lanes", {1, 2, 3, 4, 5}), "\"lanes\" has 5 entries, more than the 4 allowed"},
+      {changed("lanes", {lane(), lane("more", 1)}),
+       "there is no key \"lanes[1].more\"; near it is \"preset\""},
+      {changed("lanes", nlohmann::json::array({lane("preset", 3)})), "\"lanes[0].preset\" is not text"},
+      {changed("lanes", nlohmann::json::array({lane("settings", 3)})),
+       "\"lanes[0].settings\": cannot read settings: expected an object of groups"},
+      {changed("motionModes", 3), "\"motionModes\" is not an object"},
+      {changed("motionModes", {{"floor", 3}}), "\"motionModes.floor\" is not text"},
+      {changed("classes", {{"a\nb", 3}}), "\"classes.a?b\" is not text"},
+      {changed("restarts", 7), "\"restarts\" is not a list"},
+      {changed("restarts", {1, -1}), "\"restarts[1]\" wants a whole number from 0 to 1000000"},
+      {changed("hidden", "floor"), "\"hidden\" is not a list"},
+      {changed("isolated", {"a", 7}), "\"isolated[1]\" is not text"},
+      {changed("track", {{"name", "x"}, {"firstFrame", 0}}), "the key \"track.poses\" is missing"},
+      {changed("track", {{"name", "x"}, {"firstFrame", 0}, {"poses", {{1, 2, 3, 4, 5}, {1, 2, 3, 4, "x"}}}}),
+       "\"track.poses[1][4]\" is not a number"},
+      {changed("checkpointsMiB", -5), "\"checkpointsMiB\" wants a whole number from 0 to 1048576"},
+      {changed("window", 3), "\"window\" is not an object"},
+      {"not JSON", "it is not JSON from line 1, column 2 on"},
+      {"{\"format\": 1,\n", "it ends in line 2, column 1, before it is whole"},
+      {"[]", "what the file holds is not an object"},
+      {std::string(100000, '['), "it is nested deeper than 32 levels"},
   };
-  for (const auto& [text, word] : cases) {
-    const std::string said = refusal(text);
+  for (const auto& [text, reason] : cases)
+    EXPECT_EQ(refusal(text), "cannot open the session a.taa.json: " + reason);
+  for (const auto& [key, value, word] :
+       {std::tuple("motionModes", "sideways", "sideways"), // tables say the rest
+        std::tuple("classes", "sky", "floor=sky")}) {
+    const std::string said = refusal(changed(key, {{"floor", value}}));
     EXPECT_NE(said.find(word), std::string::npos) << said;
-    EXPECT_EQ(said.find("cannot open the session a.taa.json"), 0u) << said;
   }
 }
 

@@ -208,6 +208,35 @@ TEST(Lesson, OpensNothingBesideItsFolder) {
   EXPECT_NE(refusal(step("scene: inside.glb\n")).find("no built-in scene"), std::string::npos);
 }
 
+TEST(Lesson, RefusalsNameTheFileAndTheLineOnce) {
+  EXPECT_EQ(refusal(""), "some.md: the lesson has no title: \"# \" and its name");
+  EXPECT_EQ(refusal("# T\n\x1b[2J\n"), "some.md:2: the line has bytes that are no text");
+  EXPECT_EQ(refusal(step("techniques: 4.1 99.9\n")).find("some.md:8: there is no technique \"99.9\"; near it is "),
+            0u);
+  const auto refusalOf = [](const char* path) {
+    try {
+      taa::readLesson(path);
+    } catch (const taa::Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusalOf("/dev/zero"), "cannot open /dev/zero: it is not a regular file");
+  EXPECT_EQ(refusalOf("/no/such/lesson.md"), "cannot open /no/such/lesson.md: No such file or directory");
+}
+
+TEST(Lesson, ALinkInAFolderOfLessonsLeadsNowhereElse) {
+  const fs::path folder = taa::test::temporaryFolder() / "lesson-link" / "lessons";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  taa::writeFile(folder.parent_path() / "outside.md", step(""));
+  fs::create_symlink(folder.parent_path() / "outside.md", folder / "in.md");
+  const taa::LessonFolder read = taa::readLessons(folder);
+  EXPECT_TRUE(read.lessons.empty());
+  ASSERT_EQ(read.errors.size(), 1u);
+  EXPECT_EQ(read.errors.front(), "in.md leads out of the folder; only files below it are opened");
+}
+
 TEST(Lesson, AFolderThatIsNotThereIsAnErrorInWords) {
   const taa::LessonFolder read = taa::readLessons("/no/such/folder");
   EXPECT_TRUE(read.lessons.empty());

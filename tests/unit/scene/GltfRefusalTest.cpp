@@ -307,6 +307,12 @@ TEST(GltfRefusal, RefusesPropertiesOfTheWrongType) {
   EXPECT_EQ(refusalWith("/accessors/0/count", 0), "accessors[0].count: it is 0");
   EXPECT_EQ(refusalOf([](GltfSample& sample) { sample.json["accessors"][0].erase("type"); }),
             "accessors[0].type: missing");
+  for (const char* list : {"scenes", "nodes", "meshes", "materials", "accessors", "bufferViews"})
+    EXPECT_EQ(refusalWith("/" + std::string(list), 5), std::string(list) + ": not a list");
+  EXPECT_EQ(refusalWith("/asset", 5), "asset: not an object");
+  EXPECT_EQ(refusalWith("/cameras", json::array({{{"type", "no\npe"}}})),
+            "cameras[0].type: \"no?pe\" is neither perspective nor orthographic");
+  EXPECT_EQ(refusalWith("/cameras", json::array({{{"type", "perspective"}}})), "cameras[0].perspective: missing");
   EXPECT_EQ(refusalWith("/meshes/0/primitives/0/attributes/POSITION", 1),
             "meshes[0].primitives[0].attributes.POSITION: it has 2 components");
 }

@@ -151,14 +151,14 @@ TEST(SweepSpec, RefusesValuesThatAParameterDoesNotHave) {
 TEST(SweepSpec, RefusesWhatItCannotMeasure) {
   expectWords(refusal("metrics", {"rsme"}), {"rsme", "rmse", "flicker"});
   expectWords(refusal("frames", {7, 4}), {"last frame is before the first"});
-  expectWords(refusal("frames", {7}), {"two numbers"});
+  expectWords(refusal("frames", {7}), {"\"frames\" wants [first, last]"});
   expectWords(refusal("frames", {-1, 4}), {"frames[0]", "0 to"});
   expectWords(refusal("size", {64, 70000}), {"size[1]"});
   expectWords(refusal("referenceSamples", 2), {"referenceSamples", "4 to 1024"});
   expectWords(refusal("pareto", {"psnr"}), {"two metrics"});
-  expectWords(refusal("sources", Json::array()), {"\"sources\" is empty"});
+  expectWords(refusal("sources", Json::array()), {"\"sources\" is empty; name what to go over"});
   expectWords(refusal("settings", {"minimal", "minimal"}), {"two of", "minimal"});
-  expectWords(refusal("format", 2), {"format"});
+  expectWords(refusal("format", 2), {"its format is 2, this program reads 1"});
   Json json = smallest();
   json["metrics"] = {"rmse", "psnr"};
   json["pareto"] = {"rmse", "flicker"};
@@ -186,7 +186,7 @@ TEST(SweepSpec, RefusesMoreThanItsLimits) {
   expectWords(refusal("cameras", std::vector<std::string>(1001, "pan")), {"cameras", "1001", "1000"});
   const std::string large(taa::kMaxSweepBytes + 1, ' ');
   expectWords(errorOf([&] { taa::sweepSpecFromText(large, "it.json", ""); }), {"it.json", "bytes"});
-  expectWords(errorOf([] { taa::sweepSpecFromText("{\"format\": 1,", "it.json", ""); }), {"not JSON"});
+  expectWords(errorOf([] { taa::sweepSpecFromText("{\"format\": 1,", "it.json", ""); }), {"before it is whole"});
 }
 
 TEST(SweepSpec, TradesTheBestMeasureOfGhostsThereIsForFlicker) {

@@ -1,10 +1,11 @@
-#include "core/cli/Shot.h"
+#include "core/cli/shot/Shot.h"
 
 #include "core/base/Error.h"
 #include "core/base/OldNames.h"
 #include "core/base/Text.h"
 #include "core/capture/source/Capture.h"
 #include "core/cli/Terminal.h"
+#include "core/cli/shot/PlanChecks.h"
 #include "core/io/SessionFile.h"
 #include "core/render/CaptureFacts.h"
 #include "core/scene/SceneSource.h"
@@ -22,15 +23,25 @@ using nlohmann::ordered_json;
 
 namespace {
 
+ShotWishes wishesOfCall(const ShotArguments& arguments) {
+  return {.camera = arguments.camera,
+          .track = cameraTrackOf(arguments),
+          .motionModes = motionModesOf(arguments),
+          .filter = arguments.filter,
+          .objectClasses = objectClassesOf(arguments),
+          .restarts = arguments.restarts};
+}
+
 // The session's, with --set on top.
-ShotPlan planSession(const ShotArguments& arguments) {
+void planSession(const ShotArguments& arguments, ShotPlan& plan) {
   const SessionFile session = readSession(arguments.session);
-  ObjectFilter filter = session.filter; // and what is said besides
-  filter.hidden.insert(filter.hidden.end(), arguments.filter.hidden.begin(), arguments.filter.hidden.end());
-  if (!arguments.filter.isolated.empty()) filter.isolated = arguments.filter.isolated;
-  ShotPlan plan{session.source,        session.camera,  session.size, {},
-                session.motionModes,   session.track,   filter,       session.frame,
-                session.objectClasses, session.restarts};
+  plan.session = arguments.session;
+  plan.source = session.source;
+  plan.size = session.size;
+  plan.frame = session.frame;
+  plan.notes = session.notes;
+  plan.ofSession = {session.camera, session.track,         session.motionModes,
+                    session.filter, session.objectClasses, session.restarts};
   std::vector<SessionLane> lanes{session.settings};
   lanes.insert(lanes.end(), session.lanes.begin(), session.lanes.end());
   for (const SessionLane& lane : lanes) {
@@ -38,14 +49,9 @@ ShotPlan planSession(const ShotArguments& arguments) {
     plan.lanes.push_back({lanes.size() > 1 ? name : "", lane.preset, lane.settings});
   }
   assign(plan.lanes, arguments.assignments);
-  for (const MotionOverride& mode : motionModesOf(arguments)) plan.motionModes.push_back(mode);
-  for (const ClassOverride& given : objectClassesOf(arguments)) plan.objectClasses.push_back(given);
-  plan.restarts.insert(plan.restarts.end(), arguments.restarts.begin(), arguments.restarts.end());
-  plan.notes = session.notes;
   plan.choice = session.choice;
   if (!arguments.choice.animation.empty()) plan.choice.animation = arguments.choice.animation;
   if (arguments.choice.frames > 0) plan.choice.frames = arguments.choice.frames;
-  return plan;
 }
 
 void requireBuiltin(const std::string& source) {
@@ -69,23 +75,35 @@ void setAskedSize(Inspector& inspector, const ShotPlan& plan) {
 } // namespace
 
 ShotPlan planShot(const ShotArguments& arguments) {
-  if (!arguments.session.empty()) return planSession(arguments);
+  ShotPlan plan;
+  plan.ofCall = wishesOfCall(arguments);
+  plan.isChoiceAsked = arguments.choice != ShotChoice{};
+  if (!arguments.session.empty()) {
+    planSession(arguments, plan);
+    return plan;
+  }
   if (arguments.source.empty()) throw UsageError("SOURCE is required, or --session FILE instead of it");
   requireBuiltin(arguments.source);
-  const bool isSizeAsked = !arguments.size.empty();
-  return {arguments.source,
-          arguments.camera,
-          parseSize(isSizeAsked ? arguments.size : kDefaultSize),
-          lanesOf(arguments),
-          motionModesOf(arguments),
-          cameraTrackOf(arguments),
-          arguments.filter,
-          -1,
-          objectClassesOf(arguments),
-          arguments.restarts,
-          isSizeAsked,
-          {},
-          arguments.choice};
+  plan.source = arguments.source;
+  plan.isSizeAsked = !arguments.size.empty();
+  plan.size = parseSize(plan.isSizeAsked ? arguments.size : kDefaultSize);
+  plan.lanes = lanesOf(arguments);
+  plan.choice = arguments.choice;
+  return plan;
+}
+
+ShotWishes wishesOf(const ShotPlan& plan) {
+  ShotWishes wishes = plan.ofSession;
+  const ShotWishes& call = plan.ofCall;
+  const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
+  if (!call.camera.empty()) wishes.camera = call.camera;
+  if (call.track) wishes.track = call.track;
+  append(wishes.motionModes, call.motionModes);
+  append(wishes.filter.hidden, call.filter.hidden);
+  if (!call.filter.isolated.empty()) wishes.filter.isolated = call.filter.isolated;
+  append(wishes.objectClasses, call.objectClasses);
+  append(wishes.restarts, call.restarts);
+  return wishes;
 }
 
 namespace {
@@ -94,7 +112,6 @@ namespace {
 void checkForCapture(const CaptureFacts& captured, const ShotArguments& arguments, const ShotPlan& plan) {
   if (plan.isSizeAsked && plan.size != captured.outputPx)
     throw UsageError("--size " + arguments.size + ": " + whyOneSize(captured));
-  if (!plan.motionModes.empty()) throw UsageError("--motion-mode: " + whyNoScene());
   for (const std::string& assignment : arguments.assignments) {
     const Parameter& row = parameter(std::string_view(assignment).substr(0, assignment.find('=')));
     if (isFixedBy(captured, row)) throw UsageError("--set " + assignment + ": " + whyFixed(row));
@@ -118,22 +135,22 @@ void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPl
   inspector.shot().setLanes(settings);
   const bool isCaptured = !isBuiltinScene(plan.source) && capture::isCapture(plan.source);
   if (!isCaptured) setAskedSize(inspector, plan);
-  inspector.shot().open(plan.source, progress, plan.choice);
-  if (const auto captured = inspector.shot().capture()) checkForCapture(*captured, arguments, plan);
-  if (!plan.camera.empty()) inspector.shot().setCamera(plan.camera);
-  if (plan.track) inspector.shot().setCameraTrack(*plan.track);
-  inspector.shot().setMotionModes(plan.motionModes);
-  inspector.shot().setObjectFilter(plan.filter);
-  inspector.shot().setObjectClasses(plan.objectClasses);
-  inspector.shot().setRestarts(plan.restarts);
+  openChosen(plan, [&] { inspector.shot().open(plan.source, progress, plan.choice); });
+  const auto captured = inspector.shot().capture();
+  if (captured) checkForCapture(*captured, arguments, plan);
+  checkWishes(plan, {captured ? nullptr : &inspector.shot().scene(), inspector.shot().frameCount()});
+  const ShotWishes wishes = wishesOf(plan);
+  if (!wishes.camera.empty()) inspector.shot().setCamera(wishes.camera);
+  if (wishes.track) inspector.shot().setCameraTrack(*wishes.track);
+  inspector.shot().setMotionModes(wishes.motionModes);
+  inspector.shot().setObjectFilter(wishes.filter);
+  inspector.shot().setObjectClasses(wishes.objectClasses);
+  inspector.shot().setRestarts(wishes.restarts);
   for (const std::string& warning : inspector.shot().scene().warnings) tell("warning", warning);
 }
 
-void requireFrame(const Inspector& inspector, int frame) {
-  const int last = inspector.shot().frameCount() - 1;
-  if (frame > last)
-    throw UsageError("there is no frame " + std::to_string(frame) + ": " + inspector.shot().source() +
-                     " has frames 0 to " + std::to_string(last));
+void requireFrame(const Inspector& inspector, const ShotPlan& plan, int frame) {
+  requireFrame(plan, inspector.shot().source(), inspector.shot().frameCount(), frame);
 }
 
 void requirePixel(const Inspector& inspector, const glm::ivec2& pixel) {

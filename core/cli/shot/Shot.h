@@ -13,22 +13,33 @@
 
 namespace taa::cli {
 
-/// Everything about `arguments` that can be wrong before a scene is opened, read once.
-struct ShotPlan {
-  std::string source, camera;
-  glm::ivec2 size;
-  std::vector<LaneChoice> lanes;
-  std::vector<MotionOverride> motionModes;
+/// Cameras, objects and frames of what is not open yet, so that they may not be there.
+struct ShotWishes {
+  std::string camera; ///< empty: the scene's own
   std::optional<CameraTrack> track;
+  std::vector<MotionOverride> motionModes;
   ObjectFilter filter;
-  int frame = -1; ///< of a session; −1: none is said
   std::vector<ClassOverride> objectClasses;
   std::vector<int> restarts;
-  bool isSizeAsked = false;         ///< by the caller, not by a session or as the default
-  std::vector<std::string> notes{}; ///< to say of the session
-  ShotChoice choice{};
+};
+
+/// Everything about `arguments` that can be wrong before a scene is opened, read once.
+struct ShotPlan {
+  std::string session; ///< the file; empty: none
+  std::string source;
+  glm::ivec2 size{0};
+  bool isSizeAsked = false; ///< by the caller, not by a session or as the default
+  std::vector<LaneChoice> lanes;
+  ShotWishes ofSession, ofCall;
+  int frame = -1; ///< of the session; −1: none is said
+  ShotChoice choice;
+  bool isChoiceAsked = false;     ///< by the caller, not by the session alone
+  std::vector<std::string> notes; ///< to say of the session
 };
 ShotPlan planShot(const ShotArguments& arguments);
+
+/// Those of the session with those of the call on top.
+ShotWishes wishesOf(const ShotPlan& plan);
 
 /// Says on stderr, each once, which names that were given have changed: `notes` and those of the lanes.
 void sayNotes(std::vector<std::string> notes, const std::vector<LaneChoice>& lanes);
@@ -38,8 +49,8 @@ void sayNotes(std::vector<std::string> notes, const std::vector<LaneChoice>& lan
 void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPlan& plan,
               const Progress& progress);
 
-/// Throws UsageError that names the frames there are.
-void requireFrame(const Inspector& inspector, int frame);
+/// Throws UsageError that names the frames there are, Error where `frame` is that of the session.
+void requireFrame(const Inspector& inspector, const ShotPlan& plan, int frame);
 /// Throws UsageError that names the size of the picture.
 void requirePixel(const Inspector& inspector, const glm::ivec2& pixel);
 

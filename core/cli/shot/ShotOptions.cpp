@@ -1,4 +1,4 @@
-#include "core/cli/ShotOptions.h"
+#include "core/cli/shot/ShotOptions.h"
 
 #include "core/replay/Checkpoints.h"
 #include "core/scene/cost/SceneCost.h"
@@ -53,7 +53,7 @@ CLI::Option* addSceneOptions(CLI::App& command, ShotArguments& shot) {
   command
       .add_option("--restart", shot.restarts,
                   "A frame at which history starts anew, as after a cut; repeat it for more")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0, kMaxShotFrames - 1))
       ->allow_extra_args(false);
   return camera;
 }
