@@ -191,18 +191,17 @@ TEST_F(BatchTest, SaysThatTheCallAsksForWhatIsNotThere) {
   expectUsageError(joined(fan, {"--frames", "0", "--fps", "nan"}), {"--fps", "nan", "1000"});
   expectUsageError(joined(fan, {"--frames", "0", "--divider", "nan"}), {"--divider", "nan"});
   // Whatever command it is asked of.
-  for (const auto& [flag, value, word] :
-       std::vector<std::tuple<std::string, std::string, std::string>>{{"--camera", "drone", "orbit"},
-                                                                      {"--animation", "walk", "one animation"},
-                                                                      {"--hide", "sail", "rotor"},
-                                                                      {"--isolate", "sail", "rotor"},
-                                                                      {"--motion-mode", "sail=none", "rotor"},
-                                                                      {"--class", "sail=still", "rotor"},
-                                                                      {"--restart", "99998", "frames 0 to"}}) {
-    const std::string name = value.substr(0, value.find('='));
-    expectUsageError(joined(fan, {"--frames", "0", flag, value}), {flag, name, word});
+  for (const auto& [flag, value, reason] : std::vector<std::tuple<std::string, std::string, std::string>>{
+           {"--camera", "drone", "no camera \"drone\" in builtin:fan"},
+           {"--animation", "walk", "builtin:fan has one animation"},
+           {"--hide", "sail", "no object is called \"sail\""},
+           {"--isolate", "sail", "no object is called \"sail\""},
+           {"--motion-mode", "sail=none", "no object is called \"sail\""},
+           {"--class", "sail=still", "no object is called \"sail\""},
+           {"--restart", "99998", "frame 99998: the shot has frames 0 to"}}) {
+    expectUsageError(joined(fan, {"--frames", "0", flag, value}), {flag, reason});
     expectUsageError({"doctor", "builtin:fan", "--size", "16x16", "--frames", "2", flag, value},
-                     {flag, name, word});
+                     {flag, reason});
   }
   expectUsageError(joined(fan, {"--frames", "0", "--restart", "-1"}), {"--restart", "-1", "0 to 99999"});
   for (const std::string flag : {"--camera-path", "--camera", "--session", "--preset"})

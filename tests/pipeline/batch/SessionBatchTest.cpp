@@ -92,9 +92,9 @@ TEST_F(SessionBatchTest, RestartsAndClassesAreFlagsAndPartOfASession) {
   EXPECT_NE(reasonOf(at5), 1.0f);
   EXPECT_EQ(reasonOf(joined(at5, {"--restart", "2", "--restart", "5"})), 1.0f);
   const ProcessResult late = batch(joined(at5, {"--restart", "240"}));
-  EXPECT_EQ(late.exitCode, 1);
+  EXPECT_EQ(late.exitCode, 2);
   EXPECT_NE(late.err.find("frame 240"), std::string::npos) << late.err;
-  EXPECT_EQ(batch(joined(at5, {"--class", "nobody=character"})).exitCode, 1);
+  EXPECT_EQ(batch(joined(at5, {"--class", "nobody=character"})).exitCode, 2);
   EXPECT_EQ(batch(joined(at5, {"--class", "rotor=person"})).exitCode, 2);
 }
 
@@ -160,7 +160,8 @@ TEST_F(SessionBatchTest, WhatItAsksForAndIsNotThereIsItsFaultAndWhatTheCallAsksF
   for (const auto& [path, reason] : cases) {
     const ProcessResult result = batch(joined({"render", "--session", path}, out));
     EXPECT_EQ(result.exitCode, 1) << result.err;
-    EXPECT_EQ(result.err.find("taa-batch: cannot open the session " + path + ": " + reason), 0u) << result.err;
+    EXPECT_EQ(result.err.find("taa-batch: cannot open the session " + path + ": " + reason), 0u)
+        << result.err;
   }
   const ProcessResult mine =
       batch(joined({"render", "--session", file().string(), "--hide", "sail", "--frames", "0"}, out));
