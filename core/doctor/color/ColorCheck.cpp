@@ -29,6 +29,7 @@ void ColorEvidence::add(const FrameNeighbors& frames, const std::vector<RegionIn
   brightness.add(frames);
   coplanar.add(frames);
   blended.add(frames);
+  light.add(frames.now);
 }
 
 std::vector<std::uint8_t> tellInterface(const ColorEvidence& evidence, Diagnosis& out) {
@@ -51,6 +52,7 @@ void tellColor(const ColorEvidence& evidence, const BrightnessEvidence& brightne
   tellBrightness(brightness, out);
   tellCoplanar(evidence.coplanar, patient, out);
   tellTextures(out);
+  tellEncoding(evidence.light, patient, out);
 }
 
 } // namespace taa::doctor

@@ -7,6 +7,7 @@
 #include "core/doctor/color/BlendedSurfaces.h"
 #include "core/doctor/color/BrightnessSteps.h"
 #include "core/doctor/color/CoplanarFlips.h"
+#include "core/doctor/color/ScreenEncoding.h"
 #include "core/doctor/color/ScreenTiles.h"
 #include "core/doctor/frames/DoctorFrame.h"
 #include "core/doctor/frames/Regions.h"
@@ -23,6 +24,7 @@ struct ColorEvidence {
   BrightnessEvidence brightness;
   CoplanarEvidence coplanar;
   BlendedEvidence blended;
+  BrightLight light;
 
   /// `labels`: of `frames.now`.
   void add(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels);

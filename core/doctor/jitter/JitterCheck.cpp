@@ -333,22 +333,29 @@ void tellNoFit(double missPx, Diagnosis& out) {
                            say<"Capture 8 frames or more with camera and objects still.">(), jitterFaults()});
 }
 
-/// Pictures fit no better, and yet shifts that are measured are nearer to jitter of another length.
+/// Pictures fit no better, and yet shifts that are measured are nearer to jitter of another length; or they
+/// are measured so coarsely that a somewhat other length would look the same.
 void tellLength(const JitterFit& fit, const std::vector<JitterTrial>& trials, Diagnosis& out) {
-  constexpr double kFitsAsWellShare = 1.02, kNearerLengthShare = 0.8;
+  constexpr double kFitsAsWellShare = 1.02, kNearerLengthShare = 0.8, kCoarsePx = 0.1;
+  const double missPx = fit.missPx.front();
+  const auto leaveOpen = [&](const std::string& reason, const std::vector<Fault>& faults) {
+    out.undecided.push_back(
+        {say<"Jitter's length">(), reason, say<"Capture a still scene with fine detail.">(), faults});
+  };
   for (std::size_t t = 0; t < trials.size(); ++t) {
     if (trials[t].kind != JitterKind::Scaled || fit.trials[t].share() > kFitsAsWellShare ||
-        fit.missPx[t] > kNearerLengthShare * fit.missPx.front())
+        fit.missPx[t] > kNearerLengthShare * missPx)
       continue;
-    out.undecided.push_back(
-        {say<"Jitter's length">(),
-         say<"measured shifts are %1 px from those that are stated, and %2 px from those of jitter like "
-             "this: %3; but pictures fit it no better">(
-             shortNumber(fit.missPx.front()), shortNumber(fit.missPx[t]), jitterTrialText(trials[t])),
-         say<"Capture a still scene with fine detail.">(),
-         {trials[t].factor.x < 1.0f ? Fault::JitterDoubled : Fault::JitterHalved}});
-    return;
+    const Fault fault = trials[t].factor.x < 1.0f ? Fault::JitterDoubled : Fault::JitterHalved;
+    return leaveOpen(say<"measured shifts are %1 px from those that are stated, and %2 px from those of "
+                         "jitter like this: %3; but pictures fit it no better">(
+                         shortNumber(missPx), shortNumber(fit.missPx[t]), jitterTrialText(trials[t])),
+                     {fault});
   }
+  if (missPx > kCoarsePx)
+    leaveOpen(say<"measured shifts are %1 px from those that are stated: jitter that is a little longer or "
+                  "shorter would look the same">(shortNumber(missPx)),
+              {Fault::JitterDoubled, Fault::JitterHalved});
 }
 
 } // namespace

@@ -98,6 +98,7 @@ TEST_F(DoctorFaults, AreLeftOpenWhereFramesDoNotShowThem) {
   };
   const std::vector<OpenCase> cases = {
       {"fence", "still", Fault::JitterHalved, true, "Jitter's length"},
+      {"crowd", "still", Fault::JitterHalved, true, "Jitter's length"},
       {"foliage", "orbit", Fault::AlphaOne, false, "The weight of the current frame"},
       {"foliage", "pan", Fault::CameraOfSecondView, false, "Motion of object 1 (ground)"},
       {"crowd", "orbit", Fault::OldTransformOnReturn, false, "small regions"}};
