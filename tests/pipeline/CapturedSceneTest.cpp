@@ -212,5 +212,5 @@ TEST_F(CapturedSceneTest, IsProbedFromTheCommandLine) {
   }
   probe.shot.assignments.clear();
   probe.shot.camera = "orbit";
-  EXPECT_THROW(aside(probe), Error);
+  EXPECT_THROW(aside(probe), cli::UsageError);
 }
