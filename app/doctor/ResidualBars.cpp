@@ -60,17 +60,28 @@ QSize ResidualBars::minimumSizeHint() const {
   return {160, sizeHint().height()};
 }
 
+/// Of the column of labels, which go on into the next one where that is empty.
+int ResidualBars::wantedLabel(int mark) const {
+  const QFontMetrics words(secondaryFont());
+  int wanted = 0;
+  for (const Bar& bar : bars_)
+    wanted =
+        std::max(wanted, words.horizontalAdvance(bar.label) + 2 * kUnit - (bar.mark.isEmpty() ? mark : 0));
+  return wanted;
+}
+
 ResidualBars::Columns ResidualBars::columns() const {
   const QFontMetrics words(secondaryFont()), numbers(numberFont());
   const int mark = widestOf(bars_, words, &Bar::mark) + 2 * kUnit,
             number = widestOf(bars_, numbers, &Bar::number) + 2 * kUnit;
   const int room = std::max(0, width() - mark - number - scaled(kLongestBar) - kUnit);
-  const int label = std::min(widestOf(bars_, words, &Bar::label) + 2 * kUnit, room);
+  const int label = std::min(wantedLabel(mark), room);
   return {0, label, label + mark, label + mark + number};
 }
 
 bool ResidualBars::areLabelsWhole() const {
-  return columns().mark >= widestOf(bars_, QFontMetrics(secondaryFont()), &Bar::label) + 2 * kUnit;
+  const Columns at = columns();
+  return at.mark >= wantedLabel(at.number - at.mark);
 }
 
 QRectF ResidualBars::barRect(int line) const {
@@ -97,9 +108,9 @@ void ResidualBars::paintLine(QPainter& painter, int line) const {
   painter.setFont(secondaryFont());
   const bool isMarked = bar.isBest || bar.isGiven;
   painter.setPen(isMarked ? colors.text : colors.secondary);
-  painter.drawText(
-      cell(at.label, at.mark), Qt::AlignVCenter | Qt::AlignLeft,
-      QFontMetrics(secondaryFont()).elidedText(bar.label, Qt::ElideRight, cell(at.label, at.mark).width()));
+  const QRect label = cell(at.label, bar.mark.isEmpty() ? at.number : at.mark);
+  painter.drawText(label, Qt::AlignVCenter | Qt::AlignLeft,
+                   QFontMetrics(secondaryFont()).elidedText(bar.label, Qt::ElideRight, label.width()));
   painter.drawText(cell(at.mark, at.number), Qt::AlignVCenter | Qt::AlignLeft, bar.mark);
   painter.setFont(numberFont());
   painter.drawText(cell(at.number, at.bar), Qt::AlignVCenter | Qt::AlignRight, bar.number);

@@ -39,6 +39,7 @@ class ResidualBars : public QWidget {
   struct Columns {
     int label = 0, mark = 0, number = 0, bar = 0; ///< where they begin, px; numbers end at `bar`
   };
+  int wantedLabel(int mark) const;
   Columns columns() const;
   void paintLine(QPainter& painter, int line) const;
 

@@ -200,6 +200,11 @@ TEST_F(DoctorPageTest, ShowsAFindingWithItsEvidence) {
   narrow.resize(375, narrow.sizeHint().height());
   EXPECT_TRUE(narrow.areLabelsWhole()) << "at 1280 px";
   EXPECT_GE(narrow.barRect(1).width(), 48.0);
+  // Where nothing is marked, labels go on into the column of marks.
+  narrow.setResiduals({{"negatedY", "y negated", 0.0002, false, true},
+                       {"asGiven", "as given", 1.41, true, false},
+                       {"jitter", "with the jitter of the frame before added", 1.41, false, false}});
+  EXPECT_TRUE(narrow.areLabelsWhole()) << "at 1280 px";
   narrow.resize(200, narrow.height());
   EXPECT_FALSE(narrow.areLabelsWhole());
   EXPECT_NEAR(bars->barRect(0).width(), 0.25 * bars->barRect(1).width(), 1e-9) << "2 of 8";
