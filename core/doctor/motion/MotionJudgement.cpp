@@ -1,12 +1,12 @@
 #include "core/doctor/motion/MotionJudgement.h"
 
+#include "core/doctor/motion/BroadestTrial.h"
 #include "core/doctor/motion/MotionMarks.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace taa::doctor {
@@ -182,25 +182,13 @@ void preferWorld(JudgedRegion& region, const std::vector<MotionTrial>& trials) {
     std::erase_if(fitting, [&](std::size_t t) { return trials[t].kind == MotionKind::Resting; });
 }
 
-/// The explanation that fits the most pixels of regions that are still open; of those that fit as many, the
-/// first that gains nearly as much as any.
-std::size_t broadestTrial(const std::vector<JudgedRegion*>& open, std::size_t trialCount) {
-  constexpr double kAsMuch = 0.99;
-  std::vector<double> pixels(trialCount, 0.0), gains(trialCount, 0.0);
+std::vector<FittingTrial> fittingTrials(const std::vector<JudgedRegion*>& open) {
+  std::vector<FittingTrial> fitting;
   for (const JudgedRegion* region : open)
-    for (const std::size_t trial : region->decision.explanations) {
-      pixels[trial] += region->region->pixels;
-      gains[trial] += region->evidence->trials[trial].gain();
-    }
-  const double most = *std::ranges::max_element(pixels);
-  // What is told by outlines or middles may gain nothing by its pixels, or lose.
-  double gain = std::numeric_limits<double>::lowest();
-  for (std::size_t t = 0; t < trialCount; ++t)
-    if (pixels[t] == most) gain = std::max(gain, gains[t]);
-  const double least = gain - (1.0 - kAsMuch) * std::abs(gain);
-  std::size_t best = 0;
-  while (best + 1 < trialCount && (pixels[best] < most || gains[best] < least)) ++best;
-  return best;
+    for (const std::size_t trial : region->decision.explanations)
+      fitting.push_back(
+          {trial, static_cast<double>(region->region->pixels), region->evidence->trials[trial].gain()});
+  return fitting;
 }
 
 /// Tells the most with the fewest: the explanation that fits the most pixels is that of all regions that it
@@ -215,7 +203,7 @@ void explainByFewest(std::vector<JudgedRegion>& judged, const std::vector<Motion
     open.push_back(&region);
   }
   while (!open.empty()) {
-    const std::size_t best = broadestTrial(open, trials.size());
+    const std::size_t best = broadestTrial(fittingTrials(open));
     std::erase_if(open, [&](JudgedRegion* region) {
       if (std::ranges::count(region->decision.explanations, best) == 0) return false;
       region->trial = best;
