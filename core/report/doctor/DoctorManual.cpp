@@ -41,6 +41,8 @@ Where a mask says that something is blended in, its shapes are searched for in t
 
 How sharp a texture is before it is filtered is in no frame: the bias of the level of detail is not decided.
 
+Color that is encoded for a screen ends at 1. Where more than one pixel in a thousand of a capture shows light above 1.5, color that is stated as encoded is not, and color that is stated as linear is; where fewer do, the encoding is not decided.
+
 ### The resolve
 
 What the engine's own TAA made of the frames comes with a capture, or is what the preset makes of a scene. At some hundred pixels a frame each preset of this program is tried, as it is and with each mistake of the table above, on the frame's colors, motion and depth and on the output before: history read off by the last jitter, in place, on the other side, of the frame before the last, a box of two corners, and, at rims and where history lies beyond the picture, the motion of the farthest and a history that is kept. α is that of the preset, and eight from 0 to 1. A mistake is told where it leaves at most half of what the best sound resolve leaves; the preset that fits is told as the nearest one. Values that are no number and stay, and outputs in steps of 1/255, are seen without that. An output that no preset is near to is not decided, nor is one made of frames in which something is wrong, unless it fits exactly.
