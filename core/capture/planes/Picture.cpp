@@ -70,12 +70,15 @@ std::string withoutQuotedFolders(std::string said) {
   return said;
 }
 
-/// Without what a library calls itself and the file: both are said already.
+/// Without what a library calls itself and what it was about: the file is named already.
 std::string_view withoutLibrary(std::string_view said) {
-  for (const std::string_view name : {"OpenEXR exception: ", "Cannot open image file ", "Cannot read image file "})
+  constexpr std::string_view kOfFile = "image file \"", kReason = "\". ";
+  const std::size_t file = said.find(kOfFile);
+  const std::size_t reason = file == said.npos ? file : said.find(kReason, file + kOfFile.size());
+  if (reason != said.npos) said.remove_prefix(reason + kReason.size());
+  for (const std::string_view name : {"OpenEXR exception: ", "Failed OpenEXR read: "})
     if (said.starts_with(name)) said.remove_prefix(name.size());
-  const std::size_t close = said.starts_with('"') ? said.find("\". ", 1) : said.npos;
-  return close == said.npos ? said : said.substr(close + 3);
+  return said;
 }
 
 /// What OpenImageIO says in its last error, on one line.

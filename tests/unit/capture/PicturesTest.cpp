@@ -1,5 +1,6 @@
 // Planes in pictures: parts and channels by name, values as they are stored, and files that are hostile.
 #include "core/base/Files.h"
+#include "core/capture/planes/PictureParts.h"
 #include "core/capture/planes/Planes.h"
 #include "tests/support/ErrorOf.h"
 #include "tests/support/Paths.h"
@@ -382,7 +383,16 @@ TEST_F(Pictures, ThatAreCutOffAreRefusedWithoutTheirFolders) {
     writeFile(folder / "cut.exr", std::string_view(whole).substr(0, length));
     expectMessage("cut.exr");
     EXPECT_EQ(message().find(folder.string()), std::string::npos) << message();
+    EXPECT_EQ(message().find("OpenEXR"), std::string::npos) << message();
+    EXPECT_EQ(message().find("image file"), std::string::npos) << "the file is named already: " << message();
   }
+}
+
+TEST_F(Pictures, ThatAreTooLargeAreNamed) {
+  const OIIO::ImageSpec wide(kMaxCaptureSide + 1, 1, 1, OIIO::TypeHalf);
+  writePicture(folder / "wide.exr", wide, OIIO::TypeFloat, std::vector<float>(kMaxCaptureSide + 1, 0.0f));
+  EXPECT_EQ(test::errorOf([&] { picturePartsOf(folder, "wide.exr"); }),
+            "wide.exr is 16385 × 1 pixels, more than the 16384 a side allowed");
 }
 
 // Whatever happens to a file, it is read or refused in a sentence, soon.
