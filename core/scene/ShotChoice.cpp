@@ -42,7 +42,8 @@ void chooseAnimation(Scene& scene, const std::string& name) {
   if (name == kAllAnimations || names.empty()) return;
   const auto found = name.empty() ? names.begin() : std::ranges::find(names, name);
   if (found == names.end())
-    throw ChoiceError(say<"it has no animation called \"%1\"; there are %2">(shownText(name), someNames(names)));
+    throw ChoiceError(
+        say<"it has no animation called \"%1\"; there are %2">(shownText(name), someNames(names)));
   Animation chosen = std::move(scene.animations[static_cast<std::size_t>(found - names.begin())]);
   scene.animations.clear();
   scene.animations.push_back(std::move(chosen));

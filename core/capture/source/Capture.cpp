@@ -121,8 +121,8 @@ Frame Capture::Impl::read(int index, std::unique_lock<std::mutex>& lock, bool is
     FramePlanes planes = isAhead ? planesAhead(stated) : readPlanes(folder, manifest, stated);
     frame = std::make_shared<const DecodedFrame>(decode(manifest, at, std::move(planes)));
   } catch (const Error& error) {
-    failure = std::make_exception_ptr(
-        Error(say<"cannot read the capture %1: %2">(folder.string(), error.what())));
+    failure =
+        std::make_exception_ptr(Error(say<"cannot read the capture %1: %2">(folder.string(), error.what())));
   } catch (const std::bad_alloc&) {
     const int number = manifest.frames[static_cast<std::size_t>(index)].number;
     failure = std::make_exception_ptr(Error(say<"there is not enough memory for frame %1">(number)));

@@ -31,7 +31,7 @@ struct SourceRequest {
 struct DoctorSource {
   std::shared_ptr<FrameSource> frames;  // also owned by who reads them
   std::shared_ptr<EngineOutput> output; // also owned by who reads them; null: there is none
-  std::shared_ptr<const Scene> scene; ///< null: a capture
+  std::shared_ptr<const Scene> scene;   ///< null: a capture
   FrameRequest request;
   KnownPlanes known;
   int frameCount = 0;

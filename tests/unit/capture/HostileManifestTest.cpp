@@ -100,7 +100,8 @@ TEST(HostileManifest, WhatIsDeepOrLarge) {
             "what the file holds has more than 1000000 entries");
   const std::string full = "[" + repeated("{},", 900'000) + "0],";
   EXPECT_EQ(refusalOf("[" + repeated(full, 5) + "0]"), "it would take more than 400 MiB of memory");
-  EXPECT_EQ(refusalOf("\"" + std::string(3'000'000, 'x')), "it ends in line 1, column 3000002, before it is whole");
+  EXPECT_EQ(refusalOf("\"" + std::string(3'000'000, 'x')),
+            "it ends in line 1, column 3000002, before it is whole");
 }
 
 TEST(HostileManifest, KeysThatAreUnknownMissingOrTwice) {

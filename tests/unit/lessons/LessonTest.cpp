@@ -211,8 +211,9 @@ TEST(Lesson, OpensNothingBesideItsFolder) {
 TEST(Lesson, RefusalsNameTheFileAndTheLineOnce) {
   EXPECT_EQ(refusal(""), "some.md: the lesson has no title: \"# \" and its name");
   EXPECT_EQ(refusal("# T\n\x1b[2J\n"), "some.md:2: the line has bytes that are no text");
-  EXPECT_EQ(refusal(step("techniques: 4.1 99.9\n")).find("some.md:8: there is no technique \"99.9\"; near it is "),
-            0u);
+  EXPECT_EQ(
+      refusal(step("techniques: 4.1 99.9\n")).find("some.md:8: there is no technique \"99.9\"; near it is "),
+      0u);
   const auto refusalOf = [](const char* path) {
     try {
       taa::readLesson(path);

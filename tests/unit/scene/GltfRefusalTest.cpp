@@ -312,7 +312,8 @@ TEST(GltfRefusal, RefusesPropertiesOfTheWrongType) {
   EXPECT_EQ(refusalWith("/asset", 5), "asset: not an object");
   EXPECT_EQ(refusalWith("/cameras", json::array({{{"type", "no\npe"}}})),
             "cameras[0].type: \"no?pe\" is neither perspective nor orthographic");
-  EXPECT_EQ(refusalWith("/cameras", json::array({{{"type", "perspective"}}})), "cameras[0].perspective: missing");
+  EXPECT_EQ(refusalWith("/cameras", json::array({{{"type", "perspective"}}})),
+            "cameras[0].perspective: missing");
   EXPECT_EQ(refusalWith("/meshes/0/primitives/0/attributes/POSITION", 1),
             "meshes[0].primitives[0].attributes.POSITION: it has 2 components");
 }

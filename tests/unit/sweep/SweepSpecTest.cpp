@@ -186,7 +186,8 @@ TEST(SweepSpec, RefusesMoreThanItsLimits) {
   expectWords(refusal("cameras", std::vector<std::string>(1001, "pan")), {"cameras", "1001", "1000"});
   const std::string large(taa::kMaxSweepBytes + 1, ' ');
   expectWords(errorOf([&] { taa::sweepSpecFromText(large, "it.json", ""); }), {"it.json", "bytes"});
-  expectWords(errorOf([] { taa::sweepSpecFromText("{\"format\": 1,", "it.json", ""); }), {"before it is whole"});
+  expectWords(errorOf([] { taa::sweepSpecFromText("{\"format\": 1,", "it.json", ""); }),
+              {"before it is whole"});
 }
 
 TEST(SweepSpec, TradesTheBestMeasureOfGhostsThereIsForFlicker) {
