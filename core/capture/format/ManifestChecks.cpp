@@ -21,7 +21,7 @@ namespace {
 using Frames = std::vector<CapturedFrame>;
 
 std::string framePath(std::size_t index, std::string_view key) {
-  return "frames[" + std::to_string(index) + "]." + std::string(key);
+  return pathOf(elementOf("frames", index), key);
 }
 
 void requireText(const std::string& text, const std::string& path) {

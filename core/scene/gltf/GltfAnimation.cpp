@@ -3,6 +3,7 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
+#include "core/base/json/JsonFields.h"
 #include "core/scene/gltf/GltfAccessor.h"
 #include "core/scene/gltf/GltfContext.h"
 
@@ -118,7 +119,7 @@ void requireFewKeys(const tinygltf::Model& model) {
           animation.samplers.at(static_cast<std::size_t>(channel.sampler));
       keys += std::max(countOf(sampler.input), countOf(sampler.output));
       if (keys > kMaxKeys)
-        throw Error(gltfPlace("animations", i) + ": " + say<"there are more than %1 keys">(kMaxKeys));
+        throw Error(elementOf("animations", i) + ": " + say<"there are more than %1 keys">(kMaxKeys));
     }
   }
 }
@@ -137,7 +138,7 @@ void addGltfAnimations(GltfContext& context) {
         animation.duration = std::max(animation.duration, channel->times.back());
         animation.channels.push_back(std::move(*channel));
       } catch (const Error& error) {
-        throw Error(gltfPlace("animations", i) + "." + gltfPlace("channels", c) + ": " + error.what());
+        throw Error(elementOf("animations", i) + "." + elementOf("channels", c) + ": " + error.what());
       }
     if (!animation.channels.empty()) context.scene.animations.push_back(std::move(animation));
   }

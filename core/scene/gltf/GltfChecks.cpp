@@ -2,6 +2,7 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
+#include "core/base/json/JsonFields.h"
 #include "core/scene/gltf/GltfDocument.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ constexpr std::uint64_t kMaxBufferBytes = std::uint64_t(1) << 31; ///< of all bu
 constexpr std::uint64_t kMaxImageBytes = std::uint64_t(1) << 30; ///< of all images together, as files
 
 std::string listPlace(std::string_view list, std::size_t index) {
-  return std::string(list) + "[" + std::to_string(index) + "]: ";
+  return elementOf(std::string(list), index) + ": ";
 }
 
 /// The list `name`, empty when it is absent.
@@ -254,7 +255,7 @@ void checkCameras(const Json& root) {
   const Json& cameras = arrayOf(root, "cameras");
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     const auto type = cameras[i]["type"].get<std::string>();
-    const std::string place = "cameras[" + std::to_string(i) + "].";
+    const std::string place = elementOf("cameras", i) + ".";
     if (type != "perspective" && type != "orthographic")
       throw Error(place + "type: " + say<"\"%1\" is neither perspective nor orthographic">(shownText(type)));
     if (!cameras[i].contains(type)) throw Error(place + type + ": " + say<"missing">());
@@ -262,14 +263,13 @@ void checkCameras(const Json& root) {
 }
 
 void checkLights(const Json& root) {
-  constexpr std::string_view kList = "/extensions/KHR_lights_punctual/lights";
-  const Json::json_pointer list{std::string(kList)};
+  const Json::json_pointer list("/extensions/KHR_lights_punctual/lights");
   if (!root.contains(list)) return;
-  std::size_t index = 0;
-  for (const Json& light : root[list])
-    if (const std::string place = "extensions.KHR_lights_punctual.lights[" + std::to_string(index++) + "].";
-        light["type"] == "spot" && !light.contains("spot"))
-      throw Error(place + "spot: " + say<"missing">());
+  const Json& lights = root[list];
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    if (lights[i]["type"] == "spot" && !lights[i].contains("spot"))
+      throw Error(listPlace("extensions.KHR_lights_punctual.lights", i) +
+                  say<"it is a spot without \"spot\"">());
 }
 
 /// Removes extras and unknown extensions at every level.

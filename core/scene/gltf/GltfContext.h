@@ -44,9 +44,4 @@ inline float toFloat(double value) {
   return static_cast<float>(value);
 }
 
-/// "meshes[3]"
-inline std::string gltfPlace(const char* list, std::size_t index) {
-  return std::string(list) + "[" + std::to_string(index) + "]";
-}
-
 } // namespace taa

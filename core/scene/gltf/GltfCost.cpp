@@ -1,6 +1,7 @@
 #include "core/scene/gltf/GltfCost.h"
 
 #include "core/base/Error.h"
+#include "core/base/json/JsonFields.h"
 #include "core/scene/gltf/GltfContext.h"
 
 #include <tiny_gltf.h>
@@ -134,7 +135,7 @@ void checkGltfCost(const GltfContext& context, const SceneBudget& budget) {
   const bool isOfNode = told.scene.triangles > budget.triangles;
   const bool isInstanced = isOfNode && context.model.nodes[told.largestNode].extensions.contains(kInstancing);
   const std::string place =
-      isOfNode ? gltfPlace("nodes", told.largestNode) : gltfPlace("meshes", told.largestMesh);
+      isOfNode ? elementOf("nodes", told.largestNode) : elementOf("meshes", told.largestMesh);
   throw BudgetError(place + (isInstanced ? ".extensions." + std::string(kInstancing) : "") + ": " + refusal,
                     budgetFor(told.scene, budget));
 }

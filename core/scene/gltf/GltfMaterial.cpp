@@ -3,6 +3,7 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
+#include "core/base/json/JsonFields.h"
 #include "core/scene/gltf/GltfContext.h"
 #include "core/scene/gltf/GltfImage.h"
 
@@ -177,7 +178,7 @@ class MaterialReader {
     } catch (const Error& error) {
       const tinygltf::Image& encoded = context_.model.images[source];
       const std::string name = encoded.uri.empty() ? encoded.name : encoded.uri;
-      const std::string place = gltfPlace("images", source) + (name.empty() ? "" : " (" + name + ")");
+      const std::string place = elementOf("images", source) + (name.empty() ? "" : " (" + name + ")");
       context_.warn(say<"The picture %1 is not shown: %2. What it covers is plain.">(place, error.what()));
       index = -1;
     }

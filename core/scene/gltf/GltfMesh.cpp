@@ -3,6 +3,7 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
+#include "core/base/json/JsonFields.h"
 #include "core/scene/Pose.h"
 #include "core/scene/gltf/GltfAccessor.h"
 #include "core/scene/gltf/GltfContext.h"
@@ -60,7 +61,7 @@ class MeshAdder {
         else
           mesh.primitives.push_back(std::move(primitive));
       } catch (const Error& error) {
-        throw Error(gltfPlace("meshes", sourceMesh) + "." + gltfPlace("primitives", i) + "." + error.what());
+        throw Error(elementOf("meshes", sourceMesh) + "." + elementOf("primitives", i) + "." + error.what());
       }
     context_.scene.meshes.push_back(std::move(mesh));
     return static_cast<int>(context_.scene.meshes.size()) - 1;
@@ -106,7 +107,7 @@ class MeshAdder {
       inverseBinds = readAccessor(context_.model, source.inverseBindMatrices);
       if (inverseBinds.components != 16 || inverseBinds.count() < source.joints.size() ||
           !inverseBinds.isFinite())
-        throw Error(gltfPlace("skins", skinIndex) + ": " +
+        throw Error(elementOf("skins", skinIndex) + ": " +
                     say<"%1 are not a finite 4×4 matrix for each joint">("inverseBindMatrices"));
     }
     Skin skin;
@@ -129,7 +130,7 @@ class MeshAdder {
       for (const Influence& influence : primitives[i].influences)
         for (int joint = 0; joint < 4; ++joint)
           if (!(influence.joints[joint] < static_cast<float>(count)))
-            throw Error(gltfPlace("meshes", sourceMesh) + "." + gltfPlace("primitives", i) +
+            throw Error(elementOf("meshes", sourceMesh) + "." + elementOf("primitives", i) +
                         ".attributes.JOINTS_0: " +
                         say<"joint %1 is out of range; the skin has %2">(
                             static_cast<long long>(influence.joints[joint]), count));
@@ -147,7 +148,7 @@ class MeshAdder {
       addInstances(read("TRANSLATION", 3), read("ROTATION", 4), read("SCALE", 3),
                    context_.scene.nodes[static_cast<std::size_t>(context_.sceneNode[sourceNode])], mesh);
     } catch (const Error& error) {
-      throw Error(gltfPlace("nodes", sourceNode) + ".extensions.EXT_mesh_gpu_instancing: " + error.what());
+      throw Error(elementOf("nodes", sourceNode) + ".extensions.EXT_mesh_gpu_instancing: " + error.what());
     }
   }
 

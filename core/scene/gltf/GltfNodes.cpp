@@ -3,6 +3,7 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
+#include "core/base/json/JsonFields.h"
 #include "core/scene/Pose.h"
 #include "core/scene/gltf/GltfContext.h"
 
@@ -241,7 +242,7 @@ void checkRestTransforms(const GltfContext& context) {
     const glm::mat4& transform = transforms[static_cast<std::size_t>(context.sceneNode[source])];
     for (int i = 0; i < 16; ++i)
       if (!std::isfinite(transform[i / 4][i % 4]))
-        throw Error(gltfPlace("nodes", source) + ": " + say<"its transform is not finite">());
+        throw Error(elementOf("nodes", source) + ": " + say<"its transform is not finite">());
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/json/JsonFields.h"
 #include "core/scene/Geometry.h"
 #include "core/scene/gltf/GltfAccessor.h"
 #include "core/scene/gltf/GltfContext.h"
@@ -163,7 +164,7 @@ void readTargets(GltfContext& context, const tinygltf::Primitive& source, Primit
       readDeltas(context, source.targets[i], "NORMAL", &MorphDelta::normal, deltas);
       readDeltas(context, source.targets[i], "TANGENT", &MorphDelta::tangent, deltas);
     } catch (const Error& error) {
-      throw Error(gltfPlace("targets", i) + "." + error.what());
+      throw Error(elementOf("targets", i) + "." + error.what());
     }
 }
 

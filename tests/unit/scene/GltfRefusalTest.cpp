@@ -314,6 +314,10 @@ TEST(GltfRefusal, RefusesPropertiesOfTheWrongType) {
             "cameras[0].type: \"no?pe\" is neither perspective nor orthographic");
   EXPECT_EQ(refusalWith("/cameras", json::array({{{"type", "perspective"}}})),
             "cameras[0].perspective: missing");
+  EXPECT_EQ(refusalOf([](GltfSample& sample) {
+              sample.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "spot"}}};
+            }),
+            "extensions.KHR_lights_punctual.lights[0]: it is a spot without \"spot\"");
   EXPECT_EQ(refusalWith("/meshes/0/primitives/0/attributes/POSITION", 1),
             "meshes[0].primitives[0].attributes.POSITION: it has 2 components");
 }
