@@ -50,6 +50,8 @@ void planSession(const ShotArguments& arguments, ShotPlan& plan) {
   }
   assign(plan.lanes, arguments.assignments);
   plan.choice = session.choice;
+  // An animation that is the session's is its fault, whatever length the call gives.
+  if (!session.choice.animation.empty()) plan.isChoiceAsked = !arguments.choice.animation.empty();
   if (!arguments.choice.animation.empty()) plan.choice.animation = arguments.choice.animation;
   if (arguments.choice.frames > 0) plan.choice.frames = arguments.choice.frames;
 }

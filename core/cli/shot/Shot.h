@@ -33,7 +33,7 @@ struct ShotPlan {
   ShotWishes ofSession, ofCall;
   int frame = -1; ///< of the session; −1: none is said
   ShotChoice choice;
-  bool isChoiceAsked = false;     ///< by the caller, not by the session alone
+  bool isChoiceAsked = false;     ///< by the caller, as far as it can be wrong
   std::vector<std::string> notes; ///< to say of the session
 };
 ShotPlan planShot(const ShotArguments& arguments);

@@ -167,6 +167,9 @@ TEST_F(SessionBatchTest, WhatItAsksForAndIsNotThereIsItsFaultAndWhatTheCallAsksF
       batch(joined({"render", "--session", file().string(), "--hide", "sail", "--frames", "0"}, out));
   EXPECT_EQ(mine.exitCode, 2);
   EXPECT_EQ(mine.err.find("taa-batch: --hide: no object is called \"sail\""), 0u) << mine.err;
+  const ProcessResult itsOwn =
+      batch(joined({"render", "--session", cases[1].first, "--length", "9", "--frames", "0"}, out));
+  EXPECT_EQ(itsOwn.exitCode, 1) << "its animation, whatever length the call gives: " << itsOwn.err;
   EXPECT_FALSE(fs::exists(out.back()));
 }
 
