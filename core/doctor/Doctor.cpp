@@ -78,7 +78,7 @@ class Examiner {
     return placeOf(*sky, patient_, pixels * out.frames);
   }
   const ResolveEvidence& resolve() const { return resolve_; }
-  std::optional<MotionOfAll> tellMotion(Diagnosis& out) const {
+  MotionTold tellMotion(Diagnosis& out) const {
     const bool ofTime = rims_.depth.verdict() != RimVerdict::Unjittered;
     const RimsSeen rims{ofTime, ofTime && !isBeside(rims_.motion.verdict())};
     return doctor::tellMotion(motion_, tracker_.regions(), patient_, rims, out);
@@ -130,8 +130,10 @@ Patient sizedPatient(const Examination& examination) {
   return patient;
 }
 
-/// Whether a finding is of so much of the picture that motion is no witness of anything else.
-bool isOfMuch(const Finding& finding) {
+/// Whether a finding is of so much of the picture that motion is no witness of anything else, or of a camera
+/// that looks like another depth.
+bool spoilsDepth(const Finding& finding) {
+  if (finding.id == faultInfo(Fault::CameraOfSecondView).id) return true;
   constexpr double kMuch = 0.3;
   double share = 0.0;
   for (const RegionPlace& region : finding.regions) share += region.share;
@@ -174,7 +176,8 @@ void leaveOpen(const Hiding& hiding, Diagnosis& out) {
 /// everywhere is told alone, and returned as what hides the rest.
 Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, ToldOf& told, Diagnosis& out) {
   Diagnosis seen = out;
-  const std::optional<MotionOfAll> all = examiner.tellMotion(seen);
+  const MotionTold motion = examiner.tellMotion(seen);
+  const std::optional<MotionOfAll>& all = motion.all;
   if (all && mayMend && !told.motion && mendsAlone(all->trial)) {
     for (const Finding& finding : seen.findings) told.ofMotion.push_back(finding.id);
     std::ranges::copy_if(seen.findings, std::back_inserter(out.findings), isOfMarks);
@@ -197,9 +200,9 @@ Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, ToldO
   }
   out = std::move(seen);
   const bool isMotionRight = static_cast<std::ptrdiff_t>(out.findings.size()) == before;
-  const bool isMotionWrong = std::any_of(out.findings.begin() + before, out.findings.end(), isOfMuch);
+  const bool isMotionWrong = std::any_of(out.findings.begin() + before, out.findings.end(), spoilsDepth);
   if (tellsDepth && !isMotionWrong)
-    tellDepth(examiner.depth(), out, {isMotionRight, examiner.isDepthDistance()});
+    tellDepth(examiner.depth(), out, {isMotionRight, examiner.isDepthDistance(), motion.isOfCameraOrDepth});
   tellRims(examiner.rims(), isMotionRight && !told.motion, out);
   if (!tellsDepth || !isMotionWrong) return {};
   Hiding hiding;

@@ -301,8 +301,10 @@ void tellUnclear(std::size_t squares, Diagnosis& out) {
                            {Fault::InterfaceJittered}});
 }
 
-/// Whether a group is one, and whether it clearly is.
+/// Whether a group is one, and whether it clearly is. Where motion is wrong, what moves as the world does may
+/// still rest better than it moves as given.
 bool isEnough(const ScreenGroup& group) {
+  if (group.isJittered && group.sums.ofWorld <= group.sums.jittered) return false;
   return group.tiles.size() >= (group.isJittered ? kLeastJittered : kLeastFixed);
 }
 bool isClear(const ScreenGroup& group) {

@@ -281,6 +281,15 @@ Undecided openDepth(const DepthOrder& order, std::string reason) {
   return out;
 }
 
+/// Says that motion may be that of a camera beside this one instead, by which the same depths follow.
+void leaveCamera(Finding& out) {
+  const FaultInfo& camera = faultInfo(Fault::CameraOfSecondView);
+  out.sureness = Sureness::Likely;
+  out.alike = {std::string(camera.id)};
+  out.reason += " " + say<"Motion made with the previous camera of a view beside this one looks the same "
+                          "here: the pictures do not tell which.">();
+}
+
 /// The near plane that is stated is not that of the matrices.
 Finding statedNearFinding(double factor) {
   Finding out = faultFinding(Fault::NearPlaneWrong);
@@ -418,6 +427,7 @@ void tellDepth(const DepthEvidence& evidence, Diagnosis& out, const DepthPatient
   const DepthRelation* best = isMeasured ? clearRelation(relations, evidence.samples) : nullptr;
   if (best && !isAgainstForm(best->kind, evidence.form)) {
     out.findings.push_back(depthFinding(relations, *best, evidence.samples.size()));
+    if (best->kind == RelationKind::NearPlane && patient.isOfCameraOrDepth) leaveCamera(out.findings.back());
     return;
   }
   if (const auto kind = patient.isMotionRight ? storedKind(evidence) : kindByValues(evidence)) {

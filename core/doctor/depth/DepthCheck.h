@@ -64,6 +64,7 @@ void mendDepth(const DepthRelation& relation, DoctorFrame& frame);
 struct DepthPatient {
   bool isMotionRight = true; ///< as far as is known; else what hides what is no witness, which motion tells
   bool isDistance = false;   ///< depth is stated to be a distance, and no device depth
+  bool isOfCameraOrDepth = false; ///< see MotionTold
 };
 /// Adds what is wrong where all that is drawn lies at one end of depth, and returns whether it does: then
 /// depth says nothing else. `isDistance`: see DepthPatient.

@@ -146,6 +146,8 @@ void judgeByWitness(Judged& out, const MotionEvidence& evidence) {
     const PixelsSay pixelsSay = told.pixelsSay();
     if (!isBelieved(told, evidence.trials()[told.trial], pixelsSay, out.regions)) {
       if (pixelsSay == PixelsSay::No && !out.contradicted) out.contradicted = told.trial;
+      if (pixelsSay == PixelsSay::Nothing && isFitted(evidence.trials()[told.trial]) && !out.unconfirmed)
+        out.unconfirmed = told.trial;
       continue;
     }
     for (JudgedRegion* region : told.regions) {
@@ -231,8 +233,9 @@ bool contradictMiddles(const std::vector<const JudgedRegion*>& objects, std::siz
   return tried > given;
 }
 
-/// Objects that are too small to tell anything by themselves tell it together.
-void judgeByMiddles(std::vector<JudgedRegion>& judged) {
+/// Objects that are too small to tell anything by themselves tell it together. That what rests in the world has
+/// another motion than the camera's is no news where depth and matrices have told why.
+void judgeByMiddles(std::vector<JudgedRegion>& judged, const std::vector<MotionTrial>& trials) {
   MiddleEvidence all;
   std::vector<const JudgedRegion*> objects;
   for (const JudgedRegion& region : judged)
@@ -243,6 +246,9 @@ void judgeByMiddles(std::vector<JudgedRegion>& judged) {
   std::vector<std::size_t> winners = middleWinners(all);
   std::erase_if(winners, [&](std::size_t trial) { return contradictMiddles(objects, trial); });
   if (winners.empty()) return;
+  if (trials[winners.front()].kind == MotionKind::OfCamera &&
+      std::ranges::any_of(judged, &JudgedRegion::isWitnessed))
+    return;
   for (JudgedRegion& region : judged) {
     if (!isOpenToMiddles(region)) continue;
     const MiddleCounts& own = region.evidence->middle.trials[winners.front()];
@@ -319,7 +325,7 @@ Judged judgeMotion(const MotionEvidence& evidence, const std::vector<Region>& re
       if (region.decision.by == DecidedBy::Outline)
         region.decision = decideByPixels(*region.evidence, evidence.trials());
   judgeByWitness(out, evidence);
-  judgeByMiddles(out.regions);
+  judgeByMiddles(out.regions, evidence.trials());
   explainByFewest(out.regions, evidence.trials());
   leaveSkyAlone(out.regions, evidence.trials());
   leaveJitterAlone(out.regions, evidence.trials());

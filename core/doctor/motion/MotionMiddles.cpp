@@ -36,9 +36,10 @@ constexpr double kMiddleFactor = 2.0, kMiddlesWon = 0.8, kSameMiddleGain = 0.95;
 constexpr double kExplainedWay = 2.0;
 
 /// Whether the motion given by it would be another one for the middle as well, whatever turns: by a factor, a
-/// sign, an axis or a unit.
-bool isOfValue(MotionKind kind) {
+/// sign, an axis or a unit, or as what rests in the world.
+bool isOfMiddle(MotionKind kind) {
   switch (kind) {
+  case MotionKind::OfCamera:
   case MotionKind::Scaled:
   case MotionKind::OtherUnit:
   case MotionKind::MirroredX:
@@ -234,7 +235,7 @@ std::map<RegionIndex, MiddleEvidence> MotionMiddles::add(const FrameNeighbors& f
     evidence.pixel = motions.pixel;
     evidence.trials.resize(trials.size());
     for (std::size_t t = 1; t < trials.size(); ++t)
-      if (way.motions[t] && isOfValue(trials[t].kind))
+      if (way.motions[t] && isOfMiddle(trials[t].kind))
         compareWay(way.px, way.offPx, *way.motions[0], *way.motions[t], evidence.trials[t]);
   }
   return out;

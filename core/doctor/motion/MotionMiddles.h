@@ -38,7 +38,8 @@ class MotionMiddles {
  public:
   /// By region: of those that are objects by their number, that nothing nearer and no border cuts, for as
   /// long as they keep their size. Explanations are those that change the value given: what turns has another
-  /// motion than its middle, and no factor, sign, axis or unit undoes that. Needs object numbers and depth.
+  /// motion than its middle, and no factor, sign, axis or unit undoes that; and the camera's motion, of what
+  /// rests in the world. Needs object numbers and depth.
   std::map<RegionIndex, MiddleEvidence> add(const FrameNeighbors& frames,
                                             const std::vector<MotionTrial>& trials,
                                             const std::vector<RegionIndex>& labels,

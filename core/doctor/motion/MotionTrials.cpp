@@ -72,14 +72,47 @@ std::optional<glm::vec2> withoutOther(const std::optional<glm::mat4>& other, con
   return now.motionAt(pixel.x, pixel.y) - (*wrong - *camera);
 }
 
-/// m holds the motion of the frame before as well, that of where the camera's motion leads.
-std::optional<glm::vec2> withoutOlder(const FrameNeighbors& frames, const glm::ivec2& pixel) {
-  const auto camera = cameraMotionPx(frames.now, pixel);
-  if (!camera || frames.before.startsHistory) return {};
-  const glm::vec2 place = glm::floor(glm::vec2(pixel) + 0.5f - *camera);
-  const glm::ivec2 before(place), size = frames.now.sizePx();
+/// The pixel of the frame before that a motion leads to; nothing beyond the picture.
+std::optional<glm::ivec2> placeBefore(const FrameNeighbors& frames, const glm::ivec2& pixel,
+                                      const glm::vec2& motionPx) {
+  const glm::ivec2 before(glm::floor(glm::vec2(pixel) + 0.5f - motionPx)), size = frames.now.sizePx();
   if (before.x < 0 || before.y < 0 || before.x >= size.x || before.y >= size.y) return {};
-  return withOther(frames.now.motionAt(pixel.x, pixel.y), cameraMotionPx(frames.before, before), -1.0f);
+  return before;
+}
+
+/// m holds the motion of the frame before as well, that of where the camera's motion leads: of what rests.
+std::optional<glm::vec2> withoutOlderCamera(const FrameNeighbors& frames, const glm::ivec2& pixel) {
+  const auto camera = cameraMotionPx(frames.now, pixel);
+  if (!camera) return {};
+  const auto before = placeBefore(frames, pixel, *camera);
+  if (!before) return {};
+  return withOther(frames.now.motionAt(pixel.x, pixel.y), cameraMotionPx(frames.before, *before), -1.0f);
+}
+
+/// The same of what moves by itself, and more and more or less and less by the same: a half of m, and of what
+/// m has grown by, which is that of two frames, a quarter.
+std::optional<glm::vec2> withoutOlderOwn(const FrameNeighbors& frames, const glm::ivec2& pixel) {
+  const glm::vec2 given = frames.now.motionAt(pixel.x, pixel.y);
+  const auto before = placeBefore(frames, pixel, 0.5f * given);
+  if (!before) return {};
+  const auto objectAt = [](const DoctorFrame& frame, const glm::ivec2& at) {
+    return frame.objectId.empty()
+               ? 0u
+               : frame.objectId[static_cast<std::size_t>(at.y) * frame.sizePx().x + at.x];
+  };
+  const glm::vec2 earlier = frames.before.motionAt(before->x, before->y);
+  if (!isMotion(earlier) || objectAt(frames.before, *before) != objectAt(frames.now, pixel)) return {};
+  return 0.5f * given + 0.25f * (given - earlier);
+}
+
+/// Which of the two a pixel is, its motion says: that of what rests is the camera's of both frames.
+std::optional<glm::vec2> withoutOlder(const FrameNeighbors& frames, const glm::ivec2& pixel) {
+  constexpr float kRestsPx = 0.05f;
+  if (frames.before.startsHistory) return {};
+  const auto camera = cameraMotionPx(frames.now, pixel), resting = withoutOlderCamera(frames, pixel);
+  if (camera && resting && glm::distance(*camera, *resting) <= kRestsPx) return resting;
+  const auto own = withoutOlderOwn(frames, pixel);
+  return own ? own : resting;
 }
 
 } // namespace

@@ -39,7 +39,8 @@ struct CameraSamples {
   glm::dvec2 pxPerNdc{1.0};
 };
 
-CameraSamples samplesOf(const DoctorFrame& frame) {
+/// `isNear`: without what is infinitely far away, which no camera's way moves.
+CameraSamples samplesOf(const DoctorFrame& frame, bool isNear) {
   const glm::ivec2 size = frame.sizePx();
   CameraSamples out{{}, frame.cameras->clipFromView, glm::dvec2(0.5, -0.5) * glm::dvec2(size)};
   const glm::dmat4 previousViewFromClip =
@@ -49,10 +50,10 @@ CameraSamples samplesOf(const DoctorFrame& frame) {
   for (int y = step / 2; y < size.y; y += step)
     for (int x = step / 2; x < size.x; x += step) {
       const glm::vec2 given = frame.motionAt(x, y);
-      if (!isMotion(given)) continue;
+      const double depth = static_cast<double>(*frame.depth.at(x, y));
+      if (!isMotion(given) || (isNear && !(depth > 0.0))) continue;
       const glm::dvec2 ndc =
           (glm::dvec2(x, y) + 0.5 - glm::dvec2(frame.depthJitterPx)) / out.pxPerNdc + glm::dvec2(-1.0, 1.0);
-      const double depth = static_cast<double>(*frame.depth.at(x, y));
       out.pixels.push_back(
           {previousViewFromClip * glm::dvec4(ndc, depth, 1.0), ndc - glm::dvec2(given) / out.pxPerNdc});
     }
@@ -152,13 +153,17 @@ OtherCameras otherCameras(const DoctorFrame& frame) {
   OtherCameras out;
   if (!frame.cameras || !frame.previousClipFromClip || frame.depth.empty() || frame.motionPx.empty())
     return out;
-  const CameraSamples samples = samplesOf(frame);
-  if (medianMissPx(samples, glm::dmat4(1.0)) <= kCamerasOwnPx) return out;
+  const CameraSamples samples = samplesOf(frame, false), near = samplesOf(frame, true);
+  const auto isOwn = [](const CameraSamples& of) {
+    return medianMissPx(of, glm::dmat4(1.0)) <= kCamerasOwnPx;
+  };
+  const bool hasNear = near.pixels.size() >= kLeastCameraSamples;
+  if (isOwn(samples) && (!hasNear || isOwn(near))) return out;
   const FrameCameras& cameras = *frame.cameras;
   out.identity = glm::mat4(glm::inverse(cameras.clipFromView * cameras.viewFromWorld));
   out.mirrored = mirroredCamera(cameras, samples);
   out.turned = fittedCamera(frame, samples, turnedBy);
-  out.beside = fittedCamera(frame, samples, movedBy);
+  out.beside = fittedCamera(frame, near, movedBy);
   return out;
 }
 

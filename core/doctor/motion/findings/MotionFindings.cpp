@@ -195,17 +195,17 @@ RegionPlace placeOf(const Region& region, const Patient& patient, double allPixe
   return out;
 }
 
-std::optional<MotionOfAll> tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
-                                      const Patient& patient, const RimsSeen& rims, Diagnosis& out) {
+MotionTold tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
+                      const Patient& patient, const RimsSeen& rims, Diagnosis& out) {
   const double allPixels = static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
   tellMarks(evidence, regions, patient, allPixels, out);
   Judged judged = judgeMotion(evidence, regions, rims);
   tellUnwrittenSky(judged.regions, patient, allPixels, out);
-  std::optional<MotionOfAll> most;
+  MotionTold told;
   for (const FaultGroup& group : groupsOf(judged.regions, evidence.trials())) {
     out.findings.push_back(findingOf(group, judged.regions, evidence, patient, allPixels));
-    if (!most && group.trial && breaksNothing(*group.trial, judged.regions))
-      most = {evidence.trials()[*group.trial], out.findings.back()};
+    if (!told.all && group.trial && breaksNothing(*group.trial, judged.regions))
+      told.all = {evidence.trials()[*group.trial], out.findings.back()};
   }
   const Finding late = lateFinding();
   if (judged.isLate && std::ranges::count(out.findings, late.id, &Finding::id) == 0)
@@ -214,7 +214,9 @@ std::optional<MotionOfAll> tellMotion(const MotionEvidence& evidence, const std:
   if (judged.contradicted)
     out.undecided.push_back(contradictedMatrices(evidence.trials()[*judged.contradicted]));
   tellOthers(judged, evidence.trials(), patient, allPixels, out);
-  return most;
+  told.isOfCameraOrDepth =
+      judged.unconfirmed && evidence.trials()[*judged.unconfirmed].kind == MotionKind::CameraBeside;
+  return told;
 }
 
 } // namespace taa::doctor

@@ -21,9 +21,15 @@ struct MotionOfAll {
   Finding finding;
 };
 
+struct MotionTold {
+  std::optional<MotionOfAll> all; ///< where it is told by one explanation
+  /// Another previous camera makes the motion given, or another depth: pixels do not tell which.
+  bool isOfCameraOrDepth = false;
+};
+
 /// Adds findings, what is undecided and what is right about the motion of all regions. Expects that motion
-/// is known. Returns what the motion of all or most of the picture is told by, where that is one explanation.
-std::optional<MotionOfAll> tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
-                                      const Patient& patient, const RimsSeen& rims, Diagnosis& out);
+/// is known.
+MotionTold tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
+                      const Patient& patient, const RimsSeen& rims, Diagnosis& out);
 
 } // namespace taa::doctor

@@ -127,6 +127,28 @@ TEST(InterfaceCheck, TellsNoneWhereMotionIsWrong) {
   EXPECT_EQ(told(diagnosis).find("interface"), std::string::npos) << told(diagnosis);
 }
 
+// By motion that is far too long edges seem to rest; the motion of what rests in the world fits them better.
+TEST(InterfaceCheck, TellsNoneThatMovesAsTheWorldDoes) {
+  const auto groupsWhereTheWorldLeaves = [](double ofWorld) {
+    ScreenTile tile;
+    tile.pairs = tile.jittered = tile.jitteredOfAll = 8;
+    tile.sums.pixels = 200;
+    tile.sums.inPlace = 5.0;
+    tile.sums.jittered = 3.0;
+    tile.sums.asGiven = 7.0;
+    tile.sums.ofWorld = ofWorld;
+    ScreenTiles tiles;
+    tiles.sizePx = {40, 40};
+    tiles.counts = {5, 5};
+    tiles.tiles.assign(25, tile);
+    tiles.labels.assign(1600, kNoRegion);
+    return interfaceGroups(tiles);
+  };
+  EXPECT_EQ(groupsWhereTheWorldLeaves(6.0).clear.size(), 1u);
+  // Still less than what rests in these squares one by one, and not in all of them together.
+  EXPECT_TRUE(groupsWhereTheWorldLeaves(2.5).clear.empty());
+}
+
 TEST(InterfaceCheck, CoversASquareAroundIt) {
   ScreenTiles tiles;
   tiles.sizePx = {40, 40};

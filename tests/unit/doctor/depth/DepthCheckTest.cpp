@@ -70,6 +70,22 @@ TEST(DepthCheck, SaysByHowMuchTheNearPlaneIsWrong) {
       << diagnosis.findings[0].change;
 }
 
+// Everything half as far away moves as it would before a camera that has gone twice as far.
+TEST(DepthCheck, LeavesOpenWhetherTheCameraWasAnother) {
+  DepthEvidence evidence;
+  evidence.add(passingFrame([](double depth) { return 0.5 * depth; }));
+  Diagnosis out;
+  tellDepth(evidence, out, {true, false, true});
+  ASSERT_EQ(out.findings.size(), 1u);
+  EXPECT_EQ(out.findings[0].id, "nearPlaneWrong");
+  EXPECT_EQ(out.findings[0].sureness, Sureness::Likely);
+  EXPECT_EQ(out.findings[0].alike, std::vector<std::string>{"cameraOfSecondView"});
+  Diagnosis known;
+  tellDepth(evidence, known);
+  EXPECT_EQ(known.findings[0].sureness, Sureness::Sure);
+  EXPECT_TRUE(known.findings[0].alike.empty());
+}
+
 TEST(DepthCheck, DoesNotDecideWhereDepthsAreAlike) {
   const Diagnosis diagnosis = diagnosisOf(passingFrame([](double depth) { return 0.5 * depth; }, 0.0));
   EXPECT_TRUE(diagnosis.isHealthy());

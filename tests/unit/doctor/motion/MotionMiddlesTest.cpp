@@ -1,6 +1,9 @@
 // Small plain squares that move by parts of a pixel before a wall, drawn where pixel centers lie in them.
 #include "core/doctor/motion/MotionMiddles.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/mat4x4.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -22,6 +25,7 @@ struct Squares {
   int count = 3;
   glm::dvec2 sidePx{7.0};
   glm::dvec2 perFramePx{0.5, 0.0};
+  double cameraPx = 0.0; ///< per frame: a camera turns, by which what rests in the world moves along x
   float screenM =
       0.0f; ///< 0: none; else the distance of what hides all that is left of the middles of squares
 };
@@ -32,6 +36,11 @@ DoctorFrame squaresFrame(const Squares& squares, int frame, const Change& change
   out.luma = out.depthView = Image(kSizePx.x, kSizePx.y, 1);
   out.motionPx = Image(kSizePx.x, kSizePx.y, 2);
   out.objectId.resize(out.luma.pixels.size());
+  if (squares.cameraPx != 0.0) {
+    out.depth = Image(kSizePx.x, kSizePx.y, 1);
+    out.previousClipFromClip = glm::translate(
+        glm::mat4(1.0f), glm::vec3(static_cast<float>(-2.0 * squares.cameraPx / kSizePx.x), 0.0f, 0.0f));
+  }
   for (int y = 0; y < kSizePx.y; ++y)
     for (int x = 0; x < kSizePx.x; ++x) {
       *out.depthView.at(x, y) = kWallM;
@@ -106,6 +115,16 @@ TEST(MotionMiddles, AddUpWhatIsLittleFromFrameToFrame) {
   EXPECT_EQ(winnersOf({.perFramePx = {0.6, 0.1}}, [](const glm::vec2& m) { return glm::vec2(m.y, m.x); }),
             "swappedAxes");
   EXPECT_EQ(winnersOf({.perFramePx = {0.6, 0.2}}, [](const glm::vec2& m) { return 2.0f * m; }), "scaled:0.5");
+}
+
+// A square that rests in the world goes by half a pixel a frame as the camera turns. The motion given leads
+// the other way and is too long: negated, it still misses the way by nearly 2 px of 5.5, and the camera's by
+// none.
+TEST(MotionMiddles, TellWhatRestsInTheWorldByTheCamera) {
+  const Squares squares{.perFramePx = {0.5, 0.0}, .cameraPx = 0.5};
+  EXPECT_EQ(winnersOf(squares, [](const glm::vec2& m) { return glm::vec2(-1.33f * m.x, 0.3f); }), "ofCamera");
+  EXPECT_EQ(winnersOf(squares, same), "");
+  EXPECT_EQ(winnersOf(squares, mirrored), "mirroredX,opposite,ofCamera") << "they lead to the same place";
 }
 
 // The front of a ball that turns on its place moves, and its middle does not: no factor is told by that.

@@ -16,8 +16,9 @@ namespace {
 
 using Previous = std::function<glm::dmat4(const glm::dmat4& clipFromView, const glm::dmat4& previousView)>;
 
-/// A slope from 2 to 8 m away that a camera passes, its motion made with another previous camera.
-DoctorFrame frameWith(const Previous& previousClipFromWorld) {
+/// A slope from 2 to 8 m away that a camera passes, its motion made with another previous camera; the sky in
+/// the rows above it.
+DoctorFrame frameWith(const Previous& previousClipFromWorld, int skyRows = 0) {
   constexpr int kWide = 64, kHigh = 48;
   constexpr double kNear = 0.1;
   glm::dmat4 clipFromView(0.0); // reversed, its far plane at infinity
@@ -36,7 +37,8 @@ DoctorFrame frameWith(const Previous& previousClipFromWorld) {
   const glm::mat4 wrong(previousClipFromWorld(clipFromView, previousView) * worldFromClip);
   for (int y = 0; y < kHigh; ++y)
     for (int x = 0; x < kWide; ++x) {
-      *out.depth.at(x, y) = static_cast<float>(kNear / (2.0 + 6.0 * (x + 2.0 * y) / (kWide + 2.0 * kHigh)));
+      if (y >= skyRows)
+        *out.depth.at(x, y) = static_cast<float>(kNear / (2.0 + 6.0 * (x + 2.0 * y) / (kWide + 2.0 * kHigh)));
       const auto motion = motionUnder(wrong, out, {x, y}, *out.depth.at(x, y));
       out.motionPx.at(x, y)[0] = motion ? motion->x : kNoPreviousPosition;
       out.motionPx.at(x, y)[1] = motion ? motion->y : kNoPreviousPosition;
@@ -76,6 +78,23 @@ TEST(OtherCameras, FindOneBeside) {
   ASSERT_TRUE(others.beside);
   EXPECT_FALSE(others.turned);
   EXPECT_LT(missOf(frame, others.beside), 0.01f);
+}
+
+TEST(OtherCameras, FindOneBesideUnderAWideSky) {
+  // Beside each other, cameras see the same sky: two thirds of the picture have the camera's own motion.
+  const auto beside = [](const glm::dmat4& clip, const glm::dmat4& view) {
+    return clip * glm::translate(glm::dmat4(1.0), glm::dvec3(-0.5, 0.0, 0.0)) * view;
+  };
+  const DoctorFrame frame = frameWith(beside, 22);
+  EXPECT_NEAR(frame.motionAt(32, 10).x, motionUnder(*frame.previousClipFromClip, frame, {32, 10}, 0.0f)->x,
+              1e-3);
+  const DoctorFrame wide = frameWith(beside, 32);
+  for (const DoctorFrame* one : {&frame, &wide}) {
+    const OtherCameras others = otherCameras(*one);
+    ASSERT_TRUE(others.beside);
+    const auto motion = motionUnder(*others.beside, *one, {32, 40}, *one->depth.at(32, 40));
+    EXPECT_LT(glm::distance(*motion, one->motionAt(32, 40)), 0.01f);
+  }
 }
 
 TEST(OtherCameras, TryAMirroredOne) {
