@@ -12,7 +12,9 @@
 #include "core/lessons/Lesson.h"
 #include "core/lessons/LessonText.h"
 #include "core/replay/Checkpoints.h"
+#include "core/scene/SceneSource.h"
 #include "core/scene/cost/SceneCost.h"
+#include "core/settings/Presets.h"
 
 #include <CLI/CLI.hpp>
 
@@ -47,6 +49,14 @@ glm::ivec2 parseNumbers(const std::string& option, const std::string& text, char
 /// In the order of Overlay; the grid is on anyway.
 const std::vector<std::string>& overlayNames() {
   static const std::vector<std::string> names = {"clipping", "rejection", "outlines", "arrows"};
+  return names;
+}
+
+/// Ids of windowFigures().
+const std::vector<std::string>& figureNames() {
+  static const std::vector<std::string> names = {"view-a",      "view-b",  "view-c",  "view-d",
+                                                 "color-space", "verdict", "plots",   "jitter",
+                                                 "weights",     "lineage", "profiler"};
   return names;
 }
 
@@ -145,8 +155,9 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
          "--figure", arguments.figure,
          "Write this figure of the window with its caption instead of the window, as PNG or, where the file "
          "of "
-         "--screenshot ends so, SVG: view-a, color-space, verdict, plots, jitter, weights, lineage, profiler")
-      ->type_name("NAME");
+         "--screenshot ends so, SVG")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(figureNames()));
   app.add_option("--lesson", texts.lesson, "Open this step of a lesson, the first without a number")
       ->type_name("ID[:STEP]");
   app.add_option("--text-size", texts.textPercent,
@@ -203,7 +214,14 @@ void readLesson(const std::string& text, Arguments& arguments) {
     arguments.frame = lesson->steps[static_cast<std::size_t>(arguments.lessonStep) - 1].state.shot.frame;
 }
 
+/// What is the call's own fault is said before a window is made.
+void checkNames(const Arguments& arguments) {
+  if (!arguments.preset.empty() && !arguments.preset.ends_with(".json")) preset(arguments.preset);
+  if (isBuiltinScene(arguments.source)) requireBuiltinScene(arguments.source);
+}
+
 void readTexts(const Texts& texts, Arguments& arguments) {
+  checkNames(arguments);
   if (!texts.windowSize.empty())
     arguments.windowSize = parseNumbers("--window-size", texts.windowSize, 'x', 100);
   if (!texts.size.empty()) arguments.size = parseNumbers("--size", texts.size, 'x', 4);

@@ -191,7 +191,11 @@ int run(QApplication& application, Arguments arguments) {
   session.undoStack().clear(); // what was asked for at the start is where it begins
   if (isScreenshot) {
     window.takeScreenshot(QString::fromStdString(arguments.screenshot), screenshotFrame(arguments),
-                          arguments.dialog, arguments.figure, endScreenshot);
+                          arguments.dialog, arguments.figure, [&arguments](int code, const QString& text) {
+                            // What a session asks for is the file's fault.
+                            endScreenshot(taa::isSessionName(arguments.source) ? std::min(code, 1) : code,
+                                          text);
+                          });
   } else {
     if (arguments.frame) session.seek(*arguments.frame);
     window.keeper().offerOrphan();

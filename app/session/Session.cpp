@@ -73,6 +73,7 @@ void Session::deliver() {
 void Session::refuse(const Failure& failure) {
   const RequestId request = failure.request;
   const bool isOfOpening = failure.kind == RequestKind::Source && request == opening_;
+  if (failure.isChoice) Q_EMIT choiceRefused();
   Q_EMIT errorOccurred(QString::fromStdString(failure.sentence));
   if (isOfOpening) offer(failure.neededBudget);
   presets_.refused(request);

@@ -120,6 +120,7 @@ class Session : public QObject {
   void lineageArrived(const LineageDelivery& lineage);
   void stageSharesArrived(const StageShares& shares);
   void errorOccurred(const QString& sentence);
+  void choiceRefused(); ///< the shot has no such camera, object, animation or length; before errorOccurred()
   void offersOpening(bool offers); ///< whether openAnyway() would open something; follows errorOccurred()
   void openingFailed();            ///< of what was opened last; what was open still is
 

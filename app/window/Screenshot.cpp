@@ -35,15 +35,17 @@ constexpr int kDialogQuiet = 40; ///< more of them: some read files
 constexpr int kIdle = 500;       ///< polls: 10 s
 constexpr int kTracedFrames = 48;
 constexpr int kLimit = 5 * 60 * 1000; ///< ms; a software renderer on a busy machine is slow, not stuck
+constexpr int kRefused = 2;           ///< as taa-batch ends with, when it is the call that is at fault
 } // namespace
 
 Screenshot::Screenshot(ScreenshotPanels of, const QString& file, int frame, Done done)
     : QObject(&of.window), of_(std::move(of)), file_(file), frame_(frame), done_(std::move(done)) {
+  connect(&of_.session, &Session::choiceRefused, this, [this] { code_ = kRefused; });
   connect(&of_.session, &Session::errorOccurred, this, [this](const QString& sentence) {
     lastError_ = sentence;
     idle_ = 0;
     // Nothing will come when nothing could be opened.
-    if (!of_.session.isOpen()) finish(1, sentence);
+    if (!of_.session.isOpen()) finish(code_, sentence);
   });
   const auto resume = [this] { idle_ = 0; };
   connect(&of_.session, &Session::statusChanged, this, resume);
@@ -130,7 +132,7 @@ void Screenshot::look() {
   if (!isComplete() || !areTracesComplete() || !isLineageComplete() || !isDoctorComplete() ||
       !areProfilesComplete() || !areDialogsComplete()) {
     quiet_ = 0;
-    if (isGivenUp()) finish(1, lastError_);
+    if (isGivenUp()) finish(code_, lastError_);
     return;
   }
   // Layouts settle and late results arrive before the picture is taken.

@@ -64,6 +64,7 @@ class Screenshot : public QObject {
   bool asked_ = false, measures_ = false, examines_ = false;
   bool asksForTraces_ = false, sawTracing_ = false;
   int quiet_ = 0; ///< polls since all was there
+  int code_ = 1;  ///< of an end without a picture
   int idle_ = 0;  ///< polls since something came or was done, after an error
   QTimer poll_, limit_;
   QString lastError_;

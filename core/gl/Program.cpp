@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <regex>
 #include <sstream>
 
 namespace taa::gl {
@@ -52,6 +51,39 @@ std::optional<std::string> includedPath(std::string_view line) {
   const std::size_t end = line.find('"');
   if (end == line.npos || end == 0 || line.find_first_not_of(kBlanksOfLine, end + 1) != line.npos) return {};
   return std::string(line.substr(0, end));
+}
+
+/// A number of at most nine digits.
+std::optional<std::size_t> takeNumber(std::string_view& text) {
+  std::size_t number = 0, digits = 0;
+  for (; digits < text.size() && text[digits] >= '0' && text[digits] <= '9'; ++digits) {
+    if (digits == 9) return {};
+    number = 10 * number + static_cast<std::size_t>(text[digits] - '0');
+  }
+  if (digits == 0) return {};
+  text.remove_prefix(digits);
+  return number;
+}
+
+/// Where a driver says that something is wrong.
+struct LogPlace {
+  std::size_t file = 0, number = 0; ///< as lineDirective() counts lines
+  std::string_view rest;            ///< what is wrong
+};
+
+/// Mesa: "2:17(3): error …"; NVIDIA: "2(17) : error …".
+std::optional<LogPlace> placeOfLog(std::string_view line) {
+  const auto file = takeNumber(line);
+  if (!file) return {};
+  const bool isMesa = skip(line, ":");
+  if (!isMesa && !skip(line, "(")) return {};
+  const auto number = takeNumber(line);
+  if (!number) return {};
+  if (isMesa && (!skip(line, "(") || !takeNumber(line))) return {};
+  if (!skip(line, ")")) return {};
+  if (!isMesa) skip(line, " ");
+  if (!skip(line, ":")) return {};
+  return LogPlace{*file, *number, line};
 }
 
 /// Files that include each other, one in the other: more than anybody writes.
@@ -104,19 +136,16 @@ void ShaderSource::append(const std::string& path, const std::string& includedFr
 }
 
 std::string ShaderSource::readableLog(const std::string& log) const {
-  // Mesa: "2:17(3): error …"; NVIDIA: "2(17) : error …".
-  static const std::regex kPlace(R"re((\d{1,9})(?::(\d{1,9})\(\d{1,9}\)|\((\d{1,9})\) ?):)re");
   std::istringstream lines(log);
   std::string line, out;
-  std::smatch match;
   while (std::getline(lines, line)) {
-    // At its beginning alone: a place is sought at each letter otherwise.
-    if (std::regex_search(line, match, kPlace, std::regex_constants::match_continuous)) {
-      const std::size_t number = std::stoul(match[2].matched ? match[2] : match[3]);
-      const std::size_t file = number < kLinesOfFile ? std::stoul(match[1]) : number / kLinesOfFile;
-      if (file < files_.size())
-        line = files_[file] + ":" + std::to_string(number % kLinesOfFile) + ":" + match.suffix().str();
-    }
+    const std::optional<LogPlace> place = placeOfLog(line);
+    const std::size_t file = !place                         ? files_.size()
+                             : place->number < kLinesOfFile ? place->file
+                                                            : place->number / kLinesOfFile;
+    if (file < files_.size())
+      line =
+          files_[file] + ":" + std::to_string(place->number % kLinesOfFile) + ":" + std::string(place->rest);
     out += line + "\n";
   }
   while (out.ends_with('\n')) out.pop_back();

@@ -26,11 +26,8 @@ void checkSides(const Inspector& inspector, const PictureRequest& request) {
   const int lanes = inspector.shot().laneCount();
   if (request.lane >= lanes || (showsOther(request) && request.other->lane >= lanes))
     throw Error(say<"the settings that are compared with are no longer there">());
-  const bool isDifference = showsOther(request) && request.showing == Showing::Difference;
-  const int channels = intermediate(request.id).channels;
-  if (isDifference && intermediate(request.other->id).channels != channels)
-    throw Error(say<"there is no difference between %1 and %2: one has more channels">(
-        intermediate(request.id).name, intermediate(request.other->id).name));
+  if (showsOther(request) && request.showing == Showing::Difference)
+    checkDifference(request.id, request.other->id);
 }
 
 /// The other side, with its frame.
@@ -78,6 +75,12 @@ PictureSource otherSource(const OtherSide& other, int frame, int frameCount) {
   const int wished = std::clamp(other.frame.value_or(frame - other.framesBefore), 0, frameCount - 1);
   if (wished != frame) source.frame = wished;
   return source;
+}
+
+void checkDifference(IntermediateId id, IntermediateId other) {
+  const Intermediate &one = intermediate(id), &two = intermediate(other);
+  if (one.channels != two.channels)
+    throw Error(say<"there is no difference between %1 and %2: one has more channels">(one.name, two.name));
 }
 
 Picture wiped(const Picture& first, const Picture& other, int divider) {

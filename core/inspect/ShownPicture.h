@@ -48,6 +48,9 @@ OtherSide otherSideOf(const Comparison& comparison, IntermediateId id, int prese
 /// Where the other side is looked for while the inspector is at `frame` of `frameCount`.
 PictureSource otherSource(const OtherSide& other, int frame, int frameCount);
 
+/// Throws Error where there is no difference: one of the rows has more channels.
+void checkDifference(IntermediateId id, IntermediateId other);
+
 /// `first` in the columns left of `divider`, `other` in the rest; both have the same size.
 Picture wiped(const Picture& first, const Picture& other, int divider);
 

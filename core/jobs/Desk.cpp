@@ -1,6 +1,7 @@
 #include "core/jobs/Desk.h"
 
 #include "core/base/ShownText.h"
+#include "core/scene/ShotChoice.h"
 #include "core/scene/cost/SceneCost.h"
 
 #include <algorithm>
@@ -58,6 +59,8 @@ bool Desk::attempt(RequestKind kind, const std::function<void()>& action) {
     Failure failure{shownReason(error), kind, latest_.of(kind)};
     if (const auto* beyond = dynamic_cast<const BudgetError*>(&error))
       failure.neededBudget = beyond->needed();
+    failure.isChoice = kind == RequestKind::Camera || kind == RequestKind::Objects ||
+                       dynamic_cast<const ChoiceError*>(&error) != nullptr;
     tell(kind, std::move(failure));
     isStatusOld = true;
     return false;

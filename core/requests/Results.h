@@ -121,6 +121,7 @@ struct Failure {
   RequestKind kind = RequestKind::None;
   RequestId request = 0;                     ///< the latest of its kind that was taken up
   std::optional<SceneBudget> neededBudget{}; ///< that lets in a scene that asks for more than it may
+  bool isChoice = false;                     ///< the shot has no such camera, object, animation or length
 };
 
 /// Shaders were read anew.

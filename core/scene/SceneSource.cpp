@@ -21,14 +21,8 @@ constexpr std::array kMakers{makeFanScene,     makeFenceScene,   makeDisocclusio
                              makeCrowdScene}; // in the order of builtinScenes()
 
 Scene makeBuiltin(const std::string& source) {
-  const std::string_view id = std::string_view(source).substr(kBuiltinPrefix.size());
-  std::string known;
-  for (std::size_t i = 0; i < kMakers.size(); ++i) {
-    const BuiltinScene& scene = builtinScenes()[i];
-    if (scene.id == id) return kMakers[i]();
-    known += (known.empty() ? "" : ", ") + std::string(kBuiltinPrefix) + scene.id;
-  }
-  throw Error(say<"there is no built-in scene \"%1\"; there are %2">(id, known));
+  requireBuiltinScene(source);
+  return kMakers.at(static_cast<std::size_t>(findBuiltinScene(source) - builtinScenes().data()))();
 }
 
 } // namespace
@@ -72,6 +66,15 @@ const BuiltinScene* findBuiltinScene(const std::string& source) {
 
 bool isBuiltinScene(const std::string& source) {
   return source.starts_with(kBuiltinPrefix);
+}
+
+void requireBuiltinScene(const std::string& source) {
+  if (findBuiltinScene(source)) return;
+  std::string known;
+  for (const BuiltinScene& scene : builtinScenes())
+    known += (known.empty() ? "" : ", ") + std::string(kBuiltinPrefix) + scene.id;
+  throw Error(
+      say<"there is no built-in scene \"%1\"; there are %2">(source.substr(kBuiltinPrefix.size()), known));
 }
 
 Scene openScene(const std::string& source, const Progress& progress, const ShotChoice& choice,

@@ -26,6 +26,9 @@ const BuiltinScene* findBuiltinScene(const std::string& source);
 /// Whether `source` names a built-in scene, "builtin:NAME", one that there is or not.
 bool isBuiltinScene(const std::string& source);
 
+/// Throws Error naming those that there are, where `source` names none of them.
+void requireBuiltinScene(const std::string& source);
+
 /// Opens "builtin:NAME" or the path of a .gltf or .glb file, which the budget is for.
 /// Throws Error with file, place and reason when that is not possible; nothing else escapes.
 Scene openScene(const std::string& source, const Progress& progress = {}, const ShotChoice& choice = {},

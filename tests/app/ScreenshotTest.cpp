@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <utility>
 
 using namespace taa;
 using namespace taa::app;
@@ -55,6 +56,24 @@ TEST(Screenshot, WritesAPictureOfTheWholeWindow) {
   for (int y = 0; y < image.height(); y += 4)
     for (int x = 0; x < image.width(); x += 4) colors.insert(image.pixel(x, y));
   EXPECT_GT(colors.size(), 1000u);
+}
+
+TEST(Screenshot, WhatTheCallAsksForAndIsNotThereIsItsFault) {
+  const QString file = fileName("refused.png");
+  for (const auto& [option, value] : {std::pair{"--camera", "nope"},
+                                      {"--hide", "nope"},
+                                      {"--isolate", "nope"},
+                                      {"--animation", "nope"},
+                                      {"--preset", "nope"},
+                                      {"--figure", "nope"}}) {
+    const Outcome outcome = run({"--screenshot", file, "--size", "64x36", option, value, "builtin:fan"});
+    EXPECT_EQ(outcome.code, 2) << option << outcome.err.toStdString();
+    EXPECT_EQ(outcome.err.count(QLatin1Char('\n')), 1) << outcome.err.toStdString();
+    EXPECT_TRUE(outcome.err.startsWith(QLatin1String("taa-inspector: "))) << outcome.err.toStdString();
+  }
+  EXPECT_EQ(run({"--screenshot", file, "builtin:nope"}).code, 2);
+  EXPECT_EQ(run({"--screenshot", file, fileName("nope.gltf")}).code, 1);
+  EXPECT_FALSE(fs::exists(file.toStdString()));
 }
 
 TEST(Screenshot, ADialogLiesInItsMiddle) {

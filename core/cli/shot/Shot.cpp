@@ -58,10 +58,11 @@ void planSession(const ShotArguments& arguments, ShotPlan& plan) {
 
 void requireBuiltin(const std::string& source) {
   if (!isBuiltinScene(source)) return;
-  std::vector<std::string> known;
-  for (const BuiltinScene& scene : builtinScenes()) known.push_back("builtin:" + scene.id);
-  if (std::ranges::find(known, source) == known.end())
-    throw UsageError("there is no built-in scene \"" + source + "\"; there are " + joined(known));
+  try {
+    requireBuiltinScene(source);
+  } catch (const Error& error) {
+    throw UsageError(error.what());
+  }
 }
 
 /// The driver knows which sizes it draws.

@@ -233,8 +233,8 @@ bool contradictMiddles(const std::vector<const JudgedRegion*>& objects, std::siz
   return tried > given;
 }
 
-/// Objects that are too small to tell anything by themselves tell it together. That what rests in the world has
-/// another motion than the camera's is no news where depth and matrices have told why.
+/// Objects that are too small to tell anything by themselves tell it together, and the same as depth and
+/// matrices where it fits. That what rests in the world has another motion than the camera's is no news then.
 void judgeByMiddles(std::vector<JudgedRegion>& judged, const std::vector<MotionTrial>& trials) {
   MiddleEvidence all;
   std::vector<const JudgedRegion*> objects;
@@ -246,9 +246,12 @@ void judgeByMiddles(std::vector<JudgedRegion>& judged, const std::vector<MotionT
   std::vector<std::size_t> winners = middleWinners(all);
   std::erase_if(winners, [&](std::size_t trial) { return contradictMiddles(objects, trial); });
   if (winners.empty()) return;
-  if (trials[winners.front()].kind == MotionKind::OfCamera &&
-      std::ranges::any_of(judged, &JudgedRegion::isWitnessed))
-    return;
+  const auto told = std::ranges::find(judged, true, &JudgedRegion::isWitnessed);
+  if (told != judged.end() && std::ranges::count(winners, *told->trial) > 0)
+    winners = {*told->trial};
+  else if (told != judged.end())
+    std::erase_if(winners, [&](std::size_t trial) { return trials[trial].kind == MotionKind::OfCamera; });
+  if (winners.empty()) return;
   for (JudgedRegion& region : judged) {
     if (!isOpenToMiddles(region)) continue;
     const MiddleCounts& own = region.evidence->middle.trials[winners.front()];

@@ -40,6 +40,7 @@ constexpr double kExplainedWay = 2.0;
 bool isOfMiddle(MotionKind kind) {
   switch (kind) {
   case MotionKind::OfCamera:
+  case MotionKind::TwoFramesOld:
   case MotionKind::Scaled:
   case MotionKind::OtherUnit:
   case MotionKind::MirroredX:

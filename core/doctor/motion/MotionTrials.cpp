@@ -4,6 +4,7 @@
 #include "core/doctor/NumberText.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <array>
 #include <cstddef>
@@ -89,30 +90,32 @@ std::optional<glm::vec2> withoutOlderCamera(const FrameNeighbors& frames, const 
   return withOther(frames.now.motionAt(pixel.x, pixel.y), cameraMotionPx(frames.before, *before), -1.0f);
 }
 
-/// The same of what moves by itself, and more and more or less and less by the same: a half of m, and of what
-/// m has grown by, which is that of two frames, a quarter.
-std::optional<glm::vec2> withoutOlderOwn(const FrameNeighbors& frames, const glm::ivec2& pixel) {
+/// What an object's motion has grown by since the frame before, where it lay by its mean over two frames; 0
+/// where that is not known, or is much, as after a start.
+glm::vec2 growth(const FrameNeighbors& frames, const glm::ivec2& pixel) {
+  constexpr float kMostGrowth = 0.25f, kRoundingPx = 0.02f;
   const glm::vec2 given = frames.now.motionAt(pixel.x, pixel.y);
   const auto before = placeBefore(frames, pixel, 0.5f * given);
-  if (!before) return {};
+  if (!before || frames.before.startsHistory) return glm::vec2(0.0f);
   const auto objectAt = [](const DoctorFrame& frame, const glm::ivec2& at) {
-    return frame.objectId.empty()
-               ? 0u
-               : frame.objectId[static_cast<std::size_t>(at.y) * frame.sizePx().x + at.x];
+    return frame.objectId.empty() ? 0u
+                                  : frame.objectId[static_cast<std::size_t>(at.y) * frame.sizePx().x + at.x];
   };
   const glm::vec2 earlier = frames.before.motionAt(before->x, before->y);
-  if (!isMotion(earlier) || objectAt(frames.before, *before) != objectAt(frames.now, pixel)) return {};
-  return 0.5f * given + 0.25f * (given - earlier);
+  const bool isSame = isMotion(earlier) && objectAt(frames.before, *before) == objectAt(frames.now, pixel);
+  const float most = kMostGrowth * glm::length(given) + kRoundingPx;
+  return isSame && glm::distance(given, earlier) <= most ? given - earlier : glm::vec2(0.0f);
 }
 
-/// Which of the two a pixel is, its motion says: that of what rests is the camera's of both frames.
+/// The same of what moves by itself, faster or slower by as much in each frame: m is then twice the motion,
+/// less what that grows by in a frame, which is half of what m grows by. Which of the two a pixel is, its
+/// motion says: that of what rests is the camera's of both frames.
 std::optional<glm::vec2> withoutOlder(const FrameNeighbors& frames, const glm::ivec2& pixel) {
-  constexpr float kRestsPx = 0.05f;
-  if (frames.before.startsHistory) return {};
-  const auto camera = cameraMotionPx(frames.now, pixel), resting = withoutOlderCamera(frames, pixel);
-  if (camera && resting && glm::distance(*camera, *resting) <= kRestsPx) return resting;
-  const auto own = withoutOlderOwn(frames, pixel);
-  return own ? own : resting;
+  constexpr float kSameAsCameraPx = 0.05f;
+  const auto camera = cameraMotionPx(frames.now, pixel);
+  const auto resting = frames.before.startsHistory ? std::nullopt : withoutOlderCamera(frames, pixel);
+  if (camera && resting && glm::distance(*camera, *resting) <= kSameAsCameraPx) return resting;
+  return 0.5f * frames.now.motionAt(pixel.x, pixel.y) + 0.25f * growth(frames, pixel);
 }
 
 } // namespace

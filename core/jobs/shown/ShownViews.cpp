@@ -63,6 +63,7 @@ void ShownViews::deliverView(int index) {
   if (view.lane >= shot.laneCount() || (view.asDifference && !other)) return;
   last = now; // also when it fails: once is enough to tell
   desk_.attempt(RequestKind::Views, [&] {
+    if (view.asDifference) checkDifference(view.id, other->id);
     desk_.tell(RequestKind::Views, draw(index, {view.id, view.lane, {}}, other));
   });
 }

@@ -168,6 +168,18 @@ TEST_F(RenderSidesTest, ADifferenceBringsItsValues) {
   EXPECT_TRUE(differs);
 }
 
+// Found by random requests: values of both sides were taken from each other, one channel from three.
+TEST_F(RenderSidesTest, ADifferenceOfOtherChannelsIsRefused) {
+  ViewRequest view = comparing(OtherSide{.id = IntermediateId::depth});
+  view.asDifference = view.withValues = true;
+  thread->post(taa::request::SetViews{{view}});
+  thread->waitUntilIdle();
+  ASSERT_EQ(recorder.failures.size(), 1u);
+  EXPECT_EQ(recorder.failures[0].kind, taa::RequestKind::Views);
+  EXPECT_EQ(recorder.failures[0].sentence,
+            "there is no difference between resolved and depth: one has more channels");
+}
+
 TEST_F(RenderSidesTest, TheFrameBeforeAlongTheMotionSaysWhereThereIsNone) {
   OtherSide before;
   before.alongMotion = true;

@@ -114,7 +114,9 @@ TEST(MotionMiddles, AddUpWhatIsLittleFromFrameToFrame) {
   EXPECT_EQ(winnersOf({.perFramePx = {0.4, -0.2}}, [](const glm::vec2& m) { return -m; }), "opposite");
   EXPECT_EQ(winnersOf({.perFramePx = {0.6, 0.1}}, [](const glm::vec2& m) { return glm::vec2(m.y, m.x); }),
             "swappedAxes");
-  EXPECT_EQ(winnersOf({.perFramePx = {0.6, 0.2}}, [](const glm::vec2& m) { return 2.0f * m; }), "scaled:0.5");
+  EXPECT_EQ(winnersOf({.perFramePx = {0.6, 0.2}}, [](const glm::vec2& m) { return 2.0f * m; }),
+            "scaled:0.5,twoFramesOld")
+      << "of even motion both are the same";
 }
 
 // A square that rests in the world goes by half a pixel a frame as the camera turns. The motion given leads

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <set>
 #include <string>
 
@@ -30,6 +31,10 @@ class MotionTrialsTest : public testing::Test {
   static void set(DoctorFrame& frame, const glm::vec2& motion) {
     frame.motionPx.at(kOnGround.x, kOnGround.y)[0] = motion.x;
     frame.motionPx.at(kOnGround.x, kOnGround.y)[1] = motion.y;
+  }
+  static void fill(DoctorFrame& frame, const glm::vec2& motion) {
+    for (std::size_t i = 0; i < frame.motionPx.pixels.size(); ++i)
+      frame.motionPx.pixels[i] = i % 2 == 0 ? motion.x : motion.y;
   }
   glm::vec2 moved(MotionKind kind, const glm::vec2& factor = glm::vec2(1.0f)) const {
     return trueMotion({kind, factor}, {now, before, &after}, kOnGround).value_or(glm::vec2(99.0f));
@@ -87,6 +92,28 @@ TEST_F(MotionTrialsTest, KnowTheCamerasMotion) {
   EXPECT_TRUE(isNear(moved(MotionKind::CameraTwice), kGiven - camera));
   now.previousClipFromClip.reset();
   EXPECT_FALSE(trueMotion({MotionKind::OfCamera}, {now, before, nullptr}, kOnGround));
+}
+
+// The way of an object is 2 px in frame 1, and 0.3 px more in each frame after it: m of frame n is the sum of
+// n and n − 1.
+TEST_F(MotionTrialsTest, LeaveOfMotionOfTwoFramesThatOfOne) {
+  const auto wayPx = [](int n) { return glm::vec2(2.0f + 0.3f * static_cast<float>(n - 1), -1.0f); };
+  set(now, wayPx(5) + wayPx(4));
+  fill(before, wayPx(4) + wayPx(3));
+  EXPECT_LT(glm::distance(moved(MotionKind::TwoFramesOld), wayPx(5)), 1e-5f);
+  // What has jumped, or has only just begun, is said to be half of it.
+  fill(before, glm::vec2(0.0f));
+  EXPECT_EQ(moved(MotionKind::TwoFramesOld), 0.5f * (wayPx(5) + wayPx(4)));
+  fill(before, wayPx(4) + wayPx(3));
+  before.startsHistory = true;
+  EXPECT_EQ(moved(MotionKind::TwoFramesOld), 0.5f * (wayPx(5) + wayPx(4)));
+}
+
+TEST_F(MotionTrialsTest, KnowMotionOfTwoFramesOfWhatRestsByTheCamera) {
+  const glm::vec2 camera(2.25f, -1.5f); // in both frames
+  set(now, 2.0f * camera);
+  set(before, glm::vec2(0.0f)); // says nothing then
+  EXPECT_LT(glm::distance(moved(MotionKind::TwoFramesOld), camera), 1e-4f);
 }
 
 TEST(MotionTrials, HaveNamesOfTheirOwn) {
