@@ -83,7 +83,7 @@ TEST_F(BatchDoctor, IsTriedOnCasesThatTheFileDoesNotHold) {
 }
 
 TEST(BatchDoctorMistakes, AreTheCallersOrTheWorlds) {
-  expectUsageError({"doctor", "builtin:nothing"}, {"builtin:nothing"});
+  expectUsageError({"doctor", "builtin:nothing"}, {"\"nothing\"", "builtin:fan"});
   expectUsageError({"doctor", "builtin:fan", "--frames", "1"}, {"--frames"});
   expectUsageError({"doctor", "builtin:fan", "--lane", "balanced", "--lane", "minimal"}, {"--lane", "one"});
   expectFailure({"doctor", "absent.gltf"}, {"absent.gltf"});
