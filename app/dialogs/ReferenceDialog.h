@@ -26,7 +26,6 @@ class ReferenceDialog : public QDialog {
 
  private:
   void showPage(int row);
-  void showText(const ManualPage& page);
   void follow(const QUrl& link);
   void scrollTo(const std::string& anchor);
   void find(bool fromHere);

@@ -5,6 +5,7 @@
 
 #include <QFontMetricsF>
 #include <QPainter>
+#include <QStringList>
 
 #include <algorithm>
 
@@ -18,6 +19,19 @@ constexpr double kLongSample = 26.0, kShortSample = 16.0; ///< of the dashes
 
 QFontMetricsF metrics() {
   return QFontMetricsF(secondaryFont());
+}
+
+/// Its words in as many lines as they need; what is wider than a line is cut.
+QStringList brokenTitle(const QString& title, double width) {
+  QStringList lines;
+  for (const QString& word : title.split(QLatin1Char(' '))) {
+    const QString longer = lines.isEmpty() ? word : lines.last() + QLatin1Char(' ') + word;
+    if (!lines.isEmpty() && metrics().horizontalAdvance(longer) <= width)
+      lines.last() = longer;
+    else
+      lines << metrics().elidedText(word, Qt::ElideRight, width);
+  }
+  return lines;
 }
 
 } // namespace
@@ -87,9 +101,11 @@ void CurveLegend::paint(QPainter& painter, const ThemeColors& colors, const QStr
                         const QString& place) const {
   painter.setFont(secondaryFont());
   painter.setPen(colors.text);
-  const double titleWidth = titleEnd_ ? *titleEnd_ - kLegendMargin : width_;
-  painter.drawText(QPointF(kLegendMargin, scaled(kFirstBaseline)),
-                   metrics().elidedText(title, Qt::ElideRight, titleWidth));
+  double baseline = scaled(kFirstBaseline);
+  for (const QString& line : brokenTitle(title, titleEnd_ ? *titleEnd_ - kLegendMargin : width_)) {
+    painter.drawText(QPointF(kLegendMargin, baseline), line);
+    baseline += scaled(kLineHeight);
+  }
   const std::vector<double> widths = widthsOf(curves);
   double lineEnd = titleEnd_ ? 0.0 : metrics().horizontalAdvance(title) + kTitleGap;
   // `place` stands at the right: below a single line, else in the last one.

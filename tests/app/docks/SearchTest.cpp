@@ -19,8 +19,11 @@
 #include <QListWidget>
 #include <QPointer>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QTextBrowser>
+#include <QTextDocument>
 #include <QTreeView>
 
 #include <algorithm>
@@ -122,6 +125,27 @@ TEST_F(Search, OfTheManualSaysWhereElseATextIs) {
   field->setText("alpha");
   EXPECT_EQ(missed(dialog), "");
   dialog->close();
+}
+
+// A document on show is laid out anew for each cell that comes to a table: a page of a thousand took 46 s.
+TEST_F(Search, PagesOfTheManualAreMadeBeforeTheyAreShown) {
+  ReferenceDialog dialog(&window);
+  dialog.show();
+  auto* browser = dialog.findChild<QTextBrowser*>();
+  auto* pages = dialog.findChild<QListWidget*>();
+  ASSERT_GT(pages->count(), 10);
+  for (int page = pages->count() - 1; page >= 0; --page) {
+    int changes = 0;
+    QObject::connect(browser->document(), &QTextDocument::contentsChange, browser,
+                     [&](int, int removed, int added) {
+                       if (removed > 0 || added > 0) ++changes;
+                     });
+    pages->setCurrentRow(page);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(changes, 0) << pages->item(page)->text().toStdString();
+    EXPECT_GT(browser->document()->characterCount(), 300);
+    EXPECT_EQ(browser->verticalScrollBar()->value(), 0);
+  }
 }
 
 TEST(FirstPicture, UntilItIsThereTheWindowSaysWhatItDoes) {
