@@ -23,8 +23,6 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kLabelWidth = 168;
-
 QString htmlOf(std::string_view view) {
   return tableText(view).toHtmlEscaped();
 }
@@ -95,7 +93,7 @@ ConventionRow::ConventionRow(const capture::Convention& row, QWidget* parent)
   const QString tip = conventionToolTip(row);
   label_->setToolTip(tip);
   editor_->setToolTip(tip);
-  label_->setFixedWidth(kLabelWidth);
+  setLabelWidth(labelHint());
   verdictText_->setFont(secondaryFont());
   verdictText_->setFixedWidth(verdictWidth(secondaryFont()));
   auto* line = new QHBoxLayout(this);
@@ -112,6 +110,14 @@ ConventionRow::ConventionRow(const capture::Convention& row, QWidget* parent)
 
 QString ConventionRow::path() const {
   return qtext(row_.path);
+}
+
+int ConventionRow::labelHint() const {
+  return label_->sizeHint().width();
+}
+
+void ConventionRow::setLabelWidth(int width) {
+  label_->setFixedWidth(width);
 }
 
 bool ConventionRow::isChanged() const {

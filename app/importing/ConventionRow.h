@@ -27,6 +27,9 @@ class ConventionRow : public QWidget {
   QWidget* editor() const { return editor_; }
   Verdict verdict() const { return verdict_; }
   bool isChanged() const;
+  /// px: of the whole label, and so many of it.
+  int labelHint() const;
+  void setLabelWidth(int width);
   /// What was typed and not yet said; it is taken as said then.
   std::optional<QString> takeTyped();
   /// Shows the row of `stated`; it is marked where `guessed` says something else. What is still being typed

@@ -38,7 +38,7 @@ ConventionTable::ConventionTable(QWidget* parent) : QScrollArea(parent) {
   setAccessibleName(tr("Conventions"));
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(0, 0, 3 * kUnit, 0);
+  layout->setContentsMargins(0, 0, 2 * kUnit, 0);
   layout->setSpacing(2);
   std::string_view last;
   for (const capture::Convention& row : capture::conventions())
@@ -46,6 +46,9 @@ ConventionTable::ConventionTable(QWidget* parent) : QScrollArea(parent) {
       addGroup(layout, prefix);
       last = prefix;
     }
+  // Every name is whole, and the fields stand in one line.
+  const auto widest = std::ranges::max(rows_, {}, &ConventionRow::labelHint);
+  for (ConventionRow* row : rows_) row->setLabelWidth(widest->labelHint());
   layout->addStretch(1);
   setWidget(content);
   // Nothing scrolls sideways: what a row says last is seen at any size of the letters.

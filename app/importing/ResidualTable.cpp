@@ -1,16 +1,18 @@
 #include "app/importing/ResidualTable.h"
 
 #include "app/importing/Answers.h"
-#include "app/style/Icons.h"
 #include "app/style/Numbers.h"
+#include "app/style/Text.h"
 #include "app/style/Theme.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
+#include <QFontMetrics>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -22,6 +24,22 @@ namespace taa::app {
 
 namespace {
 enum ResidualColumn { AnswerColumn, Residual, Now };
+constexpr int kMostWidth = 320; ///< px, of what it asks to have room for
+
+/// px, with which nothing in it is cut.
+int neededWidth(const QTreeWidget& table) {
+  int sum = table.verticalScrollBar()->sizeHint().width();
+  for (int column = 0; column < table.columnCount(); ++column) {
+    int widest = table.fontMetrics().horizontalAdvance(table.headerItem()->text(column));
+    for (int line = 0; line < table.topLevelItemCount(); ++line) {
+      const QTreeWidgetItem* item = table.topLevelItem(line);
+      widest = std::max(widest, QFontMetrics(item->font(column)).horizontalAdvance(item->text(column)));
+    }
+    sum += widest + 3 * kUnit;
+  }
+  return sum;
+}
+
 } // namespace
 
 ResidualTable::ResidualTable(QWidget* parent)
@@ -50,6 +68,7 @@ ResidualTable::ResidualTable(QWidget* parent)
       tr("Set the conventions as the selected hypothesis says (Enter in the table, or Alt+U)"));
   apply_->setAccessibleDescription(apply_->toolTip());
   auto* below = new QHBoxLayout;
+  below->setContentsMargins(kUnit, 0, 0, 0); // the words stand in line with those of the table
   below->addWidget(reason_, 1);
   below->addWidget(apply_, 0, Qt::AlignTop);
   auto* layout = new QVBoxLayout(this);
@@ -111,7 +130,7 @@ void ResidualTable::refresh() {
   table_->clear();
   questions_->setEnabled(!findings_.empty());
   apply_->setEnabled(false); // until a line is current
-  reason_->setText(finding ? QString::fromStdString(finding->reason)
+  reason_->setText(finding ? sentence(finding->reason)
                            : tr("Nothing was measured yet, or these frames leave nothing to measure."));
   if (!finding) return;
   if (!finding->measure.empty())
@@ -119,16 +138,17 @@ void ResidualTable::refresh() {
   for (const capture::Hypothesis& hypothesis : finding->hypotheses) {
     const bool isSet = agrees(hypothesis, stated_);
     auto* item = new QTreeWidgetItem({QString::fromStdString(hypothesis.text),
-                                      shortText(hypothesis.residual, 4), isSet ? tr("set") : QString()});
+                                      shortText(hypothesis.residual, 4), isSet ? tr("✓ set") : QString()});
     item->setFont(Residual, numberFont());
     item->setTextAlignment(Residual, Qt::AlignVCenter | Qt::AlignRight);
-    if (isSet) item->setIcon(Now, themedIcon(QStringLiteral("right")));
     QStringList says;
     for (const std::string& assignment : hypothesis.assignments) says << QString::fromStdString(assignment);
     if (!hypothesis.isStatable) says << tr("No convention says this: it shows what the others are worth.");
     item->setToolTip(AnswerColumn, says.join(QStringLiteral("\n")));
     table_->addTopLevelItem(item);
   }
+  // The picture beside it gives way.
+  table_->setMinimumWidth(std::min(neededWidth(*table_), scaled(kMostWidth)));
   const int last = table_->topLevelItemCount() - 1;
   if (last >= 0) table_->setCurrentItem(table_->topLevelItem(std::clamp(line, 0, last)));
 }

@@ -15,6 +15,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QShowEvent>
 #include <QVBoxLayout>
 
@@ -25,6 +26,7 @@ namespace taa::app {
 namespace {
 
 constexpr int kProfilerRefresh = 200; ///< ms
+constexpr int kChartWidth = 230;      ///< px, at least: its axes have words
 
 QString ms(double value) {
   return QString::number(value, 'f', value < 10.0 ? 3 : 2);
@@ -63,14 +65,25 @@ ProfilerPanel::ProfilerPanel(QWidget* parent) : QWidget(parent) {
   memory_ = new ValueTable({tr("Resource"), tr("MiB"), tr("objects")});
   passesTitle_ = new QLabel(tr("Passes, from the next frame on"));
   stagesTitle_ = new QLabel(tr("Stages of the resolve, when measured"));
-  auto* columns = new QHBoxLayout;
+  auto* area = new QScrollArea;
+  area->setAccessibleName(tr("Profile"));
+  area->setWidgetResizable(true);
+  area->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // tables scroll by themselves
+  auto* content = new QWidget;
+  auto* columns = new QHBoxLayout(content);
+  columns->setContentsMargins(0, 0, 0, 0);
   columns->setSpacing(4 * kUnit);
+  // Where there is less room than their names need, all of them scroll sideways.
+  for (ValueTable* table : {passes_, stages_, memory_})
+    table->setSizePolicy(QSizePolicy::MinimumExpanding, QSizePolicy::Expanding);
+  chart_->setMinimumWidth(scaled(kChartWidth));
   // No stretch: with one their names would be cut before the chart gives way.
   columns->addWidget(titled(passesTitle_, passes_));
   columns->addWidget(titled(new QLabel(tr("Over time")), chart_));
   columns->addWidget(titled(stagesTitle_, stages_));
   columns->addWidget(titled(new QLabel(tr("Memory on the GPU")), memory_));
-  rows->addLayout(columns, 1);
+  area->setWidget(content);
+  rows->addWidget(area, 1);
   refresh_.setSingleShot(true);
   refresh_.setInterval(kProfilerRefresh);
   connect(&refresh_, &QTimer::timeout, this, &ProfilerPanel::refresh);

@@ -33,8 +33,14 @@ void finding(const std::string& sentence) {
 /// The last picture of the first view, and whether all that is said can be shown.
 class Listening {
  public:
+  /// `watch`: something goes on while answers come.
+  explicit Listening(soak::Watch& watch) : watch_(watch) {}
+
   Listener listener() {
-    return [this](Answer answer) { std::visit([this](const auto& result) { take(result); }, answer.result); };
+    return [this](Answer answer) {
+      watch_.tick();
+      std::visit([this](const auto& result) { take(result); }, answer.result);
+    };
   }
   std::vector<std::uint8_t> picture() {
     const std::lock_guard lock(mutex_);
@@ -60,6 +66,7 @@ class Listening {
     }
   }
 
+  soak::Watch& watch_;
   std::mutex mutex_;
   std::vector<std::uint8_t> picture_;
   int failures_ = 0;
@@ -74,6 +81,7 @@ std::vector<std::uint8_t> knownPicture(RenderThread& thread, Listening& listenin
   const std::vector<Request> plain{request::Cancel{},
                                    request::SetViews{},
                                    request::SetSize{kWidth, kHeight},
+                                   request::SetReferenceSamples{4}, // metrics want one of each frame
                                    request::SetRecording{false},
                                    request::SetPlaying{false},
                                    request::SetSettings{},
@@ -100,7 +108,7 @@ int goOn(double seconds, unsigned seed, const char* log) {
   std::ofstream out(log, std::ios::trunc);
   std::mt19937 random(seed);
   soak::Watch watch(again);
-  Listening listening;
+  Listening listening(watch);
   RenderThread thread(listening.listener());
   const std::vector<std::uint8_t> first = knownPicture(thread, listening);
   if (first.empty()) finding("there is no first picture");

@@ -13,9 +13,9 @@ namespace taa::soak {
 
 class Watch {
  public:
-  /// `step` says how to repeat it.
-  explicit Watch(std::string step)
-      : step_(std::move(step)), thread_([this](const auto& stop) { run(stop); }) {}
+  /// `again` says how to repeat it.
+  explicit Watch(std::string again)
+      : again_(std::move(again)), thread_([this](const auto& stop) { run(stop); }) {}
 
   void tick() { ++ticks_; }
 
@@ -28,13 +28,13 @@ class Watch {
       silent = ticks_ == seen ? silent + 1 : 0;
       seen = ticks_;
       if (silent < kMaxSilence) continue;
-      std::fprintf(stderr, "FINDING: nothing goes on for %d s after step %lld of %s\n", kMaxSilence, seen,
-                   step_.c_str());
+      std::fprintf(stderr, "FINDING: nothing goes on for %d s in %s, after the last line of its log\n",
+                   kMaxSilence, again_.c_str());
       std::abort();
     }
   }
 
-  std::string step_;
+  std::string again_;
   std::atomic<long long> ticks_ = 0;
   std::jthread thread_; // ends before what it reads
 };
