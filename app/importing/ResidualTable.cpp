@@ -53,11 +53,12 @@ ResidualTable::ResidualTable(QWidget* parent)
   table_->setObjectName(QStringLiteral("residuals"));
   table_->setAccessibleName(tr("Hypotheses by residual"));
   table_->setRootIsDecorated(false);
-  table_->setHeaderLabels({tr("Hypothesis"), tr("Residual"), tr("Now")});
+  table_->setHeaderLabels({tr("Hypothesis"), tr("Residual"), QString()});
   table_->headerItem()->setToolTip(
       Residual, tr("Mean difference in luma of a frame and the warped frame before it, × 1000, unless the "
                    "question says otherwise. The smallest fits best."));
   table_->header()->setStretchLastSection(false);
+  table_->header()->setMinimumSectionSize(5 * kUnit); // of a mark
   table_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->header()->setSectionResizeMode(AnswerColumn, QHeaderView::Stretch);
   reason_->setWordWrap(true);
@@ -137,8 +138,10 @@ void ResidualTable::refresh() {
     table_->headerItem()->setToolTip(Residual, QString::fromStdString(finding->measure));
   for (const capture::Hypothesis& hypothesis : finding->hypotheses) {
     const bool isSet = agrees(hypothesis, stated_);
-    auto* item = new QTreeWidgetItem({QString::fromStdString(hypothesis.text),
-                                      shortText(hypothesis.residual, 4), isSet ? tr("✓ set") : QString()});
+    auto* item =
+        new QTreeWidgetItem({QString::fromStdString(hypothesis.text), shortText(hypothesis.residual, 4),
+                             isSet ? QStringLiteral("✓") : QString()});
+    if (isSet) item->setToolTip(Now, tr("This is set now."));
     item->setFont(Residual, numberFont());
     item->setTextAlignment(Residual, Qt::AlignVCenter | Qt::AlignRight);
     QStringList says;
