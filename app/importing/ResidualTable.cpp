@@ -28,7 +28,7 @@ constexpr int kMostWidth = 320; ///< px, of what it asks to have room for
 
 /// px, with which nothing in it is cut.
 int neededWidth(const QTreeWidget& table) {
-  int sum = table.verticalScrollBar()->sizeHint().width();
+  int sum = table.verticalScrollBar()->sizeHint().width() + kUnit;
   for (int column = 0; column < table.columnCount(); ++column) {
     int widest = table.fontMetrics().horizontalAdvance(table.headerItem()->text(column));
     for (int line = 0; line < table.topLevelItemCount(); ++line) {
