@@ -305,8 +305,11 @@ void ProbePanel::fitColumns() {
   }
   const int valueWidth = digits.horizontalAdvance(QString(kValueColumn, QLatin1Char('0'))) + kValueMargins;
   const int unitWidth = unit + kValueMargins;
-  const int room = width() - table_->verticalScrollBar()->sizeHint().width() - valueWidth - unitWidth;
-  const int nameWidth = std::min(room, name + table_->indentation() + kValueMargins);
+  const int whole = width() - table_->verticalScrollBar()->sizeHint().width();
+  const int room = whole - valueWidth - unitWidth;
+  // Names are whole before units are: with letters that are large these are scrolled to.
+  const int nameWidth = std::min(whole - valueWidth, name + table_->indentation() + kValueMargins);
+  table_->setHorizontalScrollBarPolicy(nameWidth > room ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
   table_->setColumnWidth(ProbeModel::Name, nameWidth);
   table_->setColumnWidth(ProbeModel::Value, valueWidth);
   table_->setColumnWidth(ProbeModel::Unit, unitWidth);

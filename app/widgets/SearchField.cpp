@@ -20,6 +20,13 @@ bool SearchField::event(QEvent* event) {
   return true;
 }
 
+void SearchField::resizeEvent(QResizeEvent* event) {
+  QLineEdit::resizeEvent(event);
+  const int sign = 2 * fontMetrics().height(); // and what is around the words
+  const bool fits = fontMetrics().horizontalAdvance(accessibleName()) + sign <= width();
+  setPlaceholderText(fits ? accessibleName() : tr("Search"));
+}
+
 NoHits::NoHits(QWidget* parent) : QLabel(parent) {
   setObjectName(QStringLiteral("noHits"));
   setTextFormat(Qt::PlainText);

@@ -12,11 +12,12 @@ namespace taa::app {
 class SearchField : public QLineEdit {
   Q_OBJECT
  public:
-  /// `asks` stands in it while it is empty, and is its name.
+  /// `asks` stands in it while it is empty, or one word of it where there is no room, and is its name.
   explicit SearchField(const QString& asks, QWidget* parent = nullptr);
 
  protected:
   bool event(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 };
 
 /// In the place of what is searched: that nothing was found, and what to do then. Hidden otherwise.
