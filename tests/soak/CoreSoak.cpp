@@ -1,5 +1,5 @@
-// Random requests to the render thread, for so many seconds: taa_soak_core SECONDS SEED LOG. Every so often
-// the shot is made what it was at the beginning, and has to look as it did: whatever was asked for in
+// Random requests to the render thread, for so many seconds: taa_soak_core SECONDS SEED LOG [FROM]. Every so
+// often the shot is made what it was at the beginning, and has to look as it did: whatever was asked for in
 // between.
 #include "core/RenderThread.h"
 #include "core/base/ShownText.h"
@@ -50,15 +50,25 @@ class Listening {
     const std::lock_guard lock(mutex_);
     return failures_;
   }
+  /// What that picture is of, and the last failure.
+  std::string said() {
+    const std::lock_guard lock(mutex_);
+    return said_ + (failure_.empty() ? "" : "; the last refusal: " + failure_);
+  }
 
  private:
   template <typename Result>
   void take(const Result& result) {
     const std::lock_guard lock(mutex_);
     if constexpr (std::is_same_v<Result, ViewResult>) {
-      if (result.view == 0) picture_ = result.picture.rgba;
+      if (result.view == 0) {
+        picture_ = result.picture.rgba;
+        said_ = std::to_string(result.picture.width) + "x" + std::to_string(result.picture.height) +
+                " px of frame " + std::to_string(result.frame) + (result.exact ? ", exact" : ", not exact");
+      }
     } else if constexpr (std::is_same_v<Result, Failure>) {
       ++failures_;
+      failure_ = result.sentence;
       if (!isPlainText(result.sentence)) finding("a failure is not one plain line: " + result.sentence);
     } else if constexpr (std::is_same_v<Result, Status>) {
       if (result.frameCount > 0 && (result.info.frame < 0 || result.info.frame >= result.frameCount))
@@ -69,6 +79,7 @@ class Listening {
   soak::Watch& watch_;
   std::mutex mutex_;
   std::vector<std::uint8_t> picture_;
+  std::string said_, failure_;
   int failures_ = 0;
 };
 
@@ -80,13 +91,13 @@ std::vector<std::uint8_t> knownPicture(RenderThread& thread, Listening& listenin
   view.height = kHeight;
   const std::vector<Request> plain{request::Cancel{},
                                    request::SetViews{},
-                                   request::SetSize{kWidth, kHeight},
                                    request::SetReferenceSamples{4}, // metrics want one of each frame
                                    request::SetRecording{false},
                                    request::SetPlaying{false},
                                    request::SetSettings{},
                                    request::SetOtherLanes{},
                                    request::Open{"builtin:fan"},
+                                   request::SetSize{kWidth, kHeight}, // a capture has its own
                                    request::SetMotionModes{},
                                    request::SetObjectFilter{},
                                    request::SetObjectClasses{},
@@ -102,7 +113,8 @@ std::vector<std::uint8_t> knownPicture(RenderThread& thread, Listening& listenin
   return listening.picture();
 }
 
-int goOn(double seconds, unsigned seed, const char* log) {
+/// What was asked for before step `from` is left out.
+int goOn(double seconds, unsigned seed, const char* log, int from) {
   const std::string again =
       std::string("taa_soak_core ") + std::to_string(seconds) + " " + std::to_string(seed);
   std::ofstream out(log, std::ios::trunc);
@@ -117,14 +129,19 @@ int goOn(double seconds, unsigned seed, const char* log) {
   for (; std::chrono::steady_clock::now() < end; watch.tick()) {
     ++steps;
     soak::RandomRequest next = soak::randomRequest(random);
+    if (steps < from) {
+      random(); // as below
+      continue;
+    }
     out << steps << " " << next.text << '\n';
     out.flush(); // the last line is what it was about
     thread.post(std::move(next.request));
-    if (random() % 4 == 0) thread.waitUntilIdle();
+    const bool waits = random() % 4 == 0;
+    if (waits) thread.waitUntilIdle();
     if (steps % kStepsBetween != 0) continue;
     if (knownPicture(thread, listening) != first)
       finding("the shot looks otherwise than at the beginning after step " + std::to_string(steps) + " of " +
-              again);
+              again + ": " + listening.said());
     ++comparisons;
   }
   std::printf("core: %d requests in %.0f s, %d refused, %d times back at the beginning, nothing found\n",
@@ -135,9 +152,11 @@ int goOn(double seconds, unsigned seed, const char* log) {
 } // namespace
 
 int main(int count, char** words) {
-  if (count != 4) {
-    std::fprintf(stderr, "Usage: taa_soak_core SECONDS SEED LOG\n");
+  if (count != 4 && count != 5) {
+    std::fprintf(stderr,
+                 "Usage: taa_soak_core SECONDS SEED LOG [FROM]\nFROM: the first step that is taken\n");
     return 2;
   }
-  return goOn(std::stod(words[1]), static_cast<unsigned>(std::stoul(words[2])), words[3]);
+  return goOn(std::stod(words[1]), static_cast<unsigned>(std::stoul(words[2])), words[3],
+              count == 5 ? std::stoi(words[4]) : 1);
 }
