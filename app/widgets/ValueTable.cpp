@@ -4,10 +4,13 @@
 
 #include <QEvent>
 #include <QHeaderView>
+#include <QList>
 #include <QPixmap>
 #include <QScrollBar>
+#include <QSignalBlocker>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace taa::app {
@@ -50,26 +53,40 @@ void ValueTable::setRows(const std::vector<Row>& rows) {
   rows_ = rows;
   const int count = static_cast<int>(rows.size());
   while (topLevelItemCount() > count) delete takeTopLevelItem(count);
-  while (topLevelItemCount() < count) addTopLevelItem(new QTreeWidgetItem);
-  for (int index = 0; index < count; ++index) {
-    const Row& row = rows_[static_cast<std::size_t>(index)];
-    QTreeWidgetItem* item = topLevelItem(index);
-    for (int column = 0; column < columnCount(); ++column) {
-      QFont font = column == 0 ? secondaryFont() : numberFont();
-      font.setBold(row.isSum);
-      item->setFont(column, font);
-      item->setText(column, row.cells.value(column));
-      item->setToolTip(column, row.tip.isEmpty() ? row.cells.value(column) : row.tip);
-      item->setTextAlignment(column, Qt::AlignVCenter | (column == 0 ? Qt::AlignLeft : Qt::AlignRight));
-    }
-    QPixmap swatch(iconSize());
-    swatch.fill(row.swatch);
-    item->setIcon(0, row.swatch.isValid() ? QIcon(swatch) : QIcon());
-  }
+  QList<QTreeWidgetItem*> added;
+  while (topLevelItemCount() + added.size() < count) added << new QTreeWidgetItem;
+  addTopLevelItems(added);
+  if (count > 0) fillRows();
   const int needed = neededWidth();
   if (needed <= widest_) return;
   widest_ = needed; // never less: the columns beside it would jump
   updateGeometry();
+}
+
+// Told once: with each word that changes the header asks for the widths of all others. A thousand rows of
+// jitter took minutes.
+void ValueTable::fillRows() {
+  {
+    const QSignalBlocker quiet(model());
+    for (std::size_t index = 0; index < rows_.size(); ++index)
+      fillRow(rows_[index], *topLevelItem(static_cast<int>(index)));
+  }
+  const QModelIndex first = model()->index(0, 0);
+  Q_EMIT model()->dataChanged(first, model()->index(model()->rowCount() - 1, columnCount() - 1));
+}
+
+void ValueTable::fillRow(const Row& row, QTreeWidgetItem& item) const {
+  for (int column = 0; column < columnCount(); ++column) {
+    QFont font = column == 0 ? secondaryFont() : numberFont();
+    font.setBold(row.isSum);
+    item.setFont(column, font);
+    item.setText(column, row.cells.value(column));
+    item.setToolTip(column, row.tip.isEmpty() ? row.cells.value(column) : row.tip);
+    item.setTextAlignment(column, Qt::AlignVCenter | (column == 0 ? Qt::AlignLeft : Qt::AlignRight));
+  }
+  QPixmap swatch(iconSize());
+  swatch.fill(row.swatch);
+  item.setIcon(0, row.swatch.isValid() ? QIcon(swatch) : QIcon());
 }
 
 int ValueTable::neededWidth() const {

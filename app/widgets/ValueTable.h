@@ -36,6 +36,8 @@ class ValueTable : public QTreeWidget {
  private:
   static constexpr int kFirstWidth = 220;
   std::vector<QStringList> lines() const;
+  void fillRows();
+  void fillRow(const Row& row, QTreeWidgetItem& item) const;
   int neededWidth() const;
   QStringList header_;
   std::vector<Row> rows_;

@@ -10,6 +10,7 @@
 #include "app/widgets/ValueTable.h"
 #include "tests/app/WindowFixture.h"
 
+#include <QAbstractItemModel>
 #include <QClipboard>
 #include <QMenu>
 #include <QPushButton>
@@ -39,6 +40,30 @@ FrameProfile profileOf(double first, double second) {
 }
 
 } // namespace
+
+// A table that told of each word would measure all others each time: a thousand rows of jitter took minutes.
+TEST(ValueTable, TellsOfAllItsRowsAtOnce) {
+  ValueTable table({"name", "a", "b"});
+  table.show();
+  int told = 0;
+  QObject::connect(table.model(), &QAbstractItemModel::dataChanged, &table, [&] { ++told; });
+  const auto rowsOf = [](int count, const QString& word) {
+    std::vector<ValueTable::Row> rows;
+    for (int row = 0; row < count; ++row) rows.push_back({{QString::number(row), word, word}});
+    return rows;
+  };
+  table.setRows(rowsOf(1000, "1"));
+  EXPECT_EQ(told, 1);
+  table.setRows(rowsOf(1000, "2"));
+  EXPECT_EQ(told, 2);
+  EXPECT_EQ(table.topLevelItem(999)->text(0), "999");
+  EXPECT_EQ(table.topLevelItem(999)->text(2), "2");
+  table.setRows(rowsOf(2, "3"));
+  EXPECT_EQ(table.topLevelItemCount(), 2);
+  EXPECT_EQ(table.topLevelItem(1)->text(1), "3");
+  table.setRows({});
+  EXPECT_EQ(table.topLevelItemCount(), 0);
+}
 
 TEST_F(Profiler, TimesOnlyWhileItIsShown) {
   EXPECT_FALSE(renderer->profiling);
