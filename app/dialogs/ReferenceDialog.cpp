@@ -94,8 +94,8 @@ ReferenceDialog::ReferenceDialog(QWidget* parent) : QDialog(parent), pages_(manu
   search_->setFocus();
 }
 
-// Made before it is shown: a document on show is laid out anew for each cell of a table, by which the longest
-// page took 46 s, and takes 0.4.
+// Made before it is shown: a document on show is laid out anew for each cell of a table, and pages have
+// thousands.
 void ReferenceDialog::showPage(int row) {
   auto* document = new QTextDocument(browser_);
   document->setDefaultFont(browser_->font());

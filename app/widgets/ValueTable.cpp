@@ -63,8 +63,8 @@ void ValueTable::setRows(const std::vector<Row>& rows) {
   updateGeometry();
 }
 
-// Told once: with each word that changes the header asks for the widths of all others. A thousand rows of
-// jitter took minutes.
+// Told once: with each word that changes the header asks for the widths of all others, by which a thousand
+// rows of jitter stopped the window for a minute.
 void ValueTable::fillRows() {
   {
     const QSignalBlocker quiet(model());

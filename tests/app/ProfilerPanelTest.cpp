@@ -41,7 +41,7 @@ FrameProfile profileOf(double first, double second) {
 
 } // namespace
 
-// A table that told of each word would measure all others each time: a thousand rows of jitter took minutes.
+// A table that told of each word would measure all others each time.
 TEST(ValueTable, TellsOfAllItsRowsAtOnce) {
   ValueTable table({"name", "a", "b"});
   table.show();

@@ -127,7 +127,7 @@ TEST_F(Search, OfTheManualSaysWhereElseATextIs) {
   dialog->close();
 }
 
-// A document on show is laid out anew for each cell that comes to a table: a page of a thousand took 46 s.
+// A document on show is laid out anew for each cell that comes to a table: the window stood still meanwhile.
 TEST_F(Search, PagesOfTheManualAreMadeBeforeTheyAreShown) {
   ReferenceDialog dialog(&window);
   dialog.show();
