@@ -44,8 +44,8 @@ Screenshot::Screenshot(ScreenshotPanels of, const QString& file, int frame, Done
   connect(&of_.session, &Session::errorOccurred, this, [this](const QString& sentence) {
     lastError_ = sentence;
     idle_ = 0;
-    // Nothing will come when nothing could be opened.
-    if (!of_.session.isOpen()) finish(code_, sentence);
+    // Nothing will come when nothing could be opened, and something else when a choice was refused.
+    if (!of_.session.isOpen() || code_ == kRefused) finish(code_, sentence);
   });
   const auto resume = [this] { idle_ = 0; };
   connect(&of_.session, &Session::statusChanged, this, resume);
