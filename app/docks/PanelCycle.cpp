@@ -4,7 +4,6 @@
 #include <QWidget>
 
 #include <algorithm>
-#include <utility>
 
 namespace taa::app {
 
@@ -17,18 +16,18 @@ bool canTakeFocus(const QWidget* widget) {
 
 } // namespace
 
-PanelCycle::PanelCycle(std::vector<QWidget*> panels, QObject* parent)
-    : QObject(parent), panels_(std::move(panels)) {
+PanelCycle::PanelCycle(const std::vector<QWidget*>& panels, QObject* parent)
+    : QObject(parent), panels_(panels.begin(), panels.end()) {
   connect(qApp, &QApplication::focusChanged, this, [this](const QWidget*, QWidget* now) {
-    const auto panel =
-        std::ranges::find_if(panels_, [now](const QWidget* each) { return each->isAncestorOf(now); });
+    const auto panel = std::ranges::find_if(
+        panels_, [now](const QPointer<QWidget>& each) { return each && each->isAncestorOf(now); });
     if (panel != panels_.end()) last_[*panel] = now;
   });
 }
 
 // A disabled or hidden widget keeps its place for when it can be used again.
 QWidget* PanelCycle::entryOf(QWidget* panel) const {
-  if (!panel->isVisible()) return nullptr;
+  if (!panel || !panel->isVisible()) return nullptr;
   if (const auto last = last_.find(panel);
       last != last_.end() && panel->isAncestorOf(last->second) && canTakeFocus(last->second))
     return last->second;
@@ -41,7 +40,7 @@ void PanelCycle::go(int direction) {
   const QWidget* focus = QApplication::focusWidget();
   const auto count = static_cast<int>(panels_.size());
   const auto now = std::ranges::find_if(
-      panels_, [focus](const QWidget* each) { return focus && each->isAncestorOf(focus); });
+      panels_, [focus](const QPointer<QWidget>& each) { return each && focus && each->isAncestorOf(focus); });
   const int from = now != panels_.end() ? static_cast<int>(now - panels_.begin())
                    : direction > 0      ? -1
                                         : count;

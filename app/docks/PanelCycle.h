@@ -17,7 +17,7 @@ class PanelCycle : public QObject {
   Q_OBJECT
  public:
   /// The panels in their order; those that are hidden, or hold nothing that takes the focus, are passed over.
-  PanelCycle(std::vector<QWidget*> panels, QObject* parent);
+  PanelCycle(const std::vector<QWidget*>& panels, QObject* parent);
 
   /// 1: to the next one, −1: to the one before; from elsewhere to the first, or the last.
   void go(int direction);
@@ -26,7 +26,7 @@ class PanelCycle : public QObject {
   /// What gets the focus in a panel; null: nothing does.
   QWidget* entryOf(QWidget* panel) const;
 
-  std::vector<QWidget*> panels_;
+  std::vector<QPointer<QWidget>> panels_; ///< they may go before it, in which the focus moves on
   std::map<const QWidget*, QPointer<QWidget>> last_;
 };
 

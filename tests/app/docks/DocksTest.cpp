@@ -1,5 +1,6 @@
 // Panels are torn off, put back, moved to other screens and come back with the layout; the views keep their
 // room.
+#include "app/docks/PanelCycle.h"
 #include "app/docks/PanelDock.h"
 #include "app/docks/Workspace.h"
 #include "app/panels/JitterPanel.h"
@@ -11,6 +12,7 @@
 #include "app/views/ViewArea.h"
 #include "tests/app/WindowFixture.h"
 
+#include <QLineEdit>
 #include <QScreen>
 #include <QSettings>
 #include <QTabBar>
@@ -211,4 +213,24 @@ TEST(WindowLayout, IsRememberedFromOneStartToTheNext) {
     window.close();
   }
   EXPECT_EQ(width, 371);
+}
+
+// As when a window is taken down: what held the focus goes, and the panels went before.
+TEST(PanelCycleTest, PanelsThatAreGoneArePassedOver) {
+  QWidget window;
+  auto* gone = new QWidget(&window);
+  auto* stays = new QWidget(&window);
+  auto* goneField = new QLineEdit(gone);
+  auto* field = new QLineEdit(stays);
+  auto* elsewhere = new QLineEdit(&window);
+  PanelCycle cycle({gone, stays}, &window);
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+  goneField->setFocus();
+  ASSERT_TRUE(goneField->hasFocus());
+  delete gone;
+  elsewhere->setFocus();
+  ASSERT_TRUE(elsewhere->hasFocus());
+  cycle.go(1);
+  EXPECT_TRUE(field->hasFocus()) << "the first one is gone";
 }
