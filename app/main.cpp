@@ -213,6 +213,7 @@ int main(int argc, char** argv) {
       std::fputs(end->text.c_str(), end->code == 0 ? stdout : stderr);
       return end->code;
     }
+    if (!arguments.screenshot.empty()) taa::requireFolderOf(arguments.screenshot);
     if (!arguments.screenshot.empty() && !arguments.force) taa::refuseToReplace({arguments.screenshot});
     qInstallMessageHandler(printMessage);
     choosePlatform(!arguments.screenshot.empty());

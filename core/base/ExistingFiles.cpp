@@ -30,4 +30,11 @@ void refuseToReplace(const std::vector<fs::path>& paths) {
       there.size(), paths.size(), first));
 }
 
+void requireFolderOf(const fs::path& path) {
+  const fs::path folder = path.parent_path();
+  std::error_code ignored; // a folder that cannot be seen is none to write into
+  if (!folder.empty() && !fs::is_directory(folder, ignored))
+    throw Error(say<"cannot write %1: there is no folder %2">(path.string(), folder.string()));
+}
+
 } // namespace taa

@@ -13,4 +13,8 @@ std::vector<std::filesystem::path> existing(const std::vector<std::filesystem::p
 /// and that --force replaces them.
 void refuseToReplace(const std::vector<std::filesystem::path>& paths);
 
+/// For commands that would have worked for nothing: throws Error unless the folder that `path` would lie in
+/// is there.
+void requireFolderOf(const std::filesystem::path& path);
+
 } // namespace taa

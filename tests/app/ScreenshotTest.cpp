@@ -105,6 +105,14 @@ TEST(Screenshot, ReplacesAFileOnlyWithForce) {
   EXPECT_FALSE(QImage(file).isNull());
 }
 
+// The scene that is not there would be told of later.
+TEST(Screenshot, AFolderThatIsNotThereIsToldBeforeAnythingIsDrawn) {
+  const Outcome outcome = run({"--screenshot", "/nowhere/at/all.png", "/nowhere/none.glb"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.err.toStdString(),
+            "taa-inspector: cannot write /nowhere/at/all.png: there is no folder /nowhere/at\n");
+}
+
 TEST(Screenshot, AFileThatCannotBeOpenedIsNamed) {
   const Outcome outcome = run({"--screenshot", fileName("none.png"), "/nowhere/none.glb"});
   EXPECT_EQ(outcome.code, 1);
