@@ -104,7 +104,7 @@ class MaterialReader {
     material.emissive = emissive(source);
     material.normalScale = toFloat(source.normalTexture.scale);
     material.occlusionStrength = std::clamp(toFloat(source.occlusionTexture.strength), 0.0f, 1.0f);
-    material.alphaMode = alphaMode(source.alphaMode);
+    material.alphaMode = alphaMode(source);
     material.alphaCutoff = toFloat(source.alphaCutoff);
     material.doubleSided = source.doubleSided;
     material.unlit = find(source.extensions, "KHR_materials_unlit") != nullptr;
@@ -130,9 +130,14 @@ class MaterialReader {
     return glm::min(radiance, glm::vec3(60000.0f)); // what a half float holds
   }
 
-  static AlphaMode alphaMode(const std::string& mode) {
+  AlphaMode alphaMode(const tinygltf::Material& source) {
+    const std::string& mode = source.alphaMode;
     if (mode == "MASK") return AlphaMode::Mask;
-    return mode == "BLEND" ? AlphaMode::Blend : AlphaMode::Opaque;
+    if (mode == "BLEND") return AlphaMode::Blend;
+    if (mode != "OPAQUE" && !mode.empty())
+      context_.warn(say<"The material \"%1\" has an alphaMode that is none, \"%2\"; it is drawn as OPAQUE.">(
+          shownText(source.name), shownText(mode)));
+    return AlphaMode::Opaque;
   }
 
   template <class Info>

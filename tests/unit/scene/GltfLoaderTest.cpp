@@ -406,6 +406,17 @@ TEST(GltfLoader, SaysWhatNoCameraAndNoLightCanBe) {
   }
 }
 
+TEST(GltfLoader, SaysWhatNoAlphaModeIs) {
+  GltfSample sample;
+  sample.json["materials"][0]["name"] = "paint";
+  sample.json["materials"][0]["alphaMode"] = "blend";
+  const Scene scene = openScene(sample.writeEmbedded("mode").string());
+  EXPECT_EQ(scene.warnings,
+            std::vector<std::string>{
+                "The material \"paint\" has an alphaMode that is none, \"blend\"; it is drawn as OPAQUE."});
+  EXPECT_EQ(scene.materials.at(0).alphaMode, AlphaMode::Opaque);
+}
+
 TEST(GltfLoader, TakesBackslashesForSlashesAndSaysSo) {
   GltfSample sample;
   test::writeTemporary("back/sub/slash.bin", sample.buffer);
