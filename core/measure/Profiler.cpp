@@ -19,6 +19,7 @@ constexpr std::pair<std::string_view, std::string_view> kPassNames[] = {
     {"CameraMotionPass", "Camera motion"},
     {"FogPass march", "Fog march"},
     {"FogPass", "Fog"},
+    {"ShadowPass", "Shadows, as the sun sees them"},
     {"NoisePass", "Noise and range"},
     {"TaaPass", "Resolve"},
     {"OutputPass", "Output"},

@@ -34,6 +34,8 @@ void take(const Image& given, int samples, ReferencePicture& picture) {
   picture.samples = samples;
 }
 
+constexpr int kReferenceShadowRays = 8; // of each sample
+
 } // namespace
 
 FrameRequest referenceRequest(const FrameRequest& request) {
@@ -46,6 +48,12 @@ FrameRequest referenceRequest(const FrameRequest& request) {
   reference.inputs.fogSteps = 0;
   reference.inputs.fogNoise = InputNoise::None;
   reference.inputs.fogDensity = request.inputs.fogDensity;
+  reference.inputs.shadows = request.inputs.shadows;
+  if (request.inputs.shadows == Shadows::Soft) {
+    reference.inputs.sunRadius = request.inputs.sunRadius;
+    reference.inputs.shadowRays = kReferenceShadowRays;
+    reference.inputs.shadowNoise = InputNoise::White;
+  }
   if (request.inputs.blended != BlendedAs::Mask) reference.inputs.blended = BlendedAs::Before;
   reference.motionModes.clear();
   reference.objectClasses.clear();

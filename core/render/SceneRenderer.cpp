@@ -8,6 +8,7 @@
 #include "core/render/passes/GBufferPass.h"
 #include "core/render/passes/NoisePass.h"
 #include "core/render/passes/ReactivePass.h"
+#include "core/render/passes/ShadowPass.h"
 #include "core/render/passes/SkyPass.h"
 
 #include <algorithm>
@@ -90,6 +91,7 @@ std::size_t scratchBytes(const InputSettings& settings, const glm::ivec2& pictur
   const std::size_t color = gl::textureBytes({size.x, size.y}, inputTextures(settings).front().format);
   return (NoisePass::isNeeded(settings) ? color : 0) +
          (hasFog && settings.fogDensity > 0.0f ? FogPass::scratchBytes(settings, color) : 0) +
+         (settings.shadows != Shadows::None ? ShadowPass::bytes() : 0) +
          (settings.mask == MaskSource::AutoReactive ? color : 0);
 }
 
@@ -101,7 +103,8 @@ struct SceneRenderer::Impl {
   CameraMotionPass cameraMotion;
   NoisePass noise;
   ReactivePass reactive;
-  std::unique_ptr<FogPass> fog; ///< where the scene has some
+  std::unique_ptr<FogPass> fog;        ///< where the scene has some
+  std::unique_ptr<ShadowPass> shadows; ///< made when they are first asked for
   gl::Buffer frame{sizeof(shared::FrameBlock), nullptr, "frame"};
   /// What was drawn last.
   struct Prepared {
@@ -119,8 +122,12 @@ struct SceneRenderer::Impl {
   void draw(const FrameRequest& request, int frame, FrameInputs& out, const Progress& warmUp);
   /// The view, with which the passes are ready to draw.
   const View& prepare(const FrameRequest& request, int frame, const Progress& warmUp);
-  void drawSurfaces(const View& view, const FrameInputs& out, const Progress& warmUp);
-  void drawBlended(const InputSettings& settings, const View& view, const FrameInputs& out,
+  /// Draws what the sun sees, if shadows are wanted.
+  void drawShadows(const InputSettings& settings, const View& view, const Progress& warmUp);
+  /// What surfaces of the prepared view are drawn from.
+  GBufferPass::Source source(const FrameRequest& request, int number, const View& view);
+  void drawSurfaces(const GBufferPass::Source& source, const FrameInputs& out, const Progress& warmUp);
+  void drawBlended(const InputSettings& settings, const GBufferPass::Source& source, const FrameInputs& out,
                    const Progress& warmUp);
   void drawFog(const FrameRequest& request, const View& view, FrameInputs& out);
 };
@@ -144,25 +151,40 @@ const View& SceneRenderer::Impl::prepare(const FrameRequest& request, int number
   last.reset();
   Prepared next{request, number, viewAt(*scene, request, number), static_cast<bool>(warmUp)};
   gbuffer.prepare(*scene, request.inputs, next.view, warmUp);
+  drawShadows(request.inputs, next.view, warmUp);
   return last.emplace(std::move(next)).view;
 }
 
-void SceneRenderer::Impl::drawSurfaces(const View& view, const FrameInputs& out, const Progress& warmUp) {
+void SceneRenderer::Impl::drawShadows(const InputSettings& settings, const View& view,
+                                      const Progress& warmUp) {
+  if (!castsShadows(*scene, settings)) return;
+  if (!shadows) shadows = std::make_unique<ShadowPass>(*scene);
+  shadows->draw(*scene, resources, settings, view, warmUp);
+}
+
+GBufferPass::Source SceneRenderer::Impl::source(const FrameRequest& request, int number, const View& view) {
+  GBufferPass::Source source{*scene, resources, view, frame, {}};
+  if (castsShadows(*scene, request.inputs)) source.shadowing = shadows->shadowing(*scene, request, number);
+  return source;
+}
+
+void SceneRenderer::Impl::drawSurfaces(const GBufferPass::Source& source, const FrameInputs& out,
+                                       const Progress& warmUp) {
+  const std::optional<gl::Rect>& part = source.view.part;
   std::vector<gl::Attachment> attachments{
       {&out.color}, {&out.motion}, {&out.normal}, {&out.objectId}, {&out.previousDepth}};
   const gl::Framebuffer background(attachments, &out.depth, "background");
   if (out.mask) attachments.push_back({&out.mask});
   // Every pixel is written by a surface or by the sky, so only depth and mask need to start from something.
   gl::Framebuffer target(attachments, &out.depth, "frame inputs");
-  target.clearDepth(0.0f, view.part);
-  if (out.mask) target.clearColor(GBufferPass::kMaskAttachment, glm::vec4(0.0f), view.part);
-  gbuffer.draw({*scene, resources, view, frame}, target, warmUp);
-  sky.draw(frame, background, view.part);
+  target.clearDepth(0.0f, part);
+  if (out.mask) target.clearColor(GBufferPass::kMaskAttachment, glm::vec4(0.0f), part);
+  gbuffer.draw(source, target, warmUp);
+  sky.draw(frame, background, part);
 }
 
-void SceneRenderer::Impl::drawBlended(const InputSettings& settings, const View& view, const FrameInputs& out,
-                                      const Progress& warmUp) {
-  const GBufferPass::Source source{*scene, resources, view, frame};
+void SceneRenderer::Impl::drawBlended(const InputSettings& settings, const GBufferPass::Source& source,
+                                      const FrameInputs& out, const Progress& warmUp) {
   if (out.overlay) {
     gl::Framebuffer layer({{&out.overlay}}, &out.depth, "overlay");
     layer.clearColor(0, glm::vec4(0.0f));
@@ -191,9 +213,10 @@ void SceneRenderer::Impl::draw(const FrameRequest& request, int number, FrameInp
   out.block = view.block;
   frame.update(0, &view.block, sizeof(view.block));
 
-  drawSurfaces(view, out, warmUp);
+  const GBufferPass::Source drawn = source(request, number, view);
+  drawSurfaces(drawn, out, warmUp);
   if (request.inputs.mask == MaskSource::AutoReactive) reactive.keepOpaque(out.color);
-  drawBlended(request.inputs, view, out, warmUp);
+  drawBlended(request.inputs, drawn, out, warmUp);
   if (request.inputs.mask == MaskSource::AutoReactive) reactive.draw(out.color, out.mask, view.part);
   drawFog(request, view, out);
   if (isFromDepth(request.inputs.motion)) cameraMotion.draw(request.inputs.motion, frame, out, view.part);
@@ -243,6 +266,7 @@ void SceneRenderer::reloadShaders() {
   std::optional<FogPass> fog;
   if (impl_->fog) fog.emplace(impl_->fog->reloaded());
   impl_->gbuffer.reloadShaders();
+  if (impl_->shadows) impl_->shadows->reloadShaders();
   impl_->sky = std::move(sky);
   impl_->cameraMotion = std::move(cameraMotion);
   impl_->reactive = std::move(reactive);

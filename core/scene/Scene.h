@@ -98,6 +98,7 @@ struct Sky {
   glm::vec3 sunColor{2.5f, 2.35f,
                      2.1f}; ///< irradiance; the sky lights scenes that bring no light of their own
   bool sunEnabled = true;
+  Bounds shadowed; ///< around what casts shadows and what they fall on, world space; empty: Scene::bounds
 };
 
 /// A cone of fog in the beam of a lamp, equally dense everywhere.

@@ -110,6 +110,21 @@ const Parameter kParameters[] = {
     {"inputs.fogFrames", "Fog frames M", Stage::Inputs, K::Integer, Effect::Inputs, "frames", 2, 16,
      kNoChoices, "Frames that are averaged, this one included; each is marched.", "M", "manual 20.5", Uses(),
      FIELD(inputs.fogFrames)},
+    {"inputs.shadows", "Shadows", Stage::Inputs, K::Choice, Effect::Inputs, "", 0, 2, kShadows,
+     "Shadows of the sun, or of the first directional light of a scene without one. They have no motion of "
+     "their own: where one moves, the motion vectors are those of the ground that it falls on.",
+     "c·V", "manual §20, Unreal Engine", Uses(), FIELD(inputs.shadows)},
+    {"inputs.sunRadius", "Sun's radius", Stage::Inputs, K::Number, Effect::Inputs, "°", 0, 5, kNoChoices,
+     "Half the angle that the sun is wide: the real one has 0.27°. Twice as wide, soft edges are twice as "
+     "wide.",
+     "w = 2·h·tan r", "Unreal Engine, source angle", Uses(), FIELD(inputs.sunRadius)},
+    {"inputs.shadowRays", "Rays", Stage::Inputs, K::Integer, Effect::Inputs, "", 1, 16, kNoChoices,
+     "Rays from each pixel to the sun's disk. One is either stopped or not: noise that only a mean over "
+     "frames or neighbors takes away.",
+     "V = Σ vᵢ / N", "Unreal Engine, shadow map ray tracing", Uses(), FIELD(inputs.shadowRays)},
+    {"inputs.shadowNoise", "Shadow noise", Stage::Inputs, K::Choice, Effect::Inputs, "", 0, 3, kShadowNoises,
+     "Where on the sun's disk the rays of a pixel end, in each frame elsewhere.",
+     "(√((i + u₀)/N), 2π(u₁ + i/φ))", "manual 20.1, 20.2", Uses(), FIELD(inputs.shadowNoise)},
     {"dilate.method", "Method", Stage::DilateMotion, K::Choice, Effect::Program, "", 0, 9, kDilateMethods,
      "Whose motion vector a pixel follows.", "v(argmin z over 3×3)", "manual §4", Uses(),
      FIELD(dilate.method)},

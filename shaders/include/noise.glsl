@@ -2,7 +2,7 @@
 // number, less than 256. Out: numbers from 0 to 1.
 #include "include/random.glsl"
 
-layout(binding = 1) uniform sampler2D u_tile; // 32×32 of blue noise
+layout(binding = 6) uniform sampler2D u_tile; // 32×32 of blue noise
 
 float fraction(float x) {
   precise float result = x - floor(x);

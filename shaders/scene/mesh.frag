@@ -1,10 +1,12 @@
 // Shades a surface and writes all inputs of the resolve. Specialised by kTextures (bit s: the material has a
 // texture in slot s), kMasked (discards where alpha is below the cutoff, or, kDithered, below a pattern), kBlended
 // (premultiplies), kMask (0: none is drawn, 1: the material's, 2: and opacity), kLit, kBiased and kUnjittered (how
-// textures are read), kPrintedMotion, kInstanced (as in mesh.vert), and the scene's numbers of lights:
+// textures are read), kPrintedMotion, kInstanced (as in mesh.vert), kDepthOnly (as it casts shadows), kShadows (how they
+// fall on it), and the scene's numbers of lights:
 // llvmpipe runs both sides of a branch, samples at full cost and reads blocks slowly by a variable index.
 #include "include/brdf.glsl"
 #include "include/motion.glsl"
+#include "include/shadow.glsl"
 #include "include/sky.glsl"
 #include "shared/DrawBlock.h"
 #include "shared/LightBlock.h"
@@ -90,8 +92,9 @@ vec3 nearLight(int index, out vec3 toLight) {
 /// Radiance of all punctual lights, directional ones first.
 vec3 lightRadiance(Surface surface) {
   Reflection sum = Reflection(vec3(0.0), vec3(0.0), vec3(0.0));
+  float seen = kShadows == kNoShadows ? 1.0 : litShare(v_worldPosition); // of the first one
   for (int index = 0; index < kDirectionalLights; ++index)
-    addLight(sum, surface, lighting.lightColor[index].rgb, -lighting.lightDirection[index].xyz);
+    addLight(sum, surface, lighting.lightColor[index].rgb * (index == 0 ? seen : 1.0), -lighting.lightDirection[index].xyz);
   for (int index = kDirectionalLights; index < kDirectionalLights + kNearLights; ++index) {
     vec3 toLight;
     vec3 irradiance = nearLight(index, toLight);
@@ -131,6 +134,7 @@ void main() {
   if (kBlended) {
     if (!(baseColor.a > 0.0)) discard;
   }
+  if (kDepthOnly) return;
   vec3 normal = shadingNormal();
   o_color = storedColor(kLit ? litColor(baseColor.rgb, normal) : baseColor.rgb);
   if (kBlended) {

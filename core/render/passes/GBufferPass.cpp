@@ -2,6 +2,7 @@
 
 #include "core/base/Say.h"
 #include "core/render/passes/ClipSides.h"
+#include "core/render/passes/NoiseSource.h"
 #include "core/scene/Deform.h"
 
 #include <glm/gtc/matrix_access.hpp>
@@ -26,7 +27,7 @@ glm::mat4 normalMatrix(const glm::mat3& m, float sign) {
 
 } // namespace
 
-GBufferPass::GBufferPass(const Scene& scene) : lights_(lightCounts(scene)) {
+GBufferPass::GBufferPass(const Scene& scene, Draws draws) : draws_(draws), lights_(lightCounts(scene)) {
   const std::vector<bool> moves = movingNodes(scene);
   int objects = 0; // of the nodes before
   for (int node = 0; node < static_cast<int>(scene.nodes.size()); ++node) {
@@ -267,7 +268,10 @@ void GBufferPass::apply(const InputSettings& settings, const Scene& scene, const
   for (Item& item : items_) {
     const Material& material = scene.materials[static_cast<std::size_t>(item.material)];
     const MotionMode mode = view.nodes[static_cast<std::size_t>(item.node)].mode;
-    item.variant.apply(settings, material, view.projection, mode);
+    if (draws_ == Draws::Casters)
+      item.variant.applyAsCaster(settings, material);
+    else
+      item.variant.apply(settings, material, view.projection, mode);
     if (!programs_.contains(item.variant)) missing.insert(item.variant);
   }
   for (const MeshVariant& variant : missing) {
@@ -315,7 +319,8 @@ void GBufferPass::setJitter(const glm::vec2& jitterPx) {
 
 void GBufferPass::draw(const Source& source, const gl::Framebuffer& target, const Progress& warmUp) {
   if (items_.empty()) return;
-  gl::RenderPass pass(target, {.depthTest = true, .depthWrite = true, .scissor = part_}, "GBufferPass");
+  gl::RenderPass pass(target, {.depthTest = true, .depthWrite = true, .scissor = part_},
+                      draws_ == Draws::Casters ? "ShadowPass" : "GBufferPass");
   drawItems(source, false, pass, warmUp);
 }
 
@@ -335,6 +340,11 @@ void GBufferPass::drawItems(const Source& source, bool ofBlended, gl::RenderPass
   const auto blockOf = [&](std::size_t i) { return drawBlock(source.scene, source.view, items[i]); };
   pass.uniformBlock(2, source.frame);
   pass.uniformBlock(3, lightBlock_);
+  if (const Shadowing& shadowing = source.shadowing; shadowing.map) {
+    pass.uniformBlock(9, *shadowing.block);
+    pass.texture(5, *shadowing.map, *shadowing.nearest);
+    pass.texture(NoiseSource::kUnit, *shadowing.noise, *shadowing.nearest);
+  }
   if (joints_.bytes() > 0) pass.storageBlock(3, joints_);
   if (morphWeights_.bytes() > 0) pass.storageBlock(4, morphWeights_);
   for (const DrawCalls::Call& call : calls.calls()) {
@@ -347,8 +357,8 @@ void GBufferPass::drawItems(const Source& source, bool ofBlended, gl::RenderPass
     calls.bind(pass, call, item.variant.instanced, blockOf);
     source.resources.bindMaterial(pass, item.material);
     if (item.variant.deforms()) source.resources.bindDeformation(pass, item.mesh, item.primitive);
-    pass.culling(!source.scene.materials[static_cast<std::size_t>(item.material)].doubleSided,
-                 visible.mirrored);
+    const bool isClosed = !source.scene.materials[static_cast<std::size_t>(item.material)].doubleSided;
+    pass.culling(isClosed && draws_ == Draws::Surfaces, visible.mirrored);
     const gl::Mesh& mesh = source.resources.mesh(item.mesh, item.primitive);
     if (visible.part)
       pass.draw(mesh, partIndexBuffer_, range.first, range.count);

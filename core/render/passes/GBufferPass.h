@@ -29,7 +29,10 @@ class GBufferPass {
  public:
   static constexpr unsigned kMaskAttachment = 5;
 
-  explicit GBufferPass(const Scene& scene);
+  /// All that is seen; or what casts shadows, from all sides and into depth alone.
+  enum class Draws : std::uint8_t { Surfaces, Casters };
+
+  explicit GBufferPass(const Scene& scene, Draws draws = Draws::Surfaces);
 
   /// Finds what is drawn of a view, at any jitter that setJitter() gives it. Compiles variants that are new;
   /// throws Error when their shader does not. With `warmUp`, here and where is drawn, it is one item of each
@@ -39,12 +42,20 @@ class GBufferPass {
                const Progress& warmUp = {});
   /// Makes it what is drawn of the same view at this jitter.
   void setJitter(const glm::vec2& jitterPx);
+  /// What surfaces need where shadows fall on them; else null.
+  struct Shadowing {
+    const gl::Texture* map = nullptr;
+    const gl::Buffer* block = nullptr;
+    const gl::Texture* noise = nullptr;
+    const gl::Sampler* nearest = nullptr;
+  };
   /// What everything is drawn from.
   struct Source {
     const Scene& scene;
     const SceneResources& resources;
     const View& view;        ///< that was prepared
     const gl::Buffer& frame; ///< holds the view's block
+    Shadowing shadowing;
   };
   /// What was prepared, into `target`: attachments in the order of shaders/scene/mesh.frag, and depth.
   /// Leaves out what the settings blend.
@@ -120,6 +131,7 @@ class GBufferPass {
   void drawItems(const Source& source, bool ofBlended, gl::RenderPass& pass, const Progress& warmUp);
   shared::DrawBlock drawBlock(const Scene& scene, const View& view, const Visible& visible) const;
 
+  Draws draws_;
   LightCounts lights_;
   std::vector<Item> items_;
   std::map<MeshVariant, gl::Program> programs_;

@@ -14,7 +14,7 @@ std::string noisePrelude(InputNoise noise);
 /// The tile of blue noise, made when it is first asked for.
 class NoiseSource {
  public:
-  static constexpr unsigned kUnit = 1; ///< where the tile is read
+  static constexpr unsigned kUnit = 6; ///< where the tile is read
   const gl::Texture& tile();
 
  private:

@@ -104,6 +104,31 @@ inline constexpr Choice kFogNoises[] = {
      "A hash of pixel and frame: clumps in space and in time, which TAA averages worst (manual §20).",
      Uses(USED(inputs.fogAnimated))},
 };
+inline constexpr Choice kShadows[] = {
+    {"none", "None", "The sun shines through everything: things seem to float.", Uses()},
+    {"hard", "Hard",
+     "Of a point-like sun: one texture of depths as the sun sees them, compared in 2×2 texels.", Uses()},
+    {"soft", "Soft",
+     "Of the sun's disk: sharp where a thing stands, wider with its distance. Rays are traced in the sun's "
+     "texture of depths, as Unreal Engine does (shadow map ray tracing); few of them are noise, which TAA "
+     "has to average.",
+     Uses(USED(inputs.sunRadius), USED(inputs.shadowRays), USED(inputs.shadowNoise))},
+};
+inline constexpr Choice kShadowNoises[] = {
+    {"none", "None", "All pixels send the same rays: the shadow's edge has as many levels as rays, in bands.",
+     Uses()},
+    {"gradientNoise", "Gradient noise",
+     "Interleaved gradient noise, another in each of 64 frames; neighbors differ much, along lines "
+     "(manual 20.1).",
+     Uses()},
+    {"blueNoise", "Blue noise",
+     "A tile of 32×32, moved on by the golden ratio in each of 256 frames: what TAA averages best (manual "
+     "20.2).",
+     Uses()},
+    {"whiteNoise", "White noise",
+     "A hash of pixel and frame: clumps in space and in time, which TAA averages worst (manual §20).",
+     Uses()},
+};
 inline constexpr Choice kFogHistories[] = {
     {"none", "None", "The fog of this frame alone: its noise is left to the resolve.", Uses()},
     {"kept", "Kept",

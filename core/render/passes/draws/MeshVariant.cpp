@@ -1,6 +1,7 @@
 #include "core/render/passes/draws/MeshVariant.h"
 
 #include "core/render/SceneResources.h"
+#include "core/render/passes/NoiseSource.h"
 
 #include <string>
 
@@ -21,6 +22,13 @@ std::string constantBool(const char* name, bool value) {
   return std::string("const bool ") + name + " = " + (value ? "true" : "false") + ";\n";
 }
 
+std::string shadowPrelude(const MeshVariant& variant, const LightCounts& lights) {
+  const Shadows shadows = lights.directional > 0 ? variant.shadows : Shadows::None;
+  return constantInt("kShadows", static_cast<int>(shadows)) +
+         constantInt("kNoShadows", static_cast<int>(Shadows::None)) +
+         constantInt("kHardShadows", static_cast<int>(Shadows::Hard)) + noisePrelude(variant.shadowNoise);
+}
+
 } // namespace
 
 void MeshVariant::apply(const InputSettings& settings, const Material& material, JitterProjection projection,
@@ -37,7 +45,17 @@ void MeshVariant::apply(const InputSettings& settings, const Material& material,
                                                            : 1;
   printedJitter = projection != JitterProjection::Translation && !steady;
   // What is forced to have no motion has none in any form.
+  if (lit) shadows = settings.shadows;
+  shadowNoise = shadows == Shadows::Soft ? settings.shadowNoise : InputNoise::None;
   printedMotion = settings.motion == MotionSource::ObjectsAsPrinted && motion != MotionMode::None;
+}
+
+void MeshVariant::applyAsCaster(const InputSettings& settings, const Material& material) {
+  depthOnly = true;
+  lit = false;
+  blended = isBlended(settings.blended) && material.alphaMode == AlphaMode::Blend;
+  masked = material.alphaMode != AlphaMode::Opaque && !blended;
+  textures &= masked ? 1u << static_cast<int>(Slot::BaseColor) : 0u;
 }
 
 MeshVariant variantFor(const Primitive& primitive, const Node& node, const Scene& scene) {
@@ -62,7 +80,8 @@ gl::Program compile(const MeshVariant& variant, const LightCounts& lights) {
       constantBool("kBiased", variant.biased) + constantBool("kUnjittered", variant.unjittered) +
       constantBool("kDithered", variant.dithered) + constantBool("kBlended", variant.blended) +
       constantInt("kMask", variant.mask) + constantBool("kPrintedMotion", variant.printedMotion) +
-      constantBool("kInstanced", variant.instanced);
+      constantBool("kInstanced", variant.instanced) + constantBool("kDepthOnly", variant.depthOnly) +
+      shadowPrelude(variant, lights);
   const std::string deform =
       constantInt("kInfluenceSets", variant.influenceSets) + constantBool("kMorphed", variant.morphed) +
       constantBool("kCached", variant.cached) + constantBool("kWind", variant.wind) +

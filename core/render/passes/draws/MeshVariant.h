@@ -22,12 +22,17 @@ struct MeshVariant {
   bool blended = false, steady = false;                      ///< likewise; steady: without jitter
   bool printedJitter = false, printedMotion = false;         ///< likewise: forms as printed
   int mask = 0;                                              ///< kMask of shaders/scene/mesh.frag
+  Shadows shadows = Shadows::None;                           ///< that fall on it
+  InputNoise shadowNoise = InputNoise::None;                 ///< where they are soft
+  bool depthOnly = false;                                    ///< drawn as it casts shadows
   // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a 0 in the comparison it makes
   auto operator<=>(const MeshVariant&) const = default;
   bool deforms() const { return influenceSets > 0 || morphed || cached || wind; }
   /// Sets what settings and the view ask for, of a surface of this material and motion.
   void apply(const InputSettings& settings, const Material& material, JitterProjection projection,
              MotionMode motion);
+  /// Sets what it casts shadows as. What is blended lets all light through.
+  void applyAsCaster(const InputSettings& settings, const Material& material);
 };
 
 /// What a primitive at a node needs, whatever the settings are.
