@@ -53,6 +53,7 @@ void fitExposed(ExposedRows& exposedRows, const ExposedLayout& layout, const gl:
 
 /// The first frame that has to be resolved again to reach `frame`; the one after it when it is kept.
 int firstToResolve(const ShotState& state, const Checkpoints& checkpoints, int frame) {
+  assert(frame >= 0);
   if (isKept(state, checkpoints, frame)) return frame + 1;
   while (!startsHistory(state, frame) && !checkpoints.at(frame - 1)) --frame;
   return frame;

@@ -77,7 +77,7 @@ void Traces::step() {
 
 void Traces::fill() {
   const int last = std::min(filling_->second, desk_.inspector.shot().frameCount() - 1);
-  const int first = std::clamp(filling_->first, 0, last);
+  const int first = std::max(filling_->first, 0);
   for (int frame = first; frame <= last; ++frame) {
     if (missingAt(frame).empty()) continue;
     desk_.tellWork(WorkKind::Traces, say<"Tracing the probes">(), frame - first, last - first + 1);

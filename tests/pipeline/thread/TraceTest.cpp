@@ -14,6 +14,7 @@
 #include <map>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 using namespace taa;
@@ -129,6 +130,18 @@ TEST_F(TraceTest, WhatIsKnownEndsWithTheSettings) {
   EXPECT_EQ(frames(), (std::vector{0, 1, 2, 3}));
   for (const TraceDelivery& each : recorder.traces)
     EXPECT_EQ(each.shotVersion, recorder.statuses.back().shotVersion);
+}
+
+// Of a range that ends before the shot begins; a frame before the first one has no history to look for.
+TEST_F(TraceTest, NothingIsFilledInWhereNoFrameIs) {
+  thread->post(taa::request::Seek{5});
+  thread->waitUntilIdle();
+  recorder.clear();
+  for (const auto& [first, last] : {std::pair(5, -1), std::pair(-7, -3), std::pair(100'000, 200'000)}) {
+    thread->post(taa::request::FillTraces{first, last});
+    thread->waitUntilIdle();
+  }
+  EXPECT_TRUE(recorder.traces.empty());
 }
 
 TEST_F(TraceTest, FillingInIsCancelledAndAnswersRequestsMeanwhile) {
