@@ -1,6 +1,7 @@
 // Each page of the window looks as it did: a golden picture of each, scaled down.
 #include "app/importing/ImportPage.h"
 #include "app/panels/LeftArea.h"
+#include "app/style/Theme.h"
 #include "tests/app/WindowFixture.h"
 #include "tests/support/Paths.h"
 #include "tests/support/pictures/Golden.h"
@@ -18,6 +19,7 @@
 #include <ostream>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace taa::app;
@@ -92,9 +94,10 @@ class GoldenWindow : public taa::app::test::FakeWindow {
     if (QGuiApplication::platformName() != QLatin1String("offscreen"))
       GTEST_SKIP() << "golden pictures are of the platform offscreen";
     FakeWindow::SetUp();
-    if (const QString family = QFontInfo(QApplication::font()).family();
-        family != QLatin1String("DejaVu Sans"))
-      GTEST_SKIP() << "golden pictures are of DejaVu Sans, the font here is " << family.toStdString();
+    for (const auto& [font, drawn] : {std::pair(QApplication::font(), "DejaVu Sans"),
+                                      std::pair(taa::app::numberFont(), "DejaVu Sans Mono")})
+      if (const QString family = QFontInfo(font).family(); family != QLatin1String(drawn))
+        GTEST_SKIP() << "golden pictures are of " << drawn << ", the font here is " << family.toStdString();
     QApplication::setCursorFlashTime(0); // no page is a matter of when it is looked at
     session.probes().setPixel(glm::ivec2(12, 7));
     session.seek(kFrame - 1);

@@ -182,8 +182,8 @@ TEST_F(Docks, ALayoutOfAWideWindowLeavesTheViewsTheirShareOfANarrowOne) {
   window.resize(1024, 600);
   settle();
   window.workspace()->setState(wide);
-  settle();
-  EXPECT_GE(window.views()->width(), 4 * window.workspace()->width() / 10 - 2);
+  const auto hasRoom = [&] { return window.views()->width() >= 4 * window.workspace()->width() / 10 - 2; };
+  EXPECT_TRUE(test::waitFor(hasRoom)) << window.views()->width();
   EXPECT_GE(window.views()->height(), 150);
   EXPECT_EQ(window.width(), 1024);
   EXPECT_EQ(window.height(), 600);
