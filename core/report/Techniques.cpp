@@ -254,16 +254,18 @@ constexpr auto kTechniques = std::to_array<Technique>({
     {"19.1", "mip bias", "`inputs.mipBias`"},
     {"19.2", "texture coordinates unjittered", "`inputs.unjitterTextures`"},
     {"20.1", "gradient noise",
-     "`inputs.noise=gradientNoise`, `inputs.fogNoise=gradientNoise`; off is `inputs.noise=none`, "
-     "`inputs.fogNoise=none`"},
+     "`inputs.noise=gradientNoise`, `inputs.fogNoise=gradientNoise`, `inputs.shadowNoise=gradientNoise`; off "
+     "is `inputs.noise=none`, `inputs.fogNoise=none`, `inputs.shadowNoise=none`"},
     {"20.2", "blue noise",
-     "`inputs.noise=blueNoise`, `inputs.fogNoise=blueNoise`: a tile of 32×32 by void-and-cluster, moved on "
-     "by the golden ratio"},
+     "`inputs.noise=blueNoise`, `inputs.fogNoise=blueNoise`, `inputs.shadowNoise=blueNoise`: a tile of 32×32 "
+     "by void-and-cluster, moved on by the golden ratio"},
     {"20.3", "triangular remap", "`inputs.noiseTriangular`"},
     {"20.4", "where it is applied",
      "`inputs.noise`, `inputs.noiseAmount`: on the shaded color; `inputs.fogNoise`, `inputs.fogAnimated`, "
-     "`inputs.fogSteps`: where in its steps a ray through fog is sampled; beside them white noise, "
-     "`inputs.noise=whiteNoise`, `inputs.fogNoise=whiteNoise`"},
+     "`inputs.fogSteps`: where in its steps a ray through fog is sampled; `inputs.shadowNoise`, "
+     "`inputs.shadowRays`, `inputs.sunRadius`: where on the sun's disk rays end, with `inputs.shadows=soft`, "
+     "and not with `inputs.shadows=hard` or `inputs.shadows=none`; beside them white noise, "
+     "`inputs.noise=whiteNoise`, `inputs.fogNoise=whiteNoise`, `inputs.shadowNoise=whiteNoise`"},
     {"20.5", "constraint in the fog",
      "`inputs.fogHistory=clamped`, of the last `inputs.fogFrames`; without it `inputs.fogHistory=kept`, as "
      "Raptor has it `inputs.fogHistory=largestAsPrinted`, none `inputs.fogHistory=none`"},

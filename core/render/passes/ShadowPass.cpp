@@ -3,6 +3,7 @@
 #include "core/render/FrameRequest.h"
 
 #include <cassert>
+#include <string_view>
 
 namespace taa {
 

@@ -17,7 +17,8 @@ namespace {
 using Names = std::set<std::string>;
 
 /// Shaders of the scene's drawing, which the twin takes as given.
-const Names kScene{"brdf.glsl", "fog_cone.glsl", "motion.glsl", "noise.glsl", "sky.glsl", "storage.glsl"};
+const Names kScene{"brdf.glsl",   "fog_cone.glsl", "motion.glsl", "noise.glsl",
+                   "shadow.glsl", "sky.glsl",      "storage.glsl"};
 
 /// What has no counterpart, by the reason.
 const std::map<std::string, Names>& withoutCounterpart() {
