@@ -1,5 +1,5 @@
 // How much of the sun a surface sees. In: its place in the world, what the sun sees, kNoise. kShadows: kHardShadows
-// compares with the map's four nearest texels; kSoftShadows traces rays in it: Unreal Engine's shadow map ray tracing,
+// compares with the map's four nearest texels; otherwise rays are traced in it: Unreal Engine's shadow map ray tracing,
 // with samples denser near the surface. Out: from 0, in shadow, to 1.
 #include "include/noise.glsl"
 #include "shared/ShadowBlock.h"

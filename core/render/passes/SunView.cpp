@@ -47,7 +47,7 @@ Bounds withMargins(Bounds around) {
   return around;
 }
 
-/// The same for each sample of a reference, which have no number but lie elsewhere in the pixel.
+/// Another one for each sample of a reference: they have no number, but each lies elsewhere in the pixel.
 int noiseNumber(const FrameRequest& request, int frame) {
   if (!request.jitterPx) return frame % 256;
   const auto x = std::bit_cast<std::uint32_t>(request.jitterPx->x),
