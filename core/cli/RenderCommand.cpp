@@ -185,7 +185,7 @@ void sayMemory(const Inspector& inspector, const std::vector<IntermediateId>& id
   std::vector<IntermediateId> ofReference;
   std::ranges::copy_if(ids, std::back_inserter(ofReference), isOfReference);
   const glm::ivec2 size(inspector.shot().width(), inspector.shot().height());
-  const MemoryNeed need = memoryNeed(lanes, size, ofReference, !inspector.shot().scene().fog.empty());
+  const MemoryNeed need = memoryNeed(lanes, size, ofReference, &inspector.shot().scene());
   std::string text = "about " + bytesText(need.total()) + " for " + std::to_string(size.x) + " × " +
                      std::to_string(size.y) + " pixels (inputs " + bytesText(need.inputs) + ", histories " +
                      bytesText(need.histories);

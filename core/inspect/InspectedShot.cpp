@@ -60,7 +60,7 @@ void InspectedShot::open(const std::string& source, const Progress& progress, co
   takeOwn(captured.get(), lanes_, scenePx, next);
   const glm::ivec2 sizePx{next.width, next.height};
   const bool isResized = sizePx != player_.picturePx();
-  if (isResized) requirePicture(driver_, next.lanes, sizePx, player_.watched(), !next.scene->fog.empty());
+  if (isResized) requirePicture(driver_, next.lanes, sizePx, player_.watched(), next.scene.get());
   next.camera = next.scene->shot.camera;
   next.motionModes.clear();
   next.filter = {};
@@ -103,7 +103,7 @@ std::vector<Settings> InspectedShot::used(const std::vector<Settings>& lanes) co
 void InspectedShot::setSize(int width, int height) {
   if (width == this->width() && height == this->height()) return;
   if (const auto captured = capture()) throw Error(whyOneSize(*captured));
-  requirePicture(driver_, player_.state().lanes, {width, height}, player_.watched(), player_.hasFog());
+  requirePicture(driver_, player_.state().lanes, {width, height}, player_.watched(), player_.scene());
   ShotState next = player_.state();
   next.width = width;
   next.height = height;
@@ -122,7 +122,7 @@ int InspectedShot::height() const {
 void InspectedShot::checkLanes(const std::vector<Settings>& lanes) const {
   if (lanes.empty() || lanes.size() > kMaxLanes)
     throw Error(say<"cannot run %1 lanes: there are one to %2">(lanes.size(), kMaxLanes));
-  requirePicture(driver_, used(lanes), player_.picturePx(), player_.watched(), player_.hasFog());
+  requirePicture(driver_, used(lanes), player_.picturePx(), player_.watched(), player_.scene());
 }
 
 void InspectedShot::setLanes(const std::vector<Settings>& lanes) {

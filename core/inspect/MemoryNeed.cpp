@@ -34,15 +34,15 @@ std::string sizeText(const glm::ivec2& picturePx) {
 
 } // namespace
 
-std::size_t referenceBytes(const Settings& settings, const glm::ivec2& picturePx, bool hasFog) {
+std::size_t referenceBytes(const Settings& settings, const glm::ivec2& picturePx, const Scene* scene) {
   FrameRequest request;
   request.inputs = settings.inputs;
   const InputSettings drawn = referenceRequest(request).inputs;
-  return inputBytes(drawn, picturePx, hasFog) + scratchBytes(drawn, picturePx, hasFog);
+  return inputBytes(drawn, picturePx, scene) + scratchBytes(drawn, picturePx, scene);
 }
 
 MemoryNeed memoryNeed(const std::vector<Settings>& lanes, const glm::ivec2& picturePx,
-                      const std::vector<IntermediateId>& watched, bool hasFog) {
+                      const std::vector<IntermediateId>& watched, const Scene* scene) {
   MemoryNeed need;
   std::size_t largestHistory = 0, scratch = 0, drawn = 0;
   bool drawsReference = false;
@@ -51,8 +51,8 @@ MemoryNeed memoryNeed(const std::vector<Settings>& lanes, const glm::ivec2& pict
     const auto before = lanes.begin() + static_cast<std::ptrdiff_t>(lane);
     if (std::none_of(lanes.begin(), before,
                      [&](const Settings& other) { return sameInputs(other, settings); }))
-      need.inputs += kFramesInUse * inputBytes(settings.inputs, picturePx, hasFog);
-    scratch = std::max(scratch, scratchBytes(settings.inputs, picturePx, hasFog));
+      need.inputs += kFramesInUse * inputBytes(settings.inputs, picturePx, scene);
+    scratch = std::max(scratch, scratchBytes(settings.inputs, picturePx, scene));
     const std::size_t history = historyBytes(picturePx.x, picturePx.y, settings);
     largestHistory = std::max(largestHistory, history);
     need.histories += kHistoriesOfLane * history;
@@ -66,7 +66,7 @@ MemoryNeed memoryNeed(const std::vector<Settings>& lanes, const glm::ivec2& pict
   }
   need.reference += lanes.size() * windowBytes(picturePx, kFlickerFrames, kindsOverTime(watched));
   for (std::size_t lane = 0; drawsReference && lane < lanes.size(); ++lane) // one after the other
-    drawn = std::max(drawn, referenceBytes(lanes[lane], picturePx, hasFog));
+    drawn = std::max(drawn, referenceBytes(lanes[lane], picturePx, scene));
   need.reference += drawn;
   need.inputs += scratch;
   need.histories += kFreeHistories * largestHistory;
@@ -108,7 +108,7 @@ std::string referenceRefusal(std::size_t bytes, const glm::ivec2& picturePx, std
 }
 
 void requirePicture(const gl::Driver& driver, const std::vector<Settings>& lanes, const glm::ivec2& picturePx,
-                    const std::vector<IntermediateId>& watched, bool hasFog) {
+                    const std::vector<IntermediateId>& watched, const Scene* scene) {
   const int most = driver.maxTextureSize;
   if (picturePx.x < 4 || picturePx.y < 4 || picturePx.x > most || picturePx.y > most)
     throw Error(say<"cannot use a picture of %1 × %2 pixels: this driver allows 4 to %3 a side">(
@@ -117,7 +117,7 @@ void requirePicture(const gl::Driver& driver, const std::vector<Settings>& lanes
   const std::optional<std::size_t> available = gl::availableMemory(driver);
   if (!available) return;
   const std::string refusal =
-      memoryRefusal(memoryNeed(lanes, picturePx, watched, hasFog), picturePx, *available);
+      memoryRefusal(memoryNeed(lanes, picturePx, watched, scene), picturePx, *available);
   if (!refusal.empty()) throw Error(refusal);
 }
 

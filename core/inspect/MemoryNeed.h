@@ -13,6 +13,8 @@
 
 namespace taa {
 
+struct Scene;
+
 /// Bytes of textures, besides those of the scene, the views and the kept histories.
 struct MemoryNeed {
   std::size_t inputs = 0;        ///< of the frame on show and of the one that is made, and what drawing keeps
@@ -22,12 +24,13 @@ struct MemoryNeed {
   std::size_t total() const { return inputs + histories + intermediates + reference; }
 };
 
-/// `hasFog`: whether the scene has some.
+/// `scene`: that is drawn; null: none, or one with neither fog nor shadows.
 MemoryNeed memoryNeed(const std::vector<Settings>& lanes, const glm::ivec2& picturePx,
-                      const std::vector<IntermediateId>& watched, bool hasFog = false);
+                      const std::vector<IntermediateId>& watched, const Scene* scene = nullptr);
 
 /// Drawing the reference alone, bytes.
-std::size_t referenceBytes(const Settings& settings, const glm::ivec2& picturePx, bool hasFog = false);
+std::size_t referenceBytes(const Settings& settings, const glm::ivec2& picturePx,
+                           const Scene* scene = nullptr);
 
 /// "512 MiB", "2.4 GiB".
 std::string bytesText(std::size_t bytes);
@@ -40,7 +43,7 @@ std::string referenceRefusal(std::size_t bytes, const glm::ivec2& picturePx, std
 /// Throws Error where the driver or its memory is too small for lanes of a picture. What is held now is not
 /// counted on: it goes only when the new is there.
 void requirePicture(const gl::Driver& driver, const std::vector<Settings>& lanes, const glm::ivec2& picturePx,
-                    const std::vector<IntermediateId>& watched, bool hasFog);
+                    const std::vector<IntermediateId>& watched, const Scene* scene);
 /// Throws Error where there are not the `bytes` that drawing a reference takes.
 void requireReference(const gl::Driver& driver, std::size_t bytes, const glm::ivec2& picturePx);
 

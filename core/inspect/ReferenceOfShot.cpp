@@ -33,7 +33,7 @@ void ReferenceOfShot::makeRows(const std::vector<IntermediateId>& ids, int sampl
 void ReferenceOfShot::refine(int samples, const Progress& progress, int lane) {
   const gl::PassGroup group(pass_group::kReference);
   const glm::ivec2 size = player_.picturePx();
-  requireReference(driver_, referenceBytes(player_.settings(lane), size, player_.hasFog()), size);
+  requireReference(driver_, referenceBytes(player_.settings(lane), size, player_.scene()), size);
   references_.refine(*player_.state().frames, keyOf(lane), samples, progress);
 }
 

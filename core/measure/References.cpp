@@ -49,7 +49,7 @@ FrameRequest referenceRequest(const FrameRequest& request) {
   reference.inputs.fogNoise = InputNoise::None;
   reference.inputs.fogDensity = request.inputs.fogDensity;
   reference.inputs.shadows = request.inputs.shadows;
-  if (request.inputs.shadows == Shadows::Soft) {
+  if (request.inputs.shadows == Shadows::Soft || request.inputs.shadows == Shadows::AsScene) {
     reference.inputs.sunRadius = request.inputs.sunRadius;
     reference.inputs.shadowRays = kReferenceShadowRays;
     reference.inputs.shadowNoise = InputNoise::White;

@@ -76,22 +76,22 @@ void fitInputs(const FrameRequest& request, FrameInputs& out) {
   fitInputs(request.inputs, drawnSize(picturePx, request.inputs.renderScale), picturePx, out);
 }
 
-std::size_t inputBytes(const InputSettings& settings, const glm::ivec2& picturePx, bool hasFog) {
+std::size_t inputBytes(const InputSettings& settings, const glm::ivec2& picturePx, const Scene* scene) {
   const glm::ivec2 size = drawnSize(picturePx, settings.renderScale);
   std::size_t sum = 0;
   for (const InputTexture& row : inputTextures(settings))
     if (row.isNeeded) sum += gl::textureBytes({size.x, size.y}, row.format);
-  if (hasFog && settings.fogDensity > 0.0f)
+  if (scene && drawsFog(*scene, settings))
     sum += gl::textureBytes({size.x, size.y}, inputTextures(settings).front().format);
   return sum;
 }
 
-std::size_t scratchBytes(const InputSettings& settings, const glm::ivec2& picturePx, bool hasFog) {
+std::size_t scratchBytes(const InputSettings& settings, const glm::ivec2& picturePx, const Scene* scene) {
   const glm::ivec2 size = drawnSize(picturePx, settings.renderScale);
   const std::size_t color = gl::textureBytes({size.x, size.y}, inputTextures(settings).front().format);
   return (NoisePass::isNeeded(settings) ? color : 0) +
-         (hasFog && settings.fogDensity > 0.0f ? FogPass::scratchBytes(settings, color) : 0) +
-         (settings.shadows != Shadows::None ? ShadowPass::bytes() : 0) +
+         (scene && drawsFog(*scene, settings) ? FogPass::scratchBytes(settings, color) : 0) +
+         (scene && castsShadows(*scene, settings) ? ShadowPass::bytes() : 0) +
          (settings.mask == MaskSource::AutoReactive ? color : 0);
 }
 
@@ -114,16 +114,24 @@ struct SceneRenderer::Impl {
     bool isWarmUp = false; ///< not all of it that is seen
   };
   std::optional<Prepared> last;
+  /// What the shadow map is of: neither where the camera is nor which part of its picture is wanted.
+  struct MapOf {
+    int frame = 0;
+    ObjectFilter filter;
+    InputSettings inputs;
+    bool operator==(const MapOf&) const = default;
+  };
+  std::optional<MapOf> mapOf;
 
   Impl(std::shared_ptr<const Scene> scene_, const Progress& progress)
       : scene(std::move(scene_)), resources(*scene, progress), gbuffer(*scene),
         fog(scene->fog.empty() ? nullptr : std::make_unique<FogPass>()) {}
 
-  void draw(const FrameRequest& request, int frame, FrameInputs& out, const Progress& warmUp);
+  void draw(const FrameRequest& asked, int frame, FrameInputs& out, const Progress& warmUp);
   /// The view, with which the passes are ready to draw.
   const View& prepare(const FrameRequest& request, int frame, const Progress& warmUp);
   /// Draws what the sun sees, if shadows are wanted.
-  void drawShadows(const InputSettings& settings, const View& view, const Progress& warmUp);
+  void drawShadows(const FrameRequest& request, int number, const View& view, const Progress& warmUp);
   /// What surfaces of the prepared view are drawn from.
   GBufferPass::Source source(const FrameRequest& request, int number, const View& view);
   void drawSurfaces(const GBufferPass::Source& source, const FrameInputs& out, const Progress& warmUp);
@@ -151,15 +159,19 @@ const View& SceneRenderer::Impl::prepare(const FrameRequest& request, int number
   last.reset();
   Prepared next{request, number, viewAt(*scene, request, number), static_cast<bool>(warmUp)};
   gbuffer.prepare(*scene, request.inputs, next.view, warmUp);
-  drawShadows(request.inputs, next.view, warmUp);
+  drawShadows(request, number, next.view, warmUp);
   return last.emplace(std::move(next)).view;
 }
 
-void SceneRenderer::Impl::drawShadows(const InputSettings& settings, const View& view,
+void SceneRenderer::Impl::drawShadows(const FrameRequest& request, int number, const View& view,
                                       const Progress& warmUp) {
-  if (!castsShadows(*scene, settings)) return;
+  if (!castsShadows(*scene, request.inputs)) return;
+  const MapOf wanted{number, request.filter, request.inputs};
+  if (mapOf == wanted && !warmUp) return;
+  mapOf.reset();
   if (!shadows) shadows = std::make_unique<ShadowPass>(*scene);
-  shadows->draw(*scene, resources, settings, view, warmUp);
+  shadows->draw(*scene, resources, request.inputs, view, warmUp);
+  if (!warmUp) mapOf = wanted;
 }
 
 GBufferPass::Source SceneRenderer::Impl::source(const FrameRequest& request, int number, const View& view) {
@@ -205,8 +217,10 @@ void SceneRenderer::Impl::drawFog(const FrameRequest& request, const View& view,
   if (fog) fog->rest();
 }
 
-void SceneRenderer::Impl::draw(const FrameRequest& request, int number, FrameInputs& out,
+void SceneRenderer::Impl::draw(const FrameRequest& asked, int number, FrameInputs& out,
                                const Progress& warmUp) {
+  FrameRequest request = asked;
+  request.inputs.shadows = shadowsOf(*scene, asked.inputs);
   const View& view = prepare(request, number, warmUp);
   fitInputs(request, out);
   out.info = view.info;
@@ -255,6 +269,7 @@ const DrawCounts& SceneRenderer::counts() const {
 
 void SceneRenderer::setCulling(bool culls) {
   impl_->last.reset();
+  impl_->mapOf.reset();
   impl_->gbuffer.setCulling(culls);
 }
 
@@ -267,6 +282,7 @@ void SceneRenderer::reloadShaders() {
   if (impl_->fog) fog.emplace(impl_->fog->reloaded());
   impl_->gbuffer.reloadShaders();
   if (impl_->shadows) impl_->shadows->reloadShaders();
+  impl_->mapOf.reset();
   impl_->sky = std::move(sky);
   impl_->cameraMotion = std::move(cameraMotion);
   impl_->reactive = std::move(reactive);

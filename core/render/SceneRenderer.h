@@ -28,9 +28,11 @@ void fitInputs(const InputSettings& settings, const glm::ivec2& drawnPx, const g
 /// Makes a texture anew unless it has this size and format; its contents are undefined then.
 void fitTexture(gl::Texture& texture, const glm::ivec2& sizePx, gl::Format format, const char* label);
 /// What the textures of a frame's inputs take for a picture, and what the renderer keeps besides while it
-/// draws them; bytes. `hasFog`: whether the scene has some.
-std::size_t inputBytes(const InputSettings& settings, const glm::ivec2& picturePx, bool hasFog = false);
-std::size_t scratchBytes(const InputSettings& settings, const glm::ivec2& picturePx, bool hasFog = false);
+/// draws them; bytes. Without a scene: of one with neither fog nor shadows.
+std::size_t inputBytes(const InputSettings& settings, const glm::ivec2& picturePx,
+                       const Scene* scene = nullptr);
+std::size_t scratchBytes(const InputSettings& settings, const glm::ivec2& picturePx,
+                         const Scene* scene = nullptr);
 
 /// Owns the scene's GPU resources. Needs the current context for its whole life.
 class SceneRenderer : public FrameSource {

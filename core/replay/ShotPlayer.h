@@ -26,7 +26,7 @@ class ShotPlayer {
 
   const ShotState& state() const { return state_; }
   bool isOpen() const { return state_.scene != nullptr; }
-  bool hasFog() const { return isOpen() && !state_.scene->fog.empty(); }
+  const Scene* scene() const { return state_.scene.get(); }
   glm::ivec2 picturePx() const { return {state_.width, state_.height}; }
   const Settings& settings(int lane) const { return state_.lanes.at(static_cast<std::size_t>(lane)); }
   /// A lane as the only one.

@@ -264,7 +264,8 @@ constexpr auto kTechniques = std::to_array<Technique>({
      "`inputs.noise`, `inputs.noiseAmount`: on the shaded color; `inputs.fogNoise`, `inputs.fogAnimated`, "
      "`inputs.fogSteps`: where in its steps a ray through fog is sampled; `inputs.shadowNoise`, "
      "`inputs.shadowRays`, `inputs.sunRadius`: where on the sun's disk rays end, with `inputs.shadows=soft`, "
-     "and not with `inputs.shadows=hard` or `inputs.shadows=none`; beside them white noise, "
+     "and not with `inputs.shadows=hard` or `inputs.shadows=none` (`inputs.shadows=asScene`: as the scene "
+     "wants them); beside them white noise, "
      "`inputs.noise=whiteNoise`, `inputs.fogNoise=whiteNoise`, `inputs.shadowNoise=whiteNoise`"},
     {"20.5", "constraint in the fog",
      "`inputs.fogHistory=clamped`, of the last `inputs.fogFrames`; without it `inputs.fogHistory=kept`, as "

@@ -91,6 +91,9 @@ struct Light {
 };
 inline constexpr int kMaxLights = 64; ///< of a scene, the sun among them
 
+/// How the shadows of a scene's sun look where nobody says it.
+enum class SunShadows : std::uint8_t { None, Hard, Soft };
+
 /// The sky: a vertical gradient and a sun disk, radiance in scene-referred linear units.
 struct Sky {
   glm::vec3 zenith{0.18f, 0.32f, 0.62f}, horizon{0.62f, 0.70f, 0.80f}, ground{0.16f, 0.15f, 0.14f};
@@ -98,6 +101,7 @@ struct Sky {
   glm::vec3 sunColor{2.5f, 2.35f,
                      2.1f}; ///< irradiance; the sky lights scenes that bring no light of their own
   bool sunEnabled = true;
+  SunShadows shadows = SunShadows::None;
   Bounds shadowed; ///< around what casts shadows and what they fall on, world space; empty: Scene::bounds
 };
 

@@ -3,6 +3,7 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/scene/builtin/BuiltinScenes.h"
+#include "core/scene/builtin/Ground.h"
 #include "core/scene/gltf/GltfLoader.h"
 
 #include <algorithm>
@@ -35,24 +36,17 @@ const std::vector<BuiltinScene>& builtinScenes() {
        "The camera passes pickets, wires and a net, far to near: sub-pixel detail and disocclusion"},
       {"disocclusion", "Disocclusion",
        "Boards slide before a detailed wall and uncover it: ghosts, and pixels that have no history"},
-      {"cut",
-       "Cut",
-       "The camera cuts every second, and a ball is teleported without a cut",
-       {"inputs.shadows=hard"}},
+      {"cut", "Cut", "The camera cuts every second, and a ball is teleported without a cut"},
       {"thin", "Thin",
        "Lines one pixel and half a pixel wide at every slope, some nearly level, of known coverage"},
       {"text", "Text", "Fine print, checkers, a zone plate and a ticker: what the history filter blurs"},
       {"fireflies", "Fireflies",
        "Sparks smaller than a pixel, a thousand times as bright as white: tone weights and boxes"},
       {"lights", "Lights", "Lamps switch on and off: the history's geometry is right and its shading wrong"},
-      {"foliage",
-       "Foliage",
-       "Grass and leaves sway in the vertex shader: motion of vertex animation, alpha masks",
-       {"inputs.shadows=hard"}},
-      {"gallery",
-       "Gallery",
-       "One labelled object for each source of motion: camera, rigid, skin, morph, wind, cache",
-       {"inputs.shadows=soft"}},
+      {"foliage", "Foliage",
+       "Grass and leaves sway in the vertex shader: motion of vertex animation, alpha masks"},
+      {"gallery", "Gallery",
+       "One labelled object for each source of motion: camera, rigid, skin, morph, wind, cache"},
       {"glass",
        "Glass",
        "Panes of glass, particles, a flip-book and a ticker: what no motion vector tells the history",
@@ -95,6 +89,12 @@ Scene openScene(const std::string& source, const Progress& progress, const ShotC
     report(progress, say<"Opening the scene">(), 1, 1);
   } else {
     scene = loadGltf(source, progress, choice.animation, budget);
+    if (isModelAlone(scene)) {
+      addGround(scene);
+      scene.warnings.push_back(
+          say<"The file has neither light nor camera: a sun and a ground are added (object \"%1\").">(
+              kGroundName));
+    }
   }
   if (choice.frames != 0) chooseLength(scene, choice.frames);
   return scene;

@@ -110,7 +110,7 @@ const Parameter kParameters[] = {
     {"inputs.fogFrames", "Fog frames M", Stage::Inputs, K::Integer, Effect::Inputs, "frames", 2, 16,
      kNoChoices, "Frames that are averaged, this one included; each is marched.", "M", "manual 20.5", Uses(),
      FIELD(inputs.fogFrames)},
-    {"inputs.shadows", "Shadows", Stage::Inputs, K::Choice, Effect::Inputs, "", 0, 2, kShadows,
+    {"inputs.shadows", "Shadows", Stage::Inputs, K::Choice, Effect::Inputs, "", 0, 3, kShadows,
      "Shadows of the sun, or of the first directional light of a scene without one. They have no motion of "
      "their own: where one moves, the motion vectors are those of the ground that it falls on.",
      "c·V", "manual §20, Unreal Engine", Uses(), FIELD(inputs.shadows)},

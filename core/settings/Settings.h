@@ -61,7 +61,7 @@ enum class BlendedAs : std::int32_t { Mask, Dithered, Before, BeforeWithMotion, 
 enum class MaskSource : std::int32_t { None, Material, Opacity, AutoReactive };
 enum class DynamicRange : std::int32_t { Hdr, Ldr };
 enum class InputNoise : std::int32_t { None, Gradient, Blue, White };
-enum class Shadows : std::int32_t { None, Hard, Soft };
+enum class Shadows : std::int32_t { AsScene, None, Hard, Soft };
 enum class FogHistory : std::int32_t { None, Kept, Clamped, LargestAsPrinted };
 struct InputSettings {
   Precision precision = Precision::Half; ///< color and motion as 16 or 32-bit floats
@@ -83,7 +83,7 @@ struct InputSettings {
   FogHistory fogHistory = FogHistory::None; ///< what becomes of the fog of frames before
   std::int32_t fogFrames = 8;               ///< that are averaged then, with this one; 2 to 16
   // Of scenes with a sun or a directional light.
-  Shadows shadows = Shadows::None;           ///< that it casts
+  Shadows shadows = Shadows::AsScene;        ///< that it casts
   float sunRadius = 1.0f;                    ///< degrees, 0 to 5
   std::int32_t shadowRays = 1;               ///< of a pixel to the disk of the sun, 1 to 16
   InputNoise shadowNoise = InputNoise::Blue; ///< where on the disk they end

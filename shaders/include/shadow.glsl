@@ -78,6 +78,7 @@ float litShareOfRays(Receiver receiver, vec3 world) {
 float litShare(vec3 world) {
   Receiver receiver = receiverAt(world);
   vec2 place = receiver.place.xy;
-  if (min(place.x, place.y) < 0.0 || max(place.x, place.y) > shadow.aside.w) return 1.0;
+  bool isBeside = min(place.x, place.y) < 0.0 || max(place.x, place.y) > shadow.aside.w;
+  if (isBeside || receiver.place.z < 0.0) return 1.0; // or behind all that the map reaches
   return kShadows == kHardShadows ? litShareOfTexels(receiver) : litShareOfRays(receiver, world);
 }

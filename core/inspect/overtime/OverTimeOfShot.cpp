@@ -237,7 +237,7 @@ void OverTimeOfShot::refine(const std::vector<OverTime>& kinds, int samples, con
   }
   if (need.kinds.empty()) return;
   requireReference(driver_,
-                   referenceBytes(player_.settings(lane), player_.picturePx(), player_.hasFog()) +
+                   referenceBytes(player_.settings(lane), player_.picturePx(), player_.scene()) +
                        windowBytes(player_.picturePx(), frames_, need.kinds),
                    player_.picturePx());
   Measured& measured = measuredOf(lane);

@@ -86,7 +86,7 @@ void VerdictOfShot::require(const VerdictQuestion& question) const {
   const int count = player_.state().scene->shot.frames;
   if (question.frame < 0 || question.frame >= count)
     throw Error(say<"there is no frame %1: the shot has frames 0 to %2">(question.frame, count - 1));
-  requireReference(driver_, referenceBytes(player_.settings(question.lane), size, player_.hasFog()), size);
+  requireReference(driver_, referenceBytes(player_.settings(question.lane), size, player_.scene()), size);
 }
 
 VerdictAnswer VerdictOfShot::of(const VerdictQuestion& question, const Progress& progress) {

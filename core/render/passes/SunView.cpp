@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 
 namespace taa {
 
@@ -59,8 +60,19 @@ int noiseNumber(const FrameRequest& request, int frame) {
 
 } // namespace
 
+Shadows shadowsOf(const Scene& scene, const InputSettings& settings) {
+  if (lightCounts(scene).directional == 0) return Shadows::None;
+  if (settings.shadows != Shadows::AsScene) return settings.shadows;
+  switch (scene.sky.shadows) {
+    case SunShadows::None: return Shadows::None;
+    case SunShadows::Hard: return Shadows::Hard;
+    case SunShadows::Soft: return Shadows::Soft;
+  }
+  std::abort();
+}
+
 bool castsShadows(const Scene& scene, const InputSettings& settings) {
-  return settings.shadows != Shadows::None && lightCounts(scene).directional > 0;
+  return shadowsOf(scene, settings) != Shadows::None;
 }
 
 const Bounds& shadowedBounds(const Scene& scene) {

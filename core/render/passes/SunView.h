@@ -8,6 +8,9 @@ namespace taa {
 
 inline constexpr int kShadowMapSize = 2048; ///< texels of a side
 
+/// Those that the scene's sun casts: never Shadows::AsScene, and none without a sun.
+Shadows shadowsOf(const Scene& scene, const InputSettings& settings);
+
 /// Whether settings let anything of the scene cast shadows.
 bool castsShadows(const Scene& scene, const InputSettings& settings);
 

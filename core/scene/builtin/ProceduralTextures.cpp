@@ -174,6 +174,16 @@ SceneImage tileImage() {
   });
 }
 
+SceneImage slabImage() {
+  return paint("slabs", [](float u, float v) {
+    const Block slab = blockAt(u, v, 2, 2, 0.0f);
+    const float joint = smoothEdge(0.001f, 0.003f, slab.inside);
+    const float patch = noise(u, v, 6, 41 + slab.column + 2 * slab.row);
+    return opaque(glm::vec3(0.66f, 0.65f, 0.63f) * (0.72f + 0.28f * joint) *
+                  (0.88f + 0.08f * patch + 0.12f * grain(u, v, 45)));
+  });
+}
+
 SceneImage grassImage() {
   return paint("grass", [](float u, float v) {
     const float patch = noise(u, v, 6, 21), blade = grain(u, v, 23);

@@ -14,6 +14,7 @@ struct SurfaceImages {
 SurfaceImages brickImages();
 SurfaceImages plankImages();
 SceneImage tileImage(); ///< two-colored floor tiles with thin joints
+SceneImage slabImage(); ///< one-colored slabs with thin joints
 SceneImage grassImage();
 SceneImage gravelImage();
 constexpr float kPosterAspect = 4.0f / 3.0f; ///< height over width

@@ -73,38 +73,34 @@ inline constexpr Choice kDynamicRanges[] = {
      "fireflies are tame, and bright edges lose what lies above (manual 1.2, Playdead). Kept linear.",
      Uses()},
 };
+// Of noise, wherever it is added.
+inline constexpr const char* kGradientNoise =
+    "Interleaved gradient noise, another in each of 64 frames; neighbors differ much, along lines (manual "
+    "20.1).";
+inline constexpr const char* kBlueNoise =
+    "A tile of 32×32 by void-and-cluster, moved on by the golden ratio in each of 256 frames: no low "
+    "frequencies in space, evenly spread in time, which TAA averages best (manual 20.2, Raptor).";
+inline constexpr const char* kWhiteNoise =
+    "A hash of pixel and frame, 256 of them: neighbors and frames have nothing to do with each other, which "
+    "TAA averages worst (manual §20).";
 inline constexpr Choice kInputNoises[] = {
     {"none", "None", "Colors as they were shaded.", Uses()},
-    {"gradientNoise", "Gradient noise",
-     "Interleaved gradient noise, another in each of 64 frames; neighbors differ much, along lines "
-     "(manual "
-     "20.1).",
+    {"gradientNoise", "Gradient noise", kGradientNoise,
      Uses(USED(inputs.noiseAmount), USED(inputs.noiseTriangular))},
-    {"blueNoise", "Blue noise",
-     "A tile of 32×32 by void-and-cluster, moved on by the golden ratio in each of 256 frames: no low "
-     "frequencies in space, evenly spread in time (manual 20.2).",
-     Uses(USED(inputs.noiseAmount), USED(inputs.noiseTriangular))},
-    {"whiteNoise", "White noise",
-     "A hash of pixel and frame, 256 of them: neighbors and frames have nothing to do with each other, what "
-     "the others are measured against (manual §20).",
-     Uses(USED(inputs.noiseAmount), USED(inputs.noiseTriangular))},
+    {"blueNoise", "Blue noise", kBlueNoise, Uses(USED(inputs.noiseAmount), USED(inputs.noiseTriangular))},
+    {"whiteNoise", "White noise", kWhiteNoise, Uses(USED(inputs.noiseAmount), USED(inputs.noiseTriangular))},
 };
 inline constexpr Choice kFogNoises[] = {
     {"none", "None", "All rays stop at the same distances: the fog has as many levels as steps, in bands.",
      Uses()},
-    {"gradientNoise", "Gradient noise",
-     "Interleaved gradient noise, another in each of 64 frames; neighbors differ much, along lines "
-     "(manual 20.1).",
-     Uses(USED(inputs.fogAnimated))},
-    {"blueNoise", "Blue noise",
-     "A tile of 32×32, moved on by the golden ratio in each of 256 frames: what TAA averages best (manual "
-     "20.2, Raptor).",
-     Uses(USED(inputs.fogAnimated))},
-    {"whiteNoise", "White noise",
-     "A hash of pixel and frame: clumps in space and in time, which TAA averages worst (manual §20).",
-     Uses(USED(inputs.fogAnimated))},
+    {"gradientNoise", "Gradient noise", kGradientNoise, Uses(USED(inputs.fogAnimated))},
+    {"blueNoise", "Blue noise", kBlueNoise, Uses(USED(inputs.fogAnimated))},
+    {"whiteNoise", "White noise", kWhiteNoise, Uses(USED(inputs.fogAnimated))},
 };
 inline constexpr Choice kShadows[] = {
+    {"asScene", "As the scene",
+     "As what is open wants them: none where they are no part of what it shows, or where it has no sun.",
+     Uses(USED(inputs.sunRadius), USED(inputs.shadowRays), USED(inputs.shadowNoise))},
     {"none", "None", "The sun shines through everything: things seem to float.", Uses()},
     {"hard", "Hard",
      "Of a point-like sun: one texture of depths as the sun sees them, compared in 2×2 texels.", Uses()},
@@ -117,17 +113,9 @@ inline constexpr Choice kShadows[] = {
 inline constexpr Choice kShadowNoises[] = {
     {"none", "None", "All pixels send the same rays: the shadow's edge has as many levels as rays, in bands.",
      Uses()},
-    {"gradientNoise", "Gradient noise",
-     "Interleaved gradient noise, another in each of 64 frames; neighbors differ much, along lines "
-     "(manual 20.1).",
-     Uses()},
-    {"blueNoise", "Blue noise",
-     "A tile of 32×32, moved on by the golden ratio in each of 256 frames: what TAA averages best (manual "
-     "20.2).",
-     Uses()},
-    {"whiteNoise", "White noise",
-     "A hash of pixel and frame: clumps in space and in time, which TAA averages worst (manual §20).",
-     Uses()},
+    {"gradientNoise", "Gradient noise", kGradientNoise, Uses()},
+    {"blueNoise", "Blue noise", kBlueNoise, Uses()},
+    {"whiteNoise", "White noise", kWhiteNoise, Uses()},
 };
 inline constexpr Choice kFogHistories[] = {
     {"none", "None", "The fog of this frame alone: its noise is left to the resolve.", Uses()},

@@ -168,6 +168,17 @@ TEST_F(ShadowTest, NothingDarkensItself) {
     }
 }
 
+// A floor goes on behind the box that shadows are drawn of: a map that has nothing there is no shadow.
+TEST_F(ShadowTest, WhatLiesBehindTheMapIsLit) {
+  Stage stage;
+  stage.scene.nodes[static_cast<std::size_t>(stage.board)].mesh = -1;
+  stage.scene.sky.shadowed = {{-2.0f, -2.0f, 3.0f}, {2.0f, 2.0f, 4.0f}};
+  for (const Shadows shadows : {Shadows::Hard, Shadows::Soft}) {
+    const Image with = draw(stage.scene, request(shadows));
+    EXPECT_TRUE(equalColors(with, draw(stage.scene, request(Shadows::None))));
+  }
+}
+
 TEST_F(ShadowTest, OfTheDiskAreTheShareOfItThatIsSeen) {
   const Stage stage;
   FrameRequest asked = request(Shadows::Soft);
@@ -308,6 +319,29 @@ TEST_F(ShadowTest, AreTheSameInAPartAndAtAnotherSampleOfThePixel) {
   const Image part = draw(renderer, asked);
   for (int y = 30; y < 46; ++y)
     for (int x = 40; x < 64; ++x) ASSERT_EQ(part.texel(x, y), whole.texel(x, y)) << x << ", " << y;
+}
+
+// What was drawn before leaves nothing: neither another frame, nor what is hidden now, nor another blending.
+TEST_F(ShadowTest, AreOfThisFrameAndOfWhatIsDrawn) {
+  Stage stage;
+  stage.scene.nodes[static_cast<std::size_t>(stage.board)].name = "board";
+  stage.scene.nodes[static_cast<std::size_t>(stage.board)].visibleFrom = 0.1;
+  SceneRenderer renderer(std::make_shared<const Scene>(stage.scene));
+  const FrameRequest shown = request(Shadows::Hard);
+  FrameRequest hidden = shown, soft = request(Shadows::Soft);
+  hidden.filter.hidden = {"board"};
+  const auto expectAsFresh = [&](const FrameRequest& asked, int frame, const char* what) {
+    SceneRenderer fresh(std::make_shared<const Scene>(stage.scene));
+    EXPECT_TRUE(equalColors(draw(renderer, asked, frame), draw(fresh, asked, frame))) << what;
+  };
+  expectAsFresh(shown, 0, "before the board is there");
+  expectAsFresh(shown, 10, "with the board");
+  expectAsFresh(hidden, 10, "hidden");
+  expectAsFresh(shown, 10, "shown again");
+  expectAsFresh(soft, 10, "soft");
+  expectAsFresh(shown, 0, "back");
+  SceneRenderer fresh(std::make_shared<const Scene>(stage.scene));
+  EXPECT_FALSE(equalColors(draw(fresh, shown, 10), draw(fresh, hidden, 10)));
 }
 
 // A reference is the mean of its samples, each with rays of its own.

@@ -17,6 +17,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -220,6 +222,40 @@ TEST(RefusalShape, OfScenes) {
                        {"orthographic", {{"xmag", 1.0}, {"ymag", 1.0}, {"znear", 0.1}, {"zfar", 9.0}}}}};
   expectShape(whole, "cannot open " + file.string() + ": ", 1000,
               [](const std::string& text) { openScene(test::writeTemporary("shape.gltf", text).string()); });
+}
+
+// What is around the JSON: each byte of the headers as another one, chunks that are missing, twice or in
+// another order, and the file cut anywhere.
+TEST(RefusalShape, OfContainersOfScenes) {
+  const std::filesystem::path file = test::temporaryFolder() / "shape.glb";
+  const test::GltfSample sample;
+  const std::string good = readFile(sample.writeBinary("shape-good"));
+  const Read read = [](const std::string& text) {
+    openScene(test::writeTemporary("shape.glb", text).string());
+  };
+  EXPECT_NO_THROW(read(good));
+  constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+  const auto lengthAt = [&](std::size_t place) {
+    std::uint32_t length = 0;
+    std::memcpy(&length, good.data() + place, sizeof(length));
+    return length;
+  };
+  const std::size_t binary = kHeader + kChunkHeader + lengthAt(kHeader);
+  ASSERT_EQ(binary + kChunkHeader + lengthAt(binary), good.size());
+  const std::string header = good.substr(0, kHeader), first = good.substr(kHeader, binary - kHeader),
+                    second = good.substr(binary);
+  std::vector<std::string> texts{header,          header + second + first, header + first + first + second,
+                                 header + second, first + second,          good.substr(0, binary)};
+  for (const std::size_t part : {std::size_t{0}, kHeader, binary})
+    for (std::size_t place = part; place < part + (part == 0 ? kHeader : kChunkHeader); ++place)
+      for (int change = 1; change < 256; change += 23) {
+        std::string other = good;
+        other[place] = static_cast<char>(other[place] ^ change);
+        texts.push_back(std::move(other));
+      }
+  for (std::size_t cut = 0; cut < good.size(); cut += std::max<std::size_t>(1, good.size() / 300))
+    texts.push_back(good.substr(0, cut));
+  EXPECT_GT(countRefusals(texts, "cannot open " + file.string() + ": ", read), 400);
 }
 
 } // namespace

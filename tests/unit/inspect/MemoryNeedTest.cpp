@@ -2,6 +2,7 @@
 #include "core/inspect/MemoryNeed.h"
 
 #include "core/base/FreeMemory.h"
+#include "core/scene/Scene.h"
 #include "core/settings/Parameters.h"
 
 #include <gtest/gtest.h>
@@ -38,14 +39,35 @@ TEST(MemoryNeed, CountsTheInputsOfTwoFramesInTheFormatsTheyHave) {
 // Of a scene with fog: what it adds, kept with the frame, and before that is done as it was marched and the
 // color that is drawn into; with a history also the mean of the frames before. 8 bytes a pixel each.
 TEST(MemoryNeed, CountsFogWhereTheSceneHasSome) {
-  const auto inputs = [](const char* assignment) {
+  Scene scene;
+  scene.fog.emplace_back();
+  const auto inputs = [&](const char* assignment) {
     Settings settings;
     applyAssignment(settings, assignment);
-    return memoryNeed({settings}, {100, 50}, {}, true).inputs;
+    return memoryNeed({settings}, {100, 50}, {}, &scene).inputs;
   };
   EXPECT_EQ(inputs("inputs.fogSteps=4"), (2 * 40 + 16) * kPixels);
   EXPECT_EQ(inputs("inputs.fogHistory=clamped"), (2 * 40 + 24) * kPixels);
   EXPECT_EQ(inputs("inputs.fogDensity=0"), 2 * 32 * kPixels);
+}
+
+// One map of 2,048² depths for all lanes, where there is a sun to cast shadows and they are wanted.
+TEST(MemoryNeed, CountsTheShadowMapWhereSomethingCastsShadows) {
+  constexpr std::size_t kMap = std::size_t{2048} * 2048 * 4;
+  Scene scene;
+  const auto inputs = [&](Shadows shadows) {
+    Settings settings;
+    settings.inputs.shadows = shadows;
+    return memoryNeed({settings, settings}, {100, 50}, {}, &scene).inputs;
+  };
+  const std::size_t none = inputs(Shadows::None);
+  EXPECT_EQ(inputs(Shadows::Hard), none + kMap);
+  EXPECT_EQ(inputs(Shadows::AsScene), none) << "a scene wants none unless it says so";
+  scene.sky.shadows = SunShadows::Soft;
+  EXPECT_EQ(inputs(Shadows::AsScene), none + kMap);
+  scene.sky.sunEnabled = false;
+  EXPECT_EQ(inputs(Shadows::AsScene), none);
+  EXPECT_EQ(inputs(Shadows::Soft), none);
 }
 
 // Color 8 or 16, surface 8, and the layers that settings ask for: motion 8 for the depth test at rest,

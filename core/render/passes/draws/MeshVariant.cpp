@@ -3,6 +3,7 @@
 #include "core/render/SceneResources.h"
 #include "core/render/passes/NoiseSource.h"
 
+#include <cassert>
 #include <string>
 
 namespace taa {
@@ -22,9 +23,8 @@ std::string constantBool(const char* name, bool value) {
   return std::string("const bool ") + name + " = " + (value ? "true" : "false") + ";\n";
 }
 
-std::string shadowPrelude(const MeshVariant& variant, const LightCounts& lights) {
-  const Shadows shadows = lights.directional > 0 ? variant.shadows : Shadows::None;
-  return constantInt("kShadows", static_cast<int>(shadows)) +
+std::string shadowPrelude(const MeshVariant& variant) {
+  return constantInt("kShadows", static_cast<int>(variant.shadows)) +
          constantInt("kNoShadows", static_cast<int>(Shadows::None)) +
          constantInt("kHardShadows", static_cast<int>(Shadows::Hard)) + noisePrelude(variant.shadowNoise);
 }
@@ -45,6 +45,7 @@ void MeshVariant::apply(const InputSettings& settings, const Material& material,
                                                            : 1;
   printedJitter = projection != JitterProjection::Translation && !steady;
   // What is forced to have no motion has none in any form.
+  assert(settings.shadows != Shadows::AsScene);
   if (lit) shadows = settings.shadows;
   shadowNoise = shadows == Shadows::Soft ? settings.shadowNoise : InputNoise::None;
   printedMotion = settings.motion == MotionSource::ObjectsAsPrinted && motion != MotionMode::None;
@@ -81,7 +82,7 @@ gl::Program compile(const MeshVariant& variant, const LightCounts& lights) {
       constantBool("kDithered", variant.dithered) + constantBool("kBlended", variant.blended) +
       constantInt("kMask", variant.mask) + constantBool("kPrintedMotion", variant.printedMotion) +
       constantBool("kInstanced", variant.instanced) + constantBool("kDepthOnly", variant.depthOnly) +
-      shadowPrelude(variant, lights);
+      shadowPrelude(variant);
   const std::string deform =
       constantInt("kInfluenceSets", variant.influenceSets) + constantBool("kMorphed", variant.morphed) +
       constantBool("kCached", variant.cached) + constantBool("kWind", variant.wind) +
