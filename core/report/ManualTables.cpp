@@ -1,6 +1,7 @@
 #include "core/report/ManualTables.h"
 
 #include "core/capture/format/Manifest.h"
+#include "core/render/passes/SunView.h"
 #include "core/report/ChoiceFunctions.h"
 #include "core/report/Techniques.h"
 #include "core/report/doctor/DoctorManual.h"
@@ -164,14 +165,20 @@ ManualPage scenesPage() {
       pageHead(page.title,
                "Scenes that each provoke something. They are opened by the code beside them. The window and "
                "lessons open one with the settings that show it, as far as these are at their defaults; "
-               "`taa-batch` takes settings as they are given.") +
-      "\n" + head({"scene", "shown as", "what it shows", "opened with"});
+               "`taa-batch` takes settings as they are given. Shadows are those of `inputs.shadows=asScene`.") +
+      "\n" + head({"scene", "shown as", "what it shows", "shadows", "opened with"});
+  const auto shadowsIn = [](const BuiltinScene& scene) {
+    Settings settings;
+    settings.inputs.shadows = shadowsOf(scene.shadows);
+    const Parameter& row = parameter("inputs.shadows");
+    return valueText(row, row.get(settings));
+  };
   for (const BuiltinScene& scene : builtinScenes()) {
     std::string settings;
     for (const std::string& assignment : scene.settings)
       settings += (settings.empty() ? "" : ", ") + code(assignment);
     page.text += cells(
-        {code("builtin:" + scene.id), markdownText(scene.label), markdownText(scene.description), settings});
+        {code("builtin:" + scene.id), markdownText(scene.label), markdownText(scene.description), shadowsIn(scene), settings});
   }
   return page;
 }

@@ -23,30 +23,49 @@ constexpr std::array kMakers{makeFanScene,     makeFenceScene,   makeDisocclusio
 
 Scene makeBuiltin(const std::string& source) {
   requireBuiltinScene(source);
-  return kMakers.at(static_cast<std::size_t>(findBuiltinScene(source) - builtinScenes().data()))();
+  const BuiltinScene* const row = findBuiltinScene(source);
+  Scene scene = kMakers.at(static_cast<std::size_t>(row - builtinScenes().data()))();
+  scene.sky.shadows = row->shadows;
+  return scene;
 }
 
 } // namespace
 
 const std::vector<BuiltinScene>& builtinScenes() {
   static const std::vector<BuiltinScene> scenes{
-      {"fan", "Fan",
-       "A fan spins in its wire guard before bricks and small bright lights: ghosting, thin wires, HDR"},
-      {"fence", "Fence",
-       "The camera passes pickets, wires and a net, far to near: sub-pixel detail and disocclusion"},
+      {"fan",
+       "Fan",
+       "A fan spins in its wire guard before bricks and small bright lights: ghosting, thin wires, HDR",
+       {},
+       SunShadows::Hard},
+      {"fence",
+       "Fence",
+       "The camera passes pickets, wires and a net, far to near: sub-pixel detail and disocclusion",
+       {},
+       SunShadows::Hard},
       {"disocclusion", "Disocclusion",
        "Boards slide before a detailed wall and uncover it: ghosts, and pixels that have no history"},
-      {"cut", "Cut", "The camera cuts every second, and a ball is teleported without a cut"},
+      {"cut",
+       "Cut",
+       "The camera cuts every second, and a ball is teleported without a cut",
+       {},
+       SunShadows::Hard},
       {"thin", "Thin",
        "Lines one pixel and half a pixel wide at every slope, some nearly level, of known coverage"},
       {"text", "Text", "Fine print, checkers, a zone plate and a ticker: what the history filter blurs"},
       {"fireflies", "Fireflies",
        "Sparks smaller than a pixel, a thousand times as bright as white: tone weights and boxes"},
       {"lights", "Lights", "Lamps switch on and off: the history's geometry is right and its shading wrong"},
-      {"foliage", "Foliage",
-       "Grass and leaves sway in the vertex shader: motion of vertex animation, alpha masks"},
-      {"gallery", "Gallery",
-       "One labelled object for each source of motion: camera, rigid, skin, morph, wind, cache"},
+      {"foliage",
+       "Foliage",
+       "Grass and leaves sway in the vertex shader: motion of vertex animation, alpha masks",
+       {},
+       SunShadows::Hard},
+      {"gallery",
+       "Gallery",
+       "One labelled object for each source of motion: camera, rigid, skin, morph, wind, cache",
+       {},
+       SunShadows::Soft},
       {"glass",
        "Glass",
        "Panes of glass, particles, a flip-book and a ticker: what no motion vector tells the history",

@@ -16,6 +16,7 @@ struct BuiltinScene {
   std::string label;
   std::string description;             ///< one sentence: what it shows
   std::vector<std::string> settings{}; ///< "path=value" that shows it, where the default would not
+  SunShadows shadows = SunShadows::None;
 };
 
 const std::vector<BuiltinScene>& builtinScenes();

@@ -31,7 +31,8 @@ double power(const Image& tile, double from, double to) {
       std::complex<double> amplitude;
       for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 32; ++x)
-          amplitude += std::polar(tile.at(x, y)[0] - 0.5, 2.0 * std::numbers::pi * (u * x + v * y) / 32.0);
+          amplitude +=
+              (tile.at(x, y)[0] - 0.5) * std::polar(1.0, 2.0 * std::numbers::pi * (u * x + v * y) / 32.0);
       sum += std::norm(amplitude) / 1024.0;
       ++count;
     }

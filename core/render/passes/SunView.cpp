@@ -60,15 +60,18 @@ int noiseNumber(const FrameRequest& request, int frame) {
 
 } // namespace
 
-Shadows shadowsOf(const Scene& scene, const InputSettings& settings) {
-  if (lightCounts(scene).directional == 0) return Shadows::None;
-  if (settings.shadows != Shadows::AsScene) return settings.shadows;
-  switch (scene.sky.shadows) {
+Shadows shadowsOf(SunShadows wanted) {
+  switch (wanted) {
     case SunShadows::None: return Shadows::None;
     case SunShadows::Hard: return Shadows::Hard;
     case SunShadows::Soft: return Shadows::Soft;
   }
   std::abort();
+}
+
+Shadows shadowsOf(const Scene& scene, const InputSettings& settings) {
+  if (lightCounts(scene).directional == 0) return Shadows::None;
+  return settings.shadows == Shadows::AsScene ? shadowsOf(scene.sky.shadows) : settings.shadows;
 }
 
 bool castsShadows(const Scene& scene, const InputSettings& settings) {

@@ -8,6 +8,9 @@ namespace taa {
 
 inline constexpr int kShadowMapSize = 2048; ///< texels of a side
 
+/// What Shadows::AsScene is in a scene that wants these.
+Shadows shadowsOf(SunShadows wanted);
+
 /// Those that the scene's sun casts: never Shadows::AsScene, and none without a sun.
 Shadows shadowsOf(const Scene& scene, const InputSettings& settings);
 

@@ -73,7 +73,6 @@ Scene makeCutScene() {
   builder.animateSteps(camera, 1.0f, std::vector<glm::vec3>{eye, eye + there, eye, eye + there, eye});
   Scene& scene = builder.scene();
   scene.sky.sunDirection = {-0.5f, 0.8f, 0.6f};
-  scene.sky.shadows = SunShadows::Hard;
   scene.shot = {240, 60.0, "gltf:cuts", {60, 120, 180}};
   return builder.finish();
 }

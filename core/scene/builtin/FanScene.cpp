@@ -195,7 +195,6 @@ Scene makeFanScene() {
   scene.sky.ground = {0.15f, 0.12f, 0.10f};
   scene.sky.sunDirection = {-0.55f, 0.75f, 0.8f};
   scene.sky.sunColor = {1.7f, 1.5f, 1.3f};
-  scene.sky.shadows = SunShadows::Hard;
   scene.shot = {240, 60.0, "gltf:front", {}};
   return builder.finish();
 }

@@ -210,7 +210,6 @@ Scene makeFenceScene() {
   scene.sky.sunDirection = {-0.6f, 0.5f, 0.55f};
   scene.sky.sunColor = {3.2f, 2.75f, 2.2f};
   scene.sky.shadowed = {{-9.0f, 0.0f, -14.0f}, {14.0f, 5.0f, 5.0f}}; // not of the land to its end
-  scene.sky.shadows = SunShadows::Hard;
   scene.shot = {240, 60.0, "gltf:pass", {}};
   return builder.finish();
 }

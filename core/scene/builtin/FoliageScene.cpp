@@ -130,7 +130,6 @@ Scene makeFoliageScene() {
   scene.sky.sunDirection = {-0.5f, 0.7f, 0.35f};
   scene.sky.sunColor = {3.4f, 3.0f, 2.3f};
   scene.sky.shadowed = {{-9.0f, 0.0f, -14.0f}, {9.0f, 4.0f, 4.0f}}; // not of the meadow to its end
-  scene.sky.shadows = SunShadows::Hard;
   scene.shot = {240, 60.0, "gltf:meadow", {}};
   return builder.finish();
 }

@@ -214,7 +214,6 @@ Scene makeGalleryScene() {
       [](float angle) { return glm::vec3(0.25f * std::cos(angle), 0, 0); });
   Scene& scene = builder.scene();
   scene.sky.sunDirection = {-0.45f, 0.75f, 0.8f};
-  scene.sky.shadows = SunShadows::Soft;
   scene.shot = {240, 60.0, "gltf:visit", {}};
   return builder.finish();
 }

@@ -15,10 +15,10 @@ namespace taa {
 
 namespace {
 
-constexpr float kReach = 6.0f;  // of the floor's radius to the model's
-constexpr float kTiles = 12.0f; // across the floor
-constexpr float kBelow = 1e-3f; // of the model's radius: what lies on the floor does not flicker with it
-constexpr std::uint32_t kCorners = 96;
+constexpr float kFloorReach = 6.0f;  // of the floor's radius to the model's
+constexpr float kFloorTiles = 12.0f; // across the floor
+constexpr float kFloorBelow = 1e-3f; // of the model's radius: what lies on the floor does not flicker with it
+constexpr std::uint32_t kFloorCorners = 96;
 
 /// Around `foot`, facing up.
 Primitive disc(const glm::vec3& foot, float radius, int material) {
@@ -29,15 +29,15 @@ Primitive disc(const glm::vec3& foot, float radius, int material) {
     vertex.position = foot + radius * glm::vec3(place.x, 0.0f, place.y);
     vertex.normal = {0.0f, 1.0f, 0.0f};
     vertex.tangent = {1.0f, 0.0f, 0.0f, 1.0f};
-    vertex.uv0 = 0.5f * kTiles * place;
+    vertex.uv0 = 0.5f * kFloorTiles * place;
     primitive.vertices.push_back(vertex);
     primitive.bounds.add(vertex.position);
   };
   add({0.0f, 0.0f});
-  for (std::uint32_t i = 0; i < kCorners; ++i) {
-    const float angle = kTurn * static_cast<float>(i) / kCorners;
+  for (std::uint32_t i = 0; i < kFloorCorners; ++i) {
+    const float angle = kTurn * static_cast<float>(i) / kFloorCorners;
     add({std::sin(angle), std::cos(angle)});
-    primitive.indices.insert(primitive.indices.end(), {0, 1 + i, 1 + (i + 1) % kCorners});
+    primitive.indices.insert(primitive.indices.end(), {0, 1 + i, 1 + (i + 1) % kFloorCorners});
   }
   return primitive;
 }
@@ -65,7 +65,7 @@ void addGround(Scene& scene) {
   assert(isModelAlone(scene) && scene.sky.sunDirection.y > 0.0f);
   const float radius = scene.bounds.radius();
   glm::vec3 foot = scene.bounds.center();
-  foot.y = scene.bounds.min.y - kBelow * radius;
+  foot.y = scene.bounds.min.y - kFloorBelow * radius;
 
   Material floor = paintOf(glm::vec3(1.0f), 0.9f);
   floor.name = kGroundName;
@@ -73,7 +73,7 @@ void addGround(Scene& scene) {
   scene.images.push_back(slabImage());
   Mesh mesh;
   mesh.name = kGroundName;
-  mesh.primitives.push_back(disc(foot, kReach * radius, static_cast<int>(scene.materials.size())));
+  mesh.primitives.push_back(disc(foot, kFloorReach * radius, static_cast<int>(scene.materials.size())));
   scene.materials.push_back(std::move(floor));
   Node node;
   node.name = kGroundName;

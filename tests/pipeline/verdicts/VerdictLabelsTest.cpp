@@ -118,7 +118,10 @@ void judgeShot(const std::vector<VerdictLabel>& labels, std::vector<JudgedLabel>
   const std::vector<std::string> presets = presetsOf(labels);
   ASSERT_LE(presets.size(), static_cast<std::size_t>(taa::kMaxLanes));
   std::vector<taa::Settings> lanes;
-  for (const std::string& id : presets) lanes.push_back(taa::preset(id).settings);
+  for (const std::string& id : presets) {
+    lanes.push_back(taa::preset(id).settings);
+    lanes.back().inputs.shadows = taa::Shadows::None; // labels were given before the scenes had any
+  }
   taa::Inspector inspector;
   inspector.shot().setSize(taa::kLabelledSize.x, taa::kLabelledSize.y);
   inspector.shot().setLanes(lanes);

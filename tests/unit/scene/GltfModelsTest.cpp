@@ -3,6 +3,7 @@
 #include "core/scene/Pose.h"
 #include "core/scene/SceneSource.h"
 #include "core/scene/ShotChoice.h"
+#include "core/scene/gltf/GltfLoader.h"
 
 #include <gtest/gtest.h>
 
@@ -94,13 +95,13 @@ TEST(GltfModels, AllOpenOrSayWhichExtensionTheyNeed) {
 
 TEST(GltfModels, AreTheSameFromEveryContainer) {
   const fs::path box = MODEL("Box");
-  const Scene separate = openScene((box / "glTF/Box.gltf").string());
+  const Scene separate = loadGltf(box / "glTF/Box.gltf");
   ASSERT_EQ(separate.meshes.size(), 1u);
   const Primitive& expected = separate.meshes[0].primitives.at(0);
   EXPECT_EQ(expected.vertices.size(), 24u);
   EXPECT_EQ(expected.indices.size(), 36u);
   for (const char* other : {"glTF-Binary/Box.glb", "glTF-Embedded/Box.gltf"}) {
-    const Scene scene = openScene((box / other).string());
+    const Scene scene = loadGltf(box / other);
     const Primitive& primitive = scene.meshes.at(0).primitives.at(0);
     EXPECT_EQ(primitive.indices, expected.indices);
     for (std::size_t i = 0; i < expected.vertices.size(); ++i)
@@ -117,7 +118,7 @@ TEST(GltfModels, StandUprightInTheirPoseAtRest) {
 
 TEST(GltfModels, ShowOnlyTheDefaultScene) {
   const fs::path file = MODEL("MultipleScenes/glTF/MultipleScenes.gltf");
-  const Scene scene = openScene(file.string());
+  const Scene scene = loadGltf(file);
   EXPECT_EQ(scene.nodes.size(), 1u);
   EXPECT_EQ(scene.warnings, std::vector<std::string>{"The file has 2 scenes; scenes[1] is shown."});
 }
@@ -139,7 +140,7 @@ TEST(GltfModels, BringTheirLights) {
 
 TEST(GltfModels, DrawEveryInstance) {
   const fs::path file = MODEL("SimpleInstancing/glTF/SimpleInstancing.gltf");
-  const Scene scene = openScene(file.string());
+  const Scene scene = loadGltf(file);
   int drawn = 0;
   for (const Node& node : scene.nodes) drawn += node.timesDrawn();
   EXPECT_EQ(drawn, 125);
