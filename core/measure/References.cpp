@@ -36,6 +36,11 @@ void take(const Image& given, int samples, ReferencePicture& picture) {
 
 constexpr int kReferenceShadowRays = 8; // of each sample
 
+void takeSample(int sample, FrameRequest& request) {
+  request.jitterPx = referencePointPx(sample);
+  request.sample = sample;
+}
+
 } // namespace
 
 FrameRequest referenceRequest(const FrameRequest& request) {
@@ -111,7 +116,7 @@ void References::drawSamples(FrameSource& frames, ReferencePicture& picture, int
                              const Progress& progress) {
   FrameRequest request = picture.key.request;
   while (picture.samples < samples) {
-    request.jitterPx = referencePointPx(picture.samples);
+    takeSample(picture.samples, request);
     frames.draw(request, picture.key.frame, drawn_);
     gl::checkErrors(say<"drawing the reference of frame %1">(picture.key.frame));
     addColors(drawn_.color.download(), picture.sums);
@@ -156,7 +161,7 @@ void References::drawPart(FrameSource& frames, ReferencePart& part, FrameInputs&
   FrameRequest request = part.key.request;
   request.part = part.place;
   for (int sample = 0; sample < part.samples; ++sample) {
-    request.jitterPx = referencePointPx(sample);
+    takeSample(sample, request);
     frames.draw(request, part.key.frame, drawn);
     addColors(drawn.color.download(part.place), sums);
   }

@@ -24,8 +24,9 @@ struct FrameRequest {
   InputSettings inputs;
   std::vector<MotionOverride> motionModes = {}; ///< of objects by name; others keep their node's
   ObjectFilter filter = {};
-  CameraTrackHandle track = nullptr;             ///< looked through instead of `camera`
-  std::optional<glm::vec2> jitterPx = {};        ///< instead of what the sequence of `jitter` says
+  CameraTrackHandle track = nullptr;      ///< looked through instead of `camera`
+  std::optional<glm::vec2> jitterPx = {}; ///< instead of what the sequence of `jitter` says
+  std::optional<int> sample = {}; ///< of a reference, each with noise of its own; none: noise is the frame's
   std::vector<ClassOverride> objectClasses = {}; ///< of objects by name; others have what moves them
   std::vector<int> restarts = {}; ///< frames that use no history besides those where the shot is cut
   /// Texels that are wanted, as if all were drawn; others hold anything. A capture draws all. Default: all.

@@ -49,6 +49,7 @@ bool differsInJitterOnly(const FrameRequest& a, const FrameRequest& b) {
   if (!a.jitterPx || !b.jitterPx || a.jitter.projection != JitterProjection::Translation) return false;
   FrameRequest same = b;
   same.jitterPx = a.jitterPx;
+  same.sample = a.sample;
   return same == a;
 }
 

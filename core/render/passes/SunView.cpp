@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -48,23 +47,23 @@ Bounds withMargins(Bounds around) {
   return around;
 }
 
-/// Another one for each sample of a reference: they have no number, but each lies elsewhere in the pixel.
+/// Samples of a reference take others than frames do, and each another one.
 int noiseNumber(const FrameRequest& request, int frame) {
-  if (!request.jitterPx) return frame % 256;
-  const auto x = std::bit_cast<std::uint32_t>(request.jitterPx->x),
-             y = std::bit_cast<std::uint32_t>(request.jitterPx->y);
-  std::uint32_t mixed = (x ^ (y * 0x9e3779b9u)) * 0x85ebca6bu;
-  mixed ^= mixed >> 13;
-  return static_cast<int>((mixed * 0xc2b2ae35u) >> 16);
+  if (!request.sample) return frame % 256;
+  const std::uint32_t mixed = (static_cast<std::uint32_t>(*request.sample) + 1u) * 0x9e3779b9u;
+  return static_cast<int>(mixed >> 16);
 }
 
 } // namespace
 
 Shadows shadowsOf(SunShadows wanted) {
   switch (wanted) {
-    case SunShadows::None: return Shadows::None;
-    case SunShadows::Hard: return Shadows::Hard;
-    case SunShadows::Soft: return Shadows::Soft;
+  case SunShadows::None:
+    return Shadows::None;
+  case SunShadows::Hard:
+    return Shadows::Hard;
+  case SunShadows::Soft:
+    return Shadows::Soft;
   }
   std::abort();
 }

@@ -358,6 +358,7 @@ TEST_F(ShadowTest, OfAReferenceAreTheTruth) {
     FrameRequest one = asked;
     // All in the middle of the pixel but for what no one sees, so that the truth is that of a point.
     one.jitterPx = glm::vec2(1e-4f * static_cast<float>(sample + 1), 0.0f);
+    one.sample = sample;
     const Image color = draw(renderer, one);
     for (std::size_t i = 0; i < shares.size(); ++i)
       shares[i] +=
