@@ -168,7 +168,8 @@ void SceneRenderer::Impl::drawShadows(const FrameRequest& request, int number, c
                                       const Progress& warmUp) {
   if (!castsShadows(*scene, request.inputs)) return;
   const MapOf wanted{number, request.filter, request.inputs};
-  if (mapOf == wanted && !warmUp) return;
+  // A whole frame is drawn as in a game, with its own map; more of the same one only looks closer at it.
+  if (mapOf == wanted && (request.part || request.sample) && !warmUp) return;
   mapOf.reset();
   if (!shadows) shadows = std::make_unique<ShadowPass>(*scene);
   shadows->draw(*scene, resources, request.inputs, view, warmUp);

@@ -30,7 +30,8 @@ TEST_F(BatchProfile, PrintsPassesStagesAndMemory) {
     EXPECT_EQ(pass["ms"].size(), 3u) << pass;
     EXPECT_GE(pass["medianMs"].get<double>(), 0.0) << pass;
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"G-buffer", "Sky", "Resolve", "Between the passes"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"Shadows, as the sun sees them", "G-buffer", "Sky", "Resolve",
+                                             "Between the passes"}));
   EXPECT_EQ(profile["stages"]["stages"].size(), 10u);
   EXPECT_GT(profile["stages"]["wholeMs"].get<double>(), 0.0);
   for (const json& stage : profile["stages"]["stages"]) {
