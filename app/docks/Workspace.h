@@ -39,6 +39,9 @@ class Workspace : public QMainWindow {
   const std::vector<PanelDock*>& docks() const { return docks_; }
   PanelDock* dockOf(LowerPage page) const { return pages_[static_cast<std::size_t>(page)]; }
 
+  /// None: Qt's would hide docks and leave their panels as they are. The menu View has all.
+  QMenu* createPopupMenu() override { return nullptr; }
+
   /// A window of its own, or a place in this one.
   void setTornOff(PanelDock* dock, bool tornOff);
   bool isTornOff(const PanelDock* dock) const;

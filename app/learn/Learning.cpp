@@ -41,7 +41,7 @@ Learning::Learning(const Holders& of, QWidget* window)
     : QObject(window), of_(of), window_(window), work_(new LessonWork({}, {}, this)),
       frame_(new PartFrame(window)) {
   LearnPanel& panel = of_.panel;
-  connect(&panel, &LearnPanel::lessonChosen, this, &Learning::chooseLesson);
+  connect(&panel, &LearnPanel::lessonChosen, this, [this](int lesson) { chooseLesson(lesson, 0); });
   connect(&panel, &LearnPanel::stepChosen, this, &Learning::chooseStep);
   connect(&panel, &LearnPanel::returnRequested, this, &Learning::setState);
   connect(&panel, &LearnPanel::checkRequested, this, &Learning::check);
@@ -83,17 +83,15 @@ void Learning::open() {
       step = of_.settings->value(stepKey()).toInt();
     }
   }
-  lesson_ = lesson;
   of_.panel.show();
-  showLessons();
-  chooseStep(std::clamp(step, 0, static_cast<int>(shown().steps.size()) - 1));
+  chooseLesson(lesson, step);
   Q_EMIT changed();
 }
 
 void Learning::openTour() {
   readLessons();
   of_.panel.show();
-  chooseLesson(0);
+  chooseLesson(0, 0);
   Q_EMIT changed();
 }
 
@@ -105,20 +103,24 @@ void Learning::close() {
   Q_EMIT changed();
 }
 
-void Learning::chooseLesson(int lesson) {
+void Learning::chooseLesson(int lesson, int step) {
   lesson_ = lesson;
+  step_ = std::clamp(step, 0, static_cast<int>(shown().steps.size()) - 1);
   showLessons();
-  chooseStep(0);
+  beginStep();
 }
 
-/// Beyond the last step the next lesson begins.
+/// Who goes on has read the step, which was its task. Beyond the last step the next lesson begins.
 void Learning::chooseStep(int step) {
-  const int last = static_cast<int>(shown().steps.size()) - 1;
   if (of_.settings && step > step_ && !shownStep().task)
     of_.settings->setValue(doneKey(shown(), step_), true);
-  if (step > last) return chooseLesson(lesson_ + 1);
-  work_->cancel();
+  if (step >= static_cast<int>(shown().steps.size())) return chooseLesson(lesson_ + 1, 0);
   step_ = std::max(0, step);
+  beginStep();
+}
+
+void Learning::beginStep() {
+  work_->cancel();
   notes_ = {.isDone = isDone(shown(), step_)};
   if (of_.settings) {
     of_.settings->setValue(lessonKey(), qtext(shown().id));
@@ -172,9 +174,7 @@ void Learning::openStep(const QString& lesson, int step) {
     return;
   }
   of_.panel.show();
-  lesson_ = static_cast<int>(found - lessons_.begin());
-  showLessons();
-  chooseStep(std::clamp(step, 1, static_cast<int>(found->steps.size())) - 1);
+  chooseLesson(static_cast<int>(found - lessons_.begin()), step - 1);
   Q_EMIT changed();
 }
 

@@ -65,8 +65,9 @@ class Learning : public QObject {
 
  private:
   void readLessons();
-  void chooseLesson(int lesson);
+  void chooseLesson(int lesson, int step);
   void chooseStep(int step);
+  void beginStep();
   void setState();
   void show();
   void showLessons();

@@ -12,7 +12,9 @@
 #include "app/views/ViewArea.h"
 #include "tests/app/WindowFixture.h"
 
+#include <QContextMenuEvent>
 #include <QLineEdit>
+#include <QMenu>
 #include <QScreen>
 #include <QSettings>
 #include <QTabBar>
@@ -59,6 +61,23 @@ TEST_F(Docks, AButtonInItsHeadGivesAPanelAWindowOfItsOwnAndPutsItBack) {
   EXPECT_FALSE(dock("probe")->isFloating());
   EXPECT_EQ(window.probe()->window(), &window);
   EXPECT_EQ(window.views()->width(), before);
+}
+
+// Qt's menu of docks would show one whose panel stays hidden, and hide one whose panel counts as shown.
+TEST_F(Docks, ARightClickOnAHeadOpensNoMenuThatGoesPastThePanels) {
+  const std::unique_ptr<QMenu> ofQt(window.workspace()->QMainWindow::createPopupMenu());
+  ASSERT_TRUE(ofQt && !ofQt->actions().isEmpty());
+  int heads = 0;
+  for (PanelDock* panel : window.workspace()->docks()) {
+    QWidget* head = panel->titleBarWidget();
+    if (!head || !head->isVisible()) continue;
+    ++heads;
+    QContextMenuEvent event(QContextMenuEvent::Mouse, head->rect().center(),
+                            head->mapToGlobal(head->rect().center()));
+    QApplication::sendEvent(head, &event);
+    EXPECT_FALSE(QApplication::activePopupWidget()) << panel->objectName().toStdString();
+  }
+  EXPECT_GE(heads, 2);
 }
 
 TEST_F(Docks, ClosingTheWindowOfAPanelClosesThePanel) {

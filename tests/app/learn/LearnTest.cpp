@@ -10,9 +10,14 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSettings>
+#include <QStringList>
+#include <QTemporaryDir>
 #include <QTextDocumentFragment>
 
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace taa::app;
@@ -137,4 +142,32 @@ TEST_F(LearnTest, FramesThatAStepRecordsAreOpenedWhenTheyAreThere) {
   state.shot.source = kFakeCapture;
   Q_EMIT learning()->work()->recorded(state);
   EXPECT_TRUE(waitFor([&] { return session.status().source == kFakeCapture; }));
+}
+
+// Only who goes on from a step has read it; who opens another lesson in its middle has not.
+TEST(LearnProgress, IsOfStepsThatWereLeftForward) {
+  QTemporaryDir folder;
+  QSettings settings(folder.filePath(QStringLiteral("taa.ini")), QSettings::IniFormat);
+  Session session([](Listener listener) { return std::make_unique<FakeRenderer>(std::move(listener)); });
+  TestWindow window(session, &settings);
+  auto* const learning = window.findChild<Learning*>();
+  const auto doneOf = [&](const taa::Lesson& lesson) {
+    settings.beginGroup(QStringLiteral("lessons/done/") + QString::fromStdString(lesson.id));
+    const QStringList steps = settings.childKeys();
+    settings.endGroup();
+    return steps;
+  };
+  const taa::Lesson* long_ = nullptr;
+  for (const taa::Lesson& lesson : taa::builtinLessons())
+    if (&lesson != &tour() && lesson.steps.size() >= 4 && !lesson.steps[0].task && !lesson.steps[1].task)
+      long_ = &lesson;
+  ASSERT_TRUE(long_);
+  learning->openTour();
+  learning->openStep(QString::fromStdString(long_->id), 4);
+  EXPECT_EQ(learning->step(), 3);
+  EXPECT_TRUE(doneOf(*long_).isEmpty()) << doneOf(*long_).join(QLatin1Char(' ')).toStdString();
+  learning->openStep(QString::fromStdString(long_->id), 1);
+  learning->stepBy(1);
+  EXPECT_EQ(doneOf(*long_), QStringList{QStringLiteral("0")});
+  EXPECT_TRUE(doneOf(tour()).isEmpty());
 }
