@@ -60,6 +60,32 @@ QSize ResidualBars::minimumSizeHint() const {
   return {160, sizeHint().height()};
 }
 
+int ResidualBars::heightForWidth(int width) const {
+  const Columns at = columns(width);
+  int height = 0;
+  for (int line = 0; line < static_cast<int>(bars_.size()); ++line) height += rowHeight(line, at);
+  return height;
+}
+
+int ResidualBars::rowHeight(int line, const Columns& at) const {
+  const Bar& bar = bars_[static_cast<std::size_t>(line)];
+  const QRect room(0, 0, labelRoom(bar, at), 0);
+  const int words =
+      QFontMetrics(secondaryFont()).boundingRect(room, Qt::TextWordWrap | Qt::AlignLeft, bar.label).height();
+  return std::max(scaled(kResidualRow), words + kUnit / 2);
+}
+
+int ResidualBars::rowTop(int line) const {
+  const Columns at = columns(width());
+  int top = 0;
+  for (int before = 0; before < line; ++before) top += rowHeight(before, at);
+  return top;
+}
+
+int ResidualBars::labelRoom(const Bar& bar, const Columns& at) {
+  return std::max(1, (bar.mark.isEmpty() ? at.number : at.mark) - at.label - 2 * kUnit);
+}
+
 /// Of the column of labels, which go on into the next one where that is empty.
 int ResidualBars::wantedLabel(int mark) const {
   const QFontMetrics words(secondaryFont());
@@ -70,25 +96,30 @@ int ResidualBars::wantedLabel(int mark) const {
   return wanted;
 }
 
-ResidualBars::Columns ResidualBars::columns() const {
+ResidualBars::Columns ResidualBars::columns(int width) const {
   const QFontMetrics words(secondaryFont()), numbers(numberFont());
   const int mark = widestOf(bars_, words, &Bar::mark) + 2 * kUnit,
             number = widestOf(bars_, numbers, &Bar::number) + 2 * kUnit;
-  const int room = std::max(0, width() - mark - number - scaled(kLongestBar) - kUnit);
+  const int room = std::max(0, width - mark - number - scaled(kLongestBar) - kUnit);
   const int label = std::min(wantedLabel(mark), room);
   return {0, label, label + mark, label + mark + number};
 }
 
 bool ResidualBars::areLabelsWhole() const {
-  const Columns at = columns();
-  return at.mark >= wantedLabel(at.number - at.mark);
+  const Columns at = columns(width());
+  const QFontMetrics words(secondaryFont());
+  return height() >= heightForWidth(width()) && std::ranges::all_of(bars_, [&](const Bar& bar) {
+           const QStringList parts = bar.label.split(QLatin1Char(' '));
+           return std::ranges::all_of(parts, [&](const QString& word) {
+             return words.horizontalAdvance(word) <= labelRoom(bar, at);
+           });
+         });
 }
 
 QRectF ResidualBars::barRect(int line) const {
-  const Columns at = columns();
+  const Columns at = columns(width());
   const double longest = std::max(0, width() - at.bar - kUnit);
-  return {static_cast<double>(at.bar),
-          line * scaled(kResidualRow) + (scaled(kResidualRow) - scaled(kResidualBar)) / 2.0,
+  return {static_cast<double>(at.bar), rowTop(line) + (scaled(kResidualRow) - scaled(kResidualBar)) / 2.0,
           std::max(1.0, bars_[static_cast<std::size_t>(line)].share * longest),
           static_cast<double>(scaled(kResidualBar))};
 }
@@ -101,16 +132,19 @@ void ResidualBars::paintEvent(QPaintEvent*) {
 void ResidualBars::paintLine(QPainter& painter, int line) const {
   const ThemeColors& colors = themeColors(this);
   const Bar& bar = bars_[static_cast<std::size_t>(line)];
-  const Columns at = columns();
-  const auto cell = [line](int from, int to) {
-    return QRect(from, line * scaled(kResidualRow), std::max(0, to - from - 2 * kUnit), scaled(kResidualRow));
+  const Columns at = columns(width());
+  const int top = rowTop(line);
+  const auto cell = [top](int from, int to) {
+    return QRect(from, top, std::max(0, to - from - 2 * kUnit), scaled(kResidualRow));
   };
   painter.setFont(secondaryFont());
   const bool isMarked = bar.isBest || bar.isGiven;
   painter.setPen(isMarked ? colors.text : colors.secondary);
-  const QRect label = cell(at.label, bar.mark.isEmpty() ? at.number : at.mark);
-  painter.drawText(label, Qt::AlignVCenter | Qt::AlignLeft,
-                   QFontMetrics(secondaryFont()).elidedText(bar.label, Qt::ElideRight, label.width()));
+  const int height = rowHeight(line, at);
+  const QRect label(at.label, top, labelRoom(bar, at), height);
+  const bool isOneLine = height == scaled(kResidualRow);
+  painter.drawText(label, Qt::TextWordWrap | Qt::AlignLeft | (isOneLine ? Qt::AlignVCenter : Qt::AlignTop),
+                   bar.label);
   painter.drawText(cell(at.mark, at.number), Qt::AlignVCenter | Qt::AlignLeft, bar.mark);
   painter.setFont(numberFont());
   painter.drawText(cell(at.number, at.bar), Qt::AlignVCenter | Qt::AlignRight, bar.number);
@@ -120,8 +154,10 @@ void ResidualBars::paintLine(QPainter& painter, int line) const {
 bool ResidualBars::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
-  const int line = help->pos().y() / scaled(kResidualRow);
-  if (line < 0 || line >= static_cast<int>(bars_.size())) return QWidget::event(event);
+  const auto count = static_cast<int>(bars_.size());
+  int line = 0;
+  while (line < count && help->pos().y() >= rowTop(line + 1)) ++line;
+  if (line >= count) return QWidget::event(event);
   const Bar& bar = bars_[static_cast<std::size_t>(line)];
   QToolTip::showText(help->globalPos(), bar.label + QStringLiteral(": ") + bar.number, this);
   return true;

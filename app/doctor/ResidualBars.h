@@ -30,6 +30,9 @@ class ResidualBars : public QWidget {
   bool areLabelsWhole() const;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
+  bool hasHeightForWidth() const override { return true; }
+  /// Labels that are too long for their column take more lines.
+  int heightForWidth(int width) const override;
 
  protected:
   void paintEvent(QPaintEvent*) override;
@@ -40,7 +43,10 @@ class ResidualBars : public QWidget {
     int label = 0, mark = 0, number = 0, bar = 0; ///< where they begin, px; numbers end at `bar`
   };
   int wantedLabel(int mark) const;
-  Columns columns() const;
+  Columns columns(int width) const;
+  static int labelRoom(const Bar& bar, const Columns& at);
+  int rowHeight(int line, const Columns& at) const;
+  int rowTop(int line) const; ///< of the height of the lines before, where there are so many
   void paintLine(QPainter& painter, int line) const;
 
   std::vector<Bar> bars_;

@@ -205,8 +205,14 @@ TEST_F(DoctorPageTest, ShowsAFindingWithItsEvidence) {
                        {"asGiven", "as given", 1.41, true, false},
                        {"jitter", "with the jitter of the frame before added", 1.41, false, false}});
   EXPECT_TRUE(narrow.areLabelsWhole()) << "at 1280 px";
-  narrow.resize(200, narrow.height());
+  // In less room they take more lines, and bars below lie lower.
+  narrow.resize(230, narrow.height());
   EXPECT_FALSE(narrow.areLabelsWhole());
+  const double before = narrow.barRect(2).y();
+  narrow.resize(230, narrow.heightForWidth(230));
+  EXPECT_GT(narrow.height(), narrow.sizeHint().height());
+  EXPECT_TRUE(narrow.areLabelsWhole());
+  EXPECT_EQ(narrow.barRect(2).y(), before) << "the last label is the long one";
   EXPECT_NEAR(bars->barRect(0).width(), 0.25 * bars->barRect(1).width(), 1e-9) << "2 of 8";
 }
 
