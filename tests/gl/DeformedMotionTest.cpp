@@ -314,7 +314,7 @@ TEST_P(ModelMotionTest, IsTheAnalyticProjectionOfEveryPixel) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
     if (entry.path().extension() == ".glb" || (file.empty() && entry.path().extension() == ".gltf"))
       file = entry.path();
-  Scene scene = loadGltf(file); // without a ground, which feet go into
+  Scene scene = loadGltf(file);      // without a ground, which feet go into
   scene.shot.framesPerSecond = 10.0; // larger steps, motion of many pixels
   FrameRequest asked = request();
   asked.camera = "orbit";

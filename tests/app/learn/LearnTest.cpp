@@ -148,7 +148,7 @@ TEST_F(LearnTest, FramesThatAStepRecordsAreOpenedWhenTheyAreThere) {
 TEST(LearnProgress, IsOfStepsThatWereLeftForward) {
   QTemporaryDir folder;
   QSettings settings(folder.filePath(QStringLiteral("taa.ini")), QSettings::IniFormat);
-  Session session([](Listener listener) { return std::make_unique<FakeRenderer>(std::move(listener)); });
+  Session session([](taa::Listener listener) { return std::make_unique<FakeRenderer>(std::move(listener)); });
   TestWindow window(session, &settings);
   auto* const learning = window.findChild<Learning*>();
   const auto doneOf = [&](const taa::Lesson& lesson) {
