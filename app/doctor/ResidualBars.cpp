@@ -69,10 +69,10 @@ int ResidualBars::heightForWidth(int width) const {
 
 int ResidualBars::rowHeight(int line, const Columns& at) const {
   const Bar& bar = bars_[static_cast<std::size_t>(line)];
-  const QRect room(0, 0, labelRoom(bar, at), 0);
+  const QRect room(0, 0, labelRoom(bar, at), QWIDGETSIZE_MAX);
   const int words =
       QFontMetrics(secondaryFont()).boundingRect(room, Qt::TextWordWrap | Qt::AlignLeft, bar.label).height();
-  return std::max(scaled(kResidualRow), words + kUnit / 2);
+  return std::max(scaled(kResidualRow), words);
 }
 
 int ResidualBars::rowTop(int line) const {
@@ -86,13 +86,13 @@ int ResidualBars::labelRoom(const Bar& bar, const Columns& at) {
   return std::max(1, (bar.mark.isEmpty() ? at.number : at.mark) - at.label - 2 * kUnit);
 }
 
-/// Of the column of labels, which go on into the next one where that is empty.
+/// Of the column of labels, which go on into the next one where that is empty; 1 px for what is rounded.
 int ResidualBars::wantedLabel(int mark) const {
   const QFontMetrics words(secondaryFont());
   int wanted = 0;
   for (const Bar& bar : bars_)
-    wanted =
-        std::max(wanted, words.horizontalAdvance(bar.label) + 2 * kUnit - (bar.mark.isEmpty() ? mark : 0));
+    wanted = std::max(wanted,
+                      words.horizontalAdvance(bar.label) + 1 + 2 * kUnit - (bar.mark.isEmpty() ? mark : 0));
   return wanted;
 }
 

@@ -162,10 +162,11 @@ ManualPage presetsPage() {
 ManualPage scenesPage() {
   ManualPage page{"scenes.md", "Built-in scenes", ""};
   page.text =
-      pageHead(page.title,
-               "Scenes that each provoke something. They are opened by the code beside them. The window and "
-               "lessons open one with the settings that show it, as far as these are at their defaults; "
-               "`taa-batch` takes settings as they are given. Shadows are those of `inputs.shadows=asScene`.") +
+      pageHead(
+          page.title,
+          "Scenes that each provoke something. They are opened by the code beside them. The window and "
+          "lessons open one with the settings that show it, as far as these are at their defaults; "
+          "`taa-batch` takes settings as they are given. Shadows are those of `inputs.shadows=asScene`.") +
       "\n" + head({"scene", "shown as", "what it shows", "shadows", "opened with"});
   const auto shadowsIn = [](const BuiltinScene& scene) {
     Settings settings;
@@ -177,8 +178,8 @@ ManualPage scenesPage() {
     std::string settings;
     for (const std::string& assignment : scene.settings)
       settings += (settings.empty() ? "" : ", ") + code(assignment);
-    page.text += cells(
-        {code("builtin:" + scene.id), markdownText(scene.label), markdownText(scene.description), shadowsIn(scene), settings});
+    page.text += cells({code("builtin:" + scene.id), markdownText(scene.label),
+                        markdownText(scene.description), shadowsIn(scene), settings});
   }
   return page;
 }

@@ -204,12 +204,13 @@ TEST_F(DoctorPageTest, ShowsAFindingWithItsEvidence) {
   narrow.setResiduals({{"negatedY", "y negated", 0.0002, false, true},
                        {"asGiven", "as given", 1.41, true, false},
                        {"jitter", "with the jitter of the frame before added", 1.41, false, false}});
+  narrow.resize(375, narrow.sizeHint().height());
   EXPECT_TRUE(narrow.areLabelsWhole()) << "at 1280 px";
   // In less room they take more lines, and bars below lie lower.
-  narrow.resize(230, narrow.height());
+  narrow.resize(300, narrow.height());
   EXPECT_FALSE(narrow.areLabelsWhole());
   const double before = narrow.barRect(2).y();
-  narrow.resize(230, narrow.heightForWidth(230));
+  narrow.resize(300, narrow.heightForWidth(300));
   EXPECT_GT(narrow.height(), narrow.sizeHint().height());
   EXPECT_TRUE(narrow.areLabelsWhole());
   EXPECT_EQ(narrow.barRect(2).y(), before) << "the last label is the long one";
