@@ -148,8 +148,8 @@ std::vector<doctor::RegionPlace> DoctorPanel::places() const {
 void DoctorPanel::take(const doctor::Diagnosis& diagnosis, bool isComplete) {
   diagnosis_ = diagnosis;
   isComplete_ = isComplete;
+  list_->setDiagnosis(diagnosis, isComplete); // before it is shown: its choice is of the last one until then
   pages_->setCurrentIndex(1);
-  list_->setDiagnosis(diagnosis, isComplete);
   refresh();
 }
 

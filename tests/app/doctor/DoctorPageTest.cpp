@@ -18,6 +18,7 @@
 #include <QFile>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QStackedWidget>
 #include <QTemporaryDir>
 
 #include <atomic>
@@ -215,6 +216,24 @@ TEST_F(DoctorPageTest, ShowsAFindingWithItsEvidence) {
   EXPECT_TRUE(narrow.areLabelsWhole());
   EXPECT_EQ(narrow.barRect(2).y(), before) << "the last label is the long one";
   EXPECT_NEAR(bars->barRect(0).width(), 0.25 * bars->barRect(1).width(), 1e-9) << "2 of 8";
+}
+
+// What a page that comes into view makes anybody ask is answered from the diagnosis that it shows.
+TEST_F(DoctorPageTest, AnotherExaminationWithoutFindingsKeepsNoChoiceOfTheLast) {
+  examine();
+  ASSERT_TRUE(panel()->finding());
+  script_->early.findings.clear();
+  script_->all.findings.clear();
+  auto* const pages = panel()->findChild<QStackedWidget*>();
+  int asked = 0;
+  QObject::connect(pages, &QStackedWidget::currentChanged, panel(), [&] {
+    ++asked;
+    EXPECT_FALSE(panel()->finding());
+    EXPECT_TRUE(panel()->places().empty());
+  });
+  examine();
+  EXPECT_EQ(asked, 2) << "away from the last one, and to this one";
+  EXPECT_FALSE(panel()->finding());
 }
 
 TEST_F(DoctorPageTest, EnterGoesToFrameAndPlaneAndOutlinesTheRegion) {
