@@ -61,10 +61,7 @@ QSize ResidualBars::minimumSizeHint() const {
 }
 
 int ResidualBars::heightForWidth(int width) const {
-  const Columns at = columns(width);
-  int height = 0;
-  for (int line = 0; line < static_cast<int>(bars_.size()); ++line) height += rowHeight(line, at);
-  return height;
+  return rowTop(static_cast<int>(bars_.size()), columns(width));
 }
 
 int ResidualBars::rowHeight(int line, const Columns& at) const {
@@ -75,8 +72,7 @@ int ResidualBars::rowHeight(int line, const Columns& at) const {
   return std::max(scaled(kResidualRow), words);
 }
 
-int ResidualBars::rowTop(int line) const {
-  const Columns at = columns(width());
+int ResidualBars::rowTop(int line, const Columns& at) const {
   int top = 0;
   for (int before = 0; before < line; ++before) top += rowHeight(before, at);
   return top;
@@ -119,7 +115,7 @@ bool ResidualBars::areLabelsWhole() const {
 QRectF ResidualBars::barRect(int line) const {
   const Columns at = columns(width());
   const double longest = std::max(0, width() - at.bar - kUnit);
-  return {static_cast<double>(at.bar), rowTop(line) + (scaled(kResidualRow) - scaled(kResidualBar)) / 2.0,
+  return {static_cast<double>(at.bar), rowTop(line, at) + (scaled(kResidualRow) - scaled(kResidualBar)) / 2.0,
           std::max(1.0, bars_[static_cast<std::size_t>(line)].share * longest),
           static_cast<double>(scaled(kResidualBar))};
 }
@@ -133,7 +129,7 @@ void ResidualBars::paintLine(QPainter& painter, int line) const {
   const ThemeColors& colors = themeColors(this);
   const Bar& bar = bars_[static_cast<std::size_t>(line)];
   const Columns at = columns(width());
-  const int top = rowTop(line);
+  const int top = rowTop(line, at);
   const auto cell = [top](int from, int to) {
     return QRect(from, top, std::max(0, to - from - 2 * kUnit), scaled(kResidualRow));
   };
@@ -155,8 +151,9 @@ bool ResidualBars::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   const auto count = static_cast<int>(bars_.size());
+  const Columns at = columns(width());
   int line = 0;
-  while (line < count && help->pos().y() >= rowTop(line + 1)) ++line;
+  while (line < count && help->pos().y() >= rowTop(line + 1, at)) ++line;
   if (line >= count) return QWidget::event(event);
   const Bar& bar = bars_[static_cast<std::size_t>(line)];
   QToolTip::showText(help->globalPos(), bar.label + QStringLiteral(": ") + bar.number, this);

@@ -46,7 +46,7 @@ class ResidualBars : public QWidget {
   Columns columns(int width) const;
   static int labelRoom(const Bar& bar, const Columns& at);
   int rowHeight(int line, const Columns& at) const;
-  int rowTop(int line) const; ///< of the height of the lines before, where there are so many
+  int rowTop(int line, const Columns& at) const; ///< of one past the last: the height of all
   void paintLine(QPainter& painter, int line) const;
 
   std::vector<Bar> bars_;

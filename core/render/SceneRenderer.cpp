@@ -271,7 +271,6 @@ const DrawCounts& SceneRenderer::counts() const {
 
 void SceneRenderer::setCulling(bool culls) {
   impl_->last.reset();
-  impl_->mapOf.reset();
   impl_->gbuffer.setCulling(culls);
 }
 

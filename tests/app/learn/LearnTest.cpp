@@ -157,17 +157,17 @@ TEST(LearnProgress, IsOfStepsThatWereLeftForward) {
     settings.endGroup();
     return steps;
   };
-  const taa::Lesson* long_ = nullptr;
+  const taa::Lesson* other = nullptr;
   for (const taa::Lesson& lesson : taa::builtinLessons())
     if (&lesson != &tour() && lesson.steps.size() >= 4 && !lesson.steps[0].task && !lesson.steps[1].task)
-      long_ = &lesson;
-  ASSERT_TRUE(long_);
+      other = &lesson;
+  ASSERT_TRUE(other);
   learning->openTour();
-  learning->openStep(QString::fromStdString(long_->id), 4);
+  learning->openStep(QString::fromStdString(other->id), 4);
   EXPECT_EQ(learning->step(), 3);
-  EXPECT_TRUE(doneOf(*long_).isEmpty()) << doneOf(*long_).join(QLatin1Char(' ')).toStdString();
-  learning->openStep(QString::fromStdString(long_->id), 1);
+  EXPECT_TRUE(doneOf(*other).isEmpty()) << doneOf(*other).join(QLatin1Char(' ')).toStdString();
+  learning->openStep(QString::fromStdString(other->id), 1);
   learning->stepBy(1);
-  EXPECT_EQ(doneOf(*long_), QStringList{QStringLiteral("0")});
+  EXPECT_EQ(doneOf(*other), QStringList{QStringLiteral("0")});
   EXPECT_TRUE(doneOf(tour()).isEmpty());
 }

@@ -275,6 +275,20 @@ TEST_F(ShadowTest, WhatIsBlendedLetsAllLightThrough) {
   });
 }
 
+TEST_F(ShadowTest, AreAsTheSceneWantsThemUnlessSomebodySaysElse) {
+  Stage stage;
+  const auto isAs = [&](Shadows asked, Shadows other) {
+    return equalColors(draw(stage.scene, request(asked)), draw(stage.scene, request(other)));
+  };
+  EXPECT_TRUE(isAs(Shadows::AsScene, Shadows::None)) << "who says nothing wants none";
+  stage.scene.sky.shadows = SunShadows::Hard;
+  EXPECT_TRUE(isAs(Shadows::AsScene, Shadows::Hard));
+  EXPECT_FALSE(isAs(Shadows::None, Shadows::AsScene));
+  stage.scene.sky.shadows = SunShadows::Soft;
+  EXPECT_TRUE(isAs(Shadows::AsScene, Shadows::Soft));
+  EXPECT_FALSE(isAs(Shadows::Hard, Shadows::AsScene));
+}
+
 TEST_F(ShadowTest, ASceneWithoutASunHasNone) {
   Stage stage;
   stage.scene.sky.sunEnabled = false;
@@ -321,14 +335,16 @@ TEST_F(ShadowTest, AreTheSameInAPartAndAtAnotherSampleOfThePixel) {
     for (int x = 40; x < 64; ++x) ASSERT_EQ(part.texel(x, y), whole.texel(x, y)) << x << ", " << y;
 }
 
-// What was drawn before leaves nothing: neither another frame, nor what is hidden now, nor another blending.
+// Parts share a map, of what is drawn in their frame: neither of another frame, nor of what is hidden now.
 TEST_F(ShadowTest, AreOfThisFrameAndOfWhatIsDrawn) {
   Stage stage;
   stage.scene.nodes[static_cast<std::size_t>(stage.board)].name = "board";
   stage.scene.nodes[static_cast<std::size_t>(stage.board)].visibleFrom = 0.1;
   SceneRenderer renderer(std::make_shared<const Scene>(stage.scene));
-  const FrameRequest shown = request(Shadows::Hard);
-  FrameRequest hidden = shown, soft = request(Shadows::Soft);
+  FrameRequest shown = request(Shadows::Hard);
+  shown.part = gl::Rect{0, 0, kWidth, kHeight}; // whole frames have a map of their own
+  FrameRequest hidden = shown, soft = shown;
+  soft.inputs.shadows = Shadows::Soft;
   hidden.filter.hidden = {"board"};
   const auto expectAsFresh = [&](const FrameRequest& asked, int frame, const char* what) {
     SceneRenderer fresh(std::make_shared<const Scene>(stage.scene));

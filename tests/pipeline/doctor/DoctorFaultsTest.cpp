@@ -108,7 +108,7 @@ TEST_F(DoctorFaults, AreLeftOpenWhereFramesDoNotShowThem) {
       {"crowd", "orbit", Fault::OldTransformOnReturn, false, "small regions"}};
   for (const OpenCase& open : cases) {
     SourceRequest request{"builtin:" + open.scene, open.camera, kFaultyPx, {}};
-    request.settings.inputs.shadows = Shadows::None; // those of the meadow show what one does not know else
+    request.settings.inputs.shadows = Shadows::None; // where they move over the meadow, the weight shows
     if (open.isHalf)
       ASSERT_TRUE(injectHalf(open.fault, request.settings));
     else
