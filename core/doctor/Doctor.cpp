@@ -62,8 +62,8 @@ class Examiner {
   /// One of the same frames that has seen none, and does not look at the output.
   Examiner another() const { return {examination_, patient_, progress_, false}; }
   const JitterEvidence& jitter() const { return jitter_; }
-  JitterOutcome tellJitter(Diagnosis& out) const {
-    return doctor::tellJitter(jitter_, {patient_, examination_.known.camera, skyPlace(out)}, out);
+  JitterOutcome tellJitter(bool hasCamera, Diagnosis& out) const {
+    return doctor::tellJitter(jitter_, {patient_, hasCamera, skyPlace(out)}, out);
   }
   const DepthEvidence& depth() const { return depth_; }
   bool isDepthDistance() const {
@@ -78,6 +78,12 @@ class Examiner {
     return placeOf(*sky, patient_, pixels * out.frames);
   }
   const ResolveEvidence& resolve() const { return resolve_; }
+  bool areMatricesFlipped() const {
+    std::vector<const WitnessEvidence*> regions;
+    for (const RegionEvidence& region : motion_.regions()) regions.push_back(&region.witness);
+    return doctor::areMatricesFlipped(regions, motion_.trials());
+  }
+  bool isMotionBeyondPicture() const { return isBeyondPicture(motion_); }
   MotionTold tellMotion(Diagnosis& out) const {
     const bool ofTime = rims_.depth.verdict() != RimVerdict::Unjittered;
     const RimsSeen rims{ofTime, ofTime && !isBeside(rims_.motion.verdict())};
@@ -148,28 +154,67 @@ bool isOfMarks(const Finding& finding) {
 
 /// What has to be made right before the rest can be told of; at most one of them.
 struct Hiding {
+  bool allDepth = false; ///< it says nothing
+  bool flipped = false;  ///< matrices are upside down
   std::optional<DepthRelation> depth;
   JitterMender jitter;
   std::optional<MotionTrial> motion;
+  bool isOfRange = false; ///< motion is: what else is wrong with it is still to be told
 
-  bool isAny() const { return depth || jitter || motion; }
+  bool isAny() const { return allDepth || flipped || depth || jitter || motion; }
 };
 
 /// What an earlier look told of.
 struct ToldOf {
   bool depth = false, jitter = false, motion = false;
+  bool near = false; ///< whether the planes that are stated are right was asked
+  bool isNearWrong = false;
+  bool flipped = false;
+  /// By what motion is multiplied that was longer than the picture, and what is told of it by index.
+  std::optional<MotionTrial> unit;
+  std::size_t unitFinding = 0;
+  bool allDepth = false;                  ///< depth is not looked at any more, nor are cameras
   std::vector<std::string> ofMotion = {}; ///< ids of what was found beside motion that was mended
 };
 
 /// Says what is hidden where it is not looked at again.
 void leaveOpen(const Hiding& hiding, Diagnosis& out) {
-  if (hiding.depth)
+  if (hiding.flipped)
+    out.undecided.push_back({say<"Jitter and motion">(),
+                             say<"matrices are upside down, by which they are examined">(),
+                             say<"Mend the matrices first.">()});
+  if (hiding.depth || hiding.allDepth)
     out.undecided.push_back({say<"Jitter and motion">(),
                              say<"depth is not what it is said to be, by which they are examined">(),
                              say<"Mend depth first.">()});
   if (hiding.motion)
     out.undecided.push_back({say<"Depth">(), say<"motion is wrong, which says at which depth things rest">(),
                              say<"Mend motion first.">()});
+}
+
+/// Motion that was longer than the picture was taken to be in texture coordinates: where the rest is by twice
+/// or half of it, the unit is told anew. False: it is something else.
+bool correctUnit(const MotionTrial& rest, ToldOf& told, Diagnosis& out) {
+  const bool isOfUnit = told.unit && rest.kind == MotionKind::Scaled &&
+                        (rest.factor == glm::vec2(0.5f) || rest.factor == glm::vec2(2.0f));
+  if (!isOfUnit) return false;
+  told.unit->factor *= rest.factor;
+  told.unit->isDevice = rest.factor.x > 1.0f;
+  out.findings[told.unitFinding] = unitFinding(*told.unit);
+  return true;
+}
+
+/// Two planes are stated, one by the matrices, and motion says which is right: where it is not that of the
+/// matrices, these are told instead of the other one.
+void blameMatrices(Diagnosis& out) {
+  const auto isOfNear = [](const Finding& finding) {
+    return finding.id == faultInfo(Fault::NearPlaneWrong).id;
+  };
+  if (std::ranges::count_if(out.findings, isOfNear) < 2) return;
+  out.findings.erase(std::ranges::find_if(out.findings, isOfNear));
+  std::ranges::find_if(out.findings, isOfNear)->change =
+      say<"State the matrices that frames are drawn with: their near plane is not the one that is stated, by "
+          "which depth makes the motion of what rests.">();
 }
 
 /// Motion, and depth as far as motion is a witness of it. `mayMend`: motion that one explanation makes right
@@ -179,9 +224,16 @@ Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, ToldO
   const MotionTold motion = examiner.tellMotion(seen);
   const std::optional<MotionOfAll>& all = motion.all;
   if (all && mayMend && !told.motion && mendsAlone(all->trial)) {
+    if (correctUnit(all->trial, told, out)) {
+      Hiding hiding;
+      hiding.motion = all->trial;
+      hiding.isOfRange = true;
+      told.jitter = true;
+      return hiding;
+    }
     for (const Finding& finding : seen.findings) told.ofMotion.push_back(finding.id);
     std::ranges::copy_if(seen.findings, std::back_inserter(out.findings), isOfMarks);
-    out.findings.push_back(all->finding);
+    std::ranges::copy(all->findings, std::back_inserter(out.findings));
     Hiding hiding;
     hiding.motion = all->trial;
     return hiding;
@@ -201,8 +253,11 @@ Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, ToldO
   out = std::move(seen);
   const bool isMotionRight = static_cast<std::ptrdiff_t>(out.findings.size()) == before;
   const bool isMotionWrong = std::any_of(out.findings.begin() + before, out.findings.end(), spoilsDepth);
-  if (tellsDepth && !isMotionWrong)
-    tellDepth(examiner.depth(), out, {isMotionRight, examiner.isDepthDistance(), motion.isOfCameraOrDepth});
+  if (tellsDepth && !isMotionWrong) {
+    const DepthPatient patient{isMotionRight, examiner.isDepthDistance(), motion.isOfCameraOrDepth};
+    tellDepth(examiner.depth(), out, patient);
+    if (told.isNearWrong) blameMatrices(out);
+  }
   tellRims(examiner.rims(), isMotionRight && !told.motion, out);
   if (!tellsDepth || !isMotionWrong) return {};
   Hiding hiding;
@@ -224,19 +279,50 @@ void withholdMotion(const JitterOutcome& jitter, Diagnosis& out) {
        say<"Mend jitter first.">()});
 }
 
+/// Whose own motion is that of the camera, were it not for them.
+Finding flippedFinding() {
+  Finding out;
+  out.id = "matricesFlipped";
+  out.name = say<"Matrices upside down">();
+  out.isWholePicture = true;
+  out.reason =
+      say<"Depth and matrices make the motion given if y of clip space goes the other way, and nothing "
+          "that could be wrong with motion makes it of them as they are stated.">();
+  out.symptom = say<"Whatever is made of depth and matrices, as motion of the sky, goes the wrong way.">();
+  out.change = say<"State that y of clip space goes the other way, or negate the second row of the "
+                   "projection.">();
+  return out;
+}
+
 /// Depth that all else is examined by, jitter, and where these are right the planes. Returns what hides the
 /// rest.
 Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf& told, Diagnosis& out) {
   const KnownPlanes& known = examination.known;
   Hiding hiding;
+  const bool hasCamera = known.camera && !told.allDepth;
+  if (known.depth && !std::exchange(told.near, true)) told.isNearWrong = tellNear(examiner.depth(), out);
   if (known.depth && !told.depth)
-    told.depth = tellEnds(examiner.depth().ends, examiner.isDepthDistance(), out);
-  if (known.motion && known.camera && !told.depth) hiding.depth = otherDepth(examiner.depth());
+    hiding.allDepth = tellEnds(examiner.depth().ends, examiner.isDepthDistance(), out);
+  if (hiding.allDepth) return hiding;
+  if (known.motion && hasCamera && !told.depth) hiding.depth = otherDepth(examiner.depth());
   if (hiding.depth) {
     tellDepth(examiner.depth(), out);
     return hiding;
   }
-  const JitterOutcome jitter = told.jitter ? JitterOutcome() : examiner.tellJitter(out);
+  hiding.flipped = hasCamera && !told.flipped && examiner.areMatricesFlipped();
+  if (hiding.flipped) {
+    out.findings.push_back(flippedFinding());
+    return hiding;
+  }
+  if (known.motion && !told.unit && examiner.isMotionBeyondPicture()) {
+    told.unit = MotionTrial{MotionKind::OtherUnit, 1.0f / glm::vec2(out.sizePx)};
+    told.unitFinding = out.findings.size();
+    out.findings.push_back(unitFinding(*told.unit));
+    hiding.motion = told.unit;
+    hiding.isOfRange = true;
+    return hiding;
+  }
+  const JitterOutcome jitter = told.jitter ? JitterOutcome() : examiner.tellJitter(hasCamera, out);
   if (!known.motion) {
     out.undecided.push_back(
         {say<"Motion">(), say<"the capture has none">(), say<"Capture the plane of motion vectors, too.">()});
@@ -245,7 +331,7 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
   }
   hiding.jitter = jitter.mender;
   if (hiding.jitter) return hiding;
-  hiding = tellPlanes(examiner, known.camera && !told.depth, !jitter.isOpen, told, out);
+  hiding = tellPlanes(examiner, hasCamera && !told.depth, !jitter.isOpen, told, out);
   if (!jitter.isOpen) return hiding;
   leaveOpen(hiding, out);
   withholdMotion(jitter, out);
@@ -261,10 +347,17 @@ void tellAll(const Examination& examination, const Examiner& first, const Bright
   const Examiner* last = &first;
   Hiding hiding = tellSeen(first, examination, told, out);
   while (hiding.isAny()) {
-    told.depth = told.depth || hiding.depth;
-    told.jitter = told.jitter || hiding.jitter || hiding.motion; // which is told beside jitter
-    told.motion = told.motion || hiding.motion;
-    if (hiding.depth)
+    told.depth = told.depth || hiding.depth || hiding.allDepth;
+    told.allDepth = told.allDepth || hiding.allDepth;
+    told.flipped = told.flipped || hiding.flipped;
+    const bool isMotionTold = hiding.motion && !hiding.isOfRange;
+    told.jitter = told.jitter || hiding.jitter || isMotionTold; // which is told beside jitter
+    told.motion = told.motion || isMotionTold;
+    if (hiding.allDepth)
+      read = withoutDepth(read);
+    else if (hiding.flipped)
+      read = withFlippedMatrices(read);
+    else if (hiding.depth)
       read = withDepth(read, *hiding.depth);
     else if (hiding.jitter)
       read = withJitter(read, hiding.jitter, examination.first, examination.known.depthJittered);
@@ -293,6 +386,7 @@ Examination examinationOf(const DoctorSource& source, int frames, int first) {
   out.patient.outputPx = {source.request.width, source.request.height};
   out.patient.objectNames = source.objectNames;
   out.patient.conventions = source.conventions;
+  out.contradicted = source.contradicted;
   return out;
 }
 
@@ -300,6 +394,7 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
   const Patient patient = sizedPatient(examination);
   Diagnosis out;
   out.sizePx = patient.sizePx;
+  out.findings = examination.contradicted;
   Examiner first(examination, patient, progress, examination.known.output);
   first.look(examination.read, out, [&] {
     if (!told) return;

@@ -8,6 +8,7 @@
 #include "core/doctor/frames/DoctorSource.h"
 
 #include <functional>
+#include <vector>
 
 namespace taa::doctor {
 
@@ -17,7 +18,8 @@ struct Examination {
   int first = 0;              ///< number of the first frame
   int frames = kDoctorFrames; ///< from that one on; as many as there are, at most
   KnownPlanes known;
-  Patient patient; ///< its sizes are those of the first frame where they are 0
+  Patient patient;                        ///< its sizes are those of the first frame where they are 0
+  std::vector<Finding> contradicted = {}; ///< see mendContradicted(); told before all else
 };
 
 /// Of `frames` frames of a source, or as many as it has from `first` on. Throws Error where those are fewer

@@ -283,6 +283,17 @@ StatedCameras statedCameras(const Manifest& manifest, std::size_t index) {
   return cameras;
 }
 
+StatedMatrix withoutJitter(const Manifest& manifest, const StatedMatrix& projection,
+                           const glm::dvec2& jitterPx) {
+  const MatrixConventions& conventions = manifest.conventions.matrices;
+  glm::dmat4 clip = readMatrix(projection, conventions);
+  const bool isDown = conventions.clipY == VerticalAxis::Down;
+  if (isDown) negateRow(clip, 1);
+  jitter(clip, -jitterPx, manifest.sizePx);
+  if (isDown) negateRow(clip, 1);
+  return written(clip, conventions);
+}
+
 CameraMatrices encodedCamera(const Manifest& manifest, const DecodedCamera& camera,
                              const glm::dvec2& jitterPx) {
   const MatrixConventions& conventions = manifest.conventions.matrices;

@@ -29,6 +29,10 @@ struct StatedCameras {
 /// Throws Error as decodeCamera() does.
 StatedCameras statedCameras(const Manifest& manifest, std::size_t index);
 
+/// A stated projection without what displaces content by `jitterPx` in it. Throws nothing.
+StatedMatrix withoutJitter(const Manifest& manifest, const StatedMatrix& projection,
+                           const glm::dvec2& jitterPx);
+
 /// A camera's matrices as a capture of these conventions states them. `jitterPx`: that of its frame, content.
 struct CameraMatrices {
   StatedMatrix view{}, projection{};

@@ -407,12 +407,14 @@ bool tellEnds(const DepthEnds& ends, bool isDistance, Diagnosis& out) {
   return true;
 }
 
+bool tellNear(const DepthEvidence& evidence, Diagnosis& out) {
+  const double factor = median(evidence.factors);
+  if (!(factor > 0.0) || std::abs(std::log(factor)) < kWrongNearLog) return false;
+  out.findings.push_back(statedNearFinding(factor));
+  return true;
+}
+
 void tellDepth(const DepthEvidence& evidence, Diagnosis& out, const DepthPatient& patient) {
-  if (const double factor = median(evidence.factors);
-      factor > 0.0 && std::abs(std::log(factor)) >= kWrongNearLog) {
-    out.findings.push_back(statedNearFinding(factor));
-    return;
-  }
   const bool isMeasured = evidence.samples.size() >= kEnoughDepths;
   const std::vector<DepthRelation> relations =
       isMeasured ? depthRelations(evidence.samples) : std::vector<DepthRelation>();

@@ -67,9 +67,11 @@ struct DepthPatient {
   bool isOfCameraOrDepth = false; ///< see MotionTold
 };
 /// Adds what is wrong where all that is drawn lies at one end of depth, and returns whether it does: then
-/// depth says nothing else. `isDistance`: see DepthPatient.
+/// depth says nothing else, and all else is looked at without it. `isDistance`: see DepthPatient.
 bool tellEnds(const DepthEnds& ends, bool isDistance, Diagnosis& out);
-/// Adds what is wrong, right or not decided about depth.
+/// Adds that the planes that are stated are not those of the matrices, and returns whether they are not.
+bool tellNear(const DepthEvidence& evidence, Diagnosis& out);
+/// Adds what is wrong, right or not decided about depth; see tellNear() for what is stated of its planes.
 void tellDepth(const DepthEvidence& evidence, Diagnosis& out, const DepthPatient& patient = {});
 
 } // namespace taa::doctor

@@ -66,7 +66,7 @@ DoctorFrame readFrame(FrameSource& source, const FrameRequest& request, const Kn
   if (known.camera && known.depth) out.previousClipFromClip = drawn.block.previousClipFromClip;
   if (known.depthJittered) out.depthJitterPx = out.jitterPx;
   if (known.camera && known.depth) out.cameras = camerasOf(drawn.block);
-  if (known.camera && known.depth) out.distanceFactor = distanceFactor(drawn.block);
+  if (known.camera && known.depth) out.distanceFactor = known.nearFactor * distanceFactor(drawn.block);
   return out;
 }
 
@@ -78,6 +78,12 @@ std::optional<glm::vec2> cameraMotionPx(const DoctorFrame& frame, const glm::ive
 std::optional<glm::vec2> cameraMotionPx(const DoctorFrame& frame, const glm::ivec2& pixel, float depth) {
   if (!frame.previousClipFromClip) return {};
   return motionUnder(*frame.previousClipFromClip, frame, pixel, depth);
+}
+
+glm::mat4 flippedMatrix(const glm::mat4& previousClipFromClip) {
+  glm::mat4 flip(1.0f);
+  flip[1][1] = -1.0f;
+  return flip * previousClipFromClip * flip;
 }
 
 std::optional<glm::vec2> motionUnder(const glm::mat4& previousClipFromClip, const DoctorFrame& frame,

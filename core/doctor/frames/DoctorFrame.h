@@ -24,6 +24,8 @@ struct KnownPlanes {
   bool depthJittered = true; ///< depth was drawn with the jitter of its frame
   bool output = false;       ///< what a TAA made of the frames
   bool maskUsed = false;     ///< the TAA gets the mask; else it says what was drawn, to the doctor alone
+  /// Of a capture: the near plane that is stated over that of its matrices, by which depth is decoded.
+  float nearFactor = 1.0f;
 };
 
 /// Of a frame and of the one before it, without jitter; the projection is that of both.
@@ -79,6 +81,8 @@ bool isMotion(const glm::vec2& motionPx);
 std::optional<glm::vec2> cameraMotionPx(const DoctorFrame& frame, const glm::ivec2& pixel);
 /// The same if the depth there was another one; 0: infinitely far away.
 std::optional<glm::vec2> cameraMotionPx(const DoctorFrame& frame, const glm::ivec2& pixel, float depth);
+/// That of both frames' projections with y the other way.
+glm::mat4 flippedMatrix(const glm::mat4& previousClipFromClip);
 /// The same with other cameras.
 std::optional<glm::vec2> motionUnder(const glm::mat4& previousClipFromClip, const DoctorFrame& frame,
                                      const glm::ivec2& pixel, float depth);

@@ -2,9 +2,11 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/capture/decode/Cameras.h"
 #include "core/capture/source/Capture.h"
 #include "core/capture/source/CaptureSource.h"
 #include "core/capture/source/OpenSource.h"
+#include "core/doctor/frames/StatedConventions.h"
 #include "core/render/CaptureFacts.h"
 #include "core/render/faults/FaultySource.h"
 #include "core/scene/SceneOutline.h"
@@ -12,6 +14,7 @@
 #include "core/settings/Faults.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -32,6 +35,19 @@ FaultSettings statedFaults(FaultSettings faults) {
   return faults;
 }
 
+/// Leaves the near plane to the matrices where these have another one than is stated, so that all else can be
+/// examined by depth. Returns what is stated over that of the matrices.
+float takeNearPlane(capture::Manifest& manifest) {
+  constexpr double kSame = 1e-3;
+  capture::DepthConventions& depth = manifest.conventions.depth;
+  const auto camera = capture::statedCameras(manifest, 0).now;
+  if (!camera || depth.kind != capture::DepthKind::Window || !(depth.nearPlane > 0.0)) return 1.0f;
+  const double factor = depth.nearPlane * manifest.conventions.matrices.metersPerUnit / camera->nearPlane;
+  if (std::abs(factor - 1.0) <= kSame) return 1.0f;
+  depth.nearPlane = depth.farPlane = 0.0;
+  return static_cast<float>(factor);
+}
+
 DoctorSource openCaptureForDoctor(const SourceRequest& request, const Progress& progress) {
   const auto opened = capture::openCapture(request.source, progress);
   capture::Manifest manifest = opened->manifest();
@@ -44,7 +60,9 @@ DoctorSource openCaptureForDoctor(const SourceRequest& request, const Progress& 
   out.known.motion = manifest.framesWith(capture::PlaneKind::Motion) > 0;
   out.known.depth = manifest.framesWith(capture::PlaneKind::Depth) > 0;
   out.known.ids = manifest.framesWith(capture::PlaneKind::ObjectId) > 0;
+  out.contradicted = mendContradicted(opened->folder(), manifest);
   out.known.depthJittered = manifest.conventions.depth.jittered;
+  out.known.nearFactor = takeNearPlane(manifest);
   out.frames = std::make_shared<FaultySource>(std::make_unique<capture::CaptureSource>(
       std::make_shared<const capture::Capture>(opened->folder(), std::move(manifest))));
   const auto facts = out.frames->capture();

@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/capture/format/Conventions.h"
+#include "core/doctor/Diagnosis.h"
 #include "core/doctor/frames/DoctorFrame.h"
 #include "core/doctor/frames/EngineOutput.h"
 #include "core/scene/ShotChoice.h"
@@ -15,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace taa::doctor {
 
@@ -38,6 +40,7 @@ struct DoctorSource {
   std::map<std::uint32_t, std::string> objectNames;
   /// The engine's own; none: this program's.
   std::optional<capture::Conventions> conventions;
+  std::vector<Finding> contradicted = {}; ///< of a capture: see mendContradicted()
 };
 
 /// A capture keeps the conventions that are stated or guessed, but for motion of the sky: that is examined as

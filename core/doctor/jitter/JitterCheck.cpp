@@ -150,6 +150,7 @@ std::string scaledName(const glm::vec2& factor) {
 std::vector<Residual> jitterResiduals(const JitterFit& fit, const std::vector<JitterTrial>& trials) {
   std::vector<Residual> out;
   for (std::size_t i = 0; i < trials.size(); ++i) {
+    if (trials[i].isPair() && !trials[fit.best].isPair()) continue;
     const bool isStated = trials[i].kind == JitterKind::AsStated;
     const double share = isStated ? 1.0 : fit.trials[i].share();
     if (std::isfinite(share))
@@ -173,34 +174,44 @@ void tellRivals(const JitterFit& fit, const std::vector<JitterTrial>& trials, Fi
   out.sureness = Sureness::Likely;
 }
 
-/// Pictures shift as something else than what is stated makes them.
-Finding otherJitter(const JitterFit& fit, const std::vector<JitterTrial>& trials,
-                    const JitterEvidence& evidence, bool isCameraKnown, const Patient& patient) {
-  const JitterTrial& best = trials[fit.best];
-  const TrialFit& won = fit.trials[fit.best];
-  Finding out = jitterFinding(jitterWords(best));
-  if (best.kind == JitterKind::OtherUnit) {
+/// One thing that a trial says is wrong; a pair says two.
+Finding otherJitterFinding(const JitterTrial& one, const JitterTrial& best, const JitterEvidence& evidence,
+                           const Patient& patient) {
+  Finding out = jitterFinding(jitterWords(one));
+  if (one.kind == JitterKind::OtherUnit) {
     out.id = kOtherUnitId;
     out.name = say<"Jitter of another unit">();
   }
-  if (best.kind == JitterKind::Scaled && best.factor.x != 0.5f && best.factor.x != 2.0f)
-    out.name = scaledName(best.factor);
+  if (one.kind == JitterKind::Scaled && one.factor.x != 0.5f && one.factor.x != 2.0f)
+    out.name = scaledName(one.factor);
   out.change += " " + exampleOf(best, evidence, patient);
-  mendBy(jitterMending(best), out);
-  out.reason =
-      say<"In %1 of %2 pairs of frames pictures fit the one before better if jitter is like this: %3. "
-          "What is left then is %4 % of what is left as stated. Shifts that are measured are %5 px from "
-          "it, and %6 px from what is stated.">(
-          won.won, won.pairs, jitterTrialText(best), std::lround(100.0 * won.share()),
-          shortNumber(fit.missPx[fit.best]), shortNumber(fit.missPx.front()));
-  out.measure = say<"median difference of luma where pictures are shifted so, × 1000">();
-  out.residuals = jitterResiduals(fit, trials);
-  tellRivals(fit, trials, out);
-  if (!isCameraKnown) {
+  // No setting undoes two things that are wrong with jitter.
+  if (!best.isPair()) mendBy(jitterMending(one), out);
+  return out;
+}
+
+/// Pictures shift as something else than what is stated makes them: a finding for each thing that is wrong.
+std::vector<Finding> otherJitter(const JitterFit& fit, const std::vector<JitterTrial>& trials,
+                                 const JitterEvidence& evidence, bool isCameraKnown, const Patient& patient) {
+  const JitterTrial& best = trials[fit.best];
+  const TrialFit& won = fit.trials[fit.best];
+  std::vector<Finding> findings{otherJitterFinding({best.kind, best.factor}, best, evidence, patient)};
+  if (best.isPair()) findings.push_back(otherJitterFinding({best.also}, best, evidence, patient));
+  for (Finding& out : findings) {
+    out.reason =
+        say<"In %1 of %2 pairs of frames pictures fit the one before better if jitter is like this: %3. "
+            "What is left then is %4 % of what is left as stated. Shifts that are measured are %5 px from "
+            "it, and %6 px from what is stated.">(
+            won.won, won.pairs, jitterTrialText(best), std::lround(100.0 * won.share()),
+            shortNumber(fit.missPx[fit.best]), shortNumber(fit.missPx.front()));
+    out.measure = say<"median difference of luma where pictures are shifted so, × 1000">();
+    out.residuals = jitterResiduals(fit, trials);
+    tellRivals(fit, trials, out);
+    if (isCameraKnown) continue;
     out.reason += " " + say<"Without depth and matrices it may also be motion that holds jitter.">();
     out.sureness = Sureness::Likely;
   }
-  return out;
+  return findings;
 }
 
 /// Jitter of so many pixels is none, whatever pictures show: of another unit it goes to half of one.
@@ -394,7 +405,8 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
     tellShort(evidence.stated, out);
     return {{}, missPx > kMissingPx, true};
   }
-  out.findings.push_back(otherJitter(fit, trials, evidence, patient.isCameraKnown, patient.patient));
+  for (Finding& finding : otherJitter(fit, trials, evidence, patient.isCameraKnown, patient.patient))
+    out.findings.push_back(std::move(finding));
   tellTrial(trials, fit.best, evidence, patient.sky, out);
   return {menderOf(trials[fit.best])};
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -47,12 +48,14 @@ TrialFit fitOf(const std::vector<TrialLuma>& pairs, std::size_t tried, std::size
 }
 
 bool JitterFit::isConfirmed() const {
-  return std::ranges::none_of(trials, [](const TrialFit& fit) { return fit.share() < kDoubtShare; });
+  const auto end = trials.end() - static_cast<std::ptrdiff_t>(pairs);
+  return std::none_of(trials.begin(), end, [](const TrialFit& fit) { return fit.share() < kDoubtShare; });
 }
 
 bool JitterFit::isMeasured() const {
   const double stated = missPx.front();
-  return stated <= kMeasuredPx && std::all_of(missPx.begin() + 1, missPx.end(), [&](double other) {
+  const auto end = missPx.end() - static_cast<std::ptrdiff_t>(pairs);
+  return stated <= kMeasuredPx && std::all_of(missPx.begin() + 1, end, [&](double other) {
            return other >= std::max(kFromOthersPx, kMeasuredFactor * stated);
          });
 }
@@ -65,9 +68,16 @@ bool JitterFit::isContradicted() const {
   return isClear || (fit.share() < kDoubtShare && isNearer);
 }
 
+bool JitterFit::isContradictedTwice() const {
+  const TrialFit& fit = trials[best];
+  return fit.share() <= kFittingShare && isWon(fit) && missPx[best] <= kFittingPx &&
+         missPx[best] <= kNearerShare * missPx.front();
+}
+
 std::vector<std::size_t> JitterFit::rivals() const {
   std::vector<std::size_t> out;
-  for (std::size_t i = 0; i < trials.size(); ++i)
+  const std::size_t singles = trials.size() - pairs, tried = best < singles ? singles : trials.size();
+  for (std::size_t i = 0; i < tried; ++i)
     if (i != best && trials[i].share() <= kAsGoodShare * trials[best].share()) out.push_back(i);
   return out;
 }
@@ -78,11 +88,21 @@ JitterFit jitterFit(const JitterEvidence& evidence, const std::vector<JitterTria
     out.trials.push_back(fitOf(evidence.world, trial, 0));
     out.missPx.push_back(shiftResidual(trials[trial], evidence));
   }
-  const auto best = std::ranges::min_element(out.trials, {}, &TrialFit::share);
-  out.best = static_cast<std::size_t>(best - out.trials.begin());
+  out.pairs = static_cast<std::size_t>(std::ranges::count(trials, true, &JitterTrial::isPair));
+  const std::size_t singles = trials.size() - out.pairs;
+  const auto leastOf = [&](std::size_t first, std::size_t end) {
+    const auto begin = out.trials.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto least = std::ranges::min_element(begin, out.trials.begin() + static_cast<std::ptrdiff_t>(end),
+                                                {}, &TrialFit::share);
+    return static_cast<std::size_t>(least - out.trials.begin());
+  };
+  out.best = leastOf(0, singles);
   for (const TrialLuma& pair : evidence.world)
     out.statedLuma += pair.front() / static_cast<double>(evidence.world.size());
-  return out;
+  if (out.isContradicted() || out.pairs == 0) return out;
+  JitterFit twice = out;
+  twice.best = leastOf(singles, trials.size());
+  return twice.isContradictedTwice() ? twice : out;
 }
 
 std::optional<bool> isSkyResting(const JitterEvidence& evidence, std::size_t trial) {

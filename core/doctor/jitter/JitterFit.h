@@ -24,7 +24,8 @@ TrialFit fitOf(const std::vector<TrialLuma>& pairs, std::size_t tried, std::size
 struct JitterFit {
   std::vector<TrialFit> trials; ///< as jitterTrials(), against what is stated
   std::vector<double> missPx;   ///< as trials: shiftResidual()
-  std::size_t best = 0;         ///< of trials: the one that leaves least
+  std::size_t best = 0;         ///< of trials: the one that leaves least; a pair where no other contradicts
+  std::size_t pairs = 0;        ///< of trials, the last ones: those that say two things
   double statedLuma = 0.0;      ///< mean of what is left as stated
 
   /// Nothing fits better than what is stated.
@@ -36,7 +37,9 @@ struct JitterFit {
   /// stated; or it fits better, and is much nearer to them. Neither is enough alone: thin lines stay on their
   /// pixels whatever the jitter, and what repeats shifts by whatever it is told.
   bool isContradicted() const;
-  /// Trials that leave hardly more than the best one.
+  /// Both witnesses say so clearly: what says two things fits more by chance.
+  bool isContradictedTwice() const;
+  /// Trials that leave hardly more than the best one, and say no more.
   std::vector<std::size_t> rivals() const;
 };
 

@@ -112,10 +112,15 @@ std::vector<JitterTrial> jitterTrials(const glm::ivec2& sizePx) {
   const glm::vec2 uv(sizePx), ndc = 0.5f * uv, yUp(1.0f, -1.0f);
   for (const glm::vec2& unit : {uv, ndc, 1.0f / uv, 1.0f / ndc})
     for (const glm::vec2& factor : {unit, unit * yUp}) trials.push_back({JitterKind::OtherUnit, factor});
+  for (const JitterKind late : {JitterKind::FrameLate, JitterKind::FrameEarly})
+    for (const JitterKind kind :
+         {JitterKind::MirroredX, JitterKind::MirroredY, JitterKind::Opposite, JitterKind::SwappedAxes})
+      trials.push_back({kind, glm::vec2(1.0f), late});
   return trials;
 }
 
 std::string jitterTrialId(const JitterTrial& trial) {
+  if (trial.isPair()) return jitterTrialId({trial.kind}) + "+" + jitterTrialId({trial.also});
   const std::string id(kJitterWords[static_cast<std::size_t>(trial.kind)].id);
   if (trial.kind == JitterKind::Scaled) return id + ":" + shortNumber(static_cast<double>(trial.factor.x));
   if (trial.kind != JitterKind::OtherUnit) return id;
@@ -123,6 +128,7 @@ std::string jitterTrialId(const JitterTrial& trial) {
 }
 
 std::string jitterTrialText(const JitterTrial& trial) {
+  if (trial.isPair()) return say<"%1, and %2">(jitterTrialText({trial.kind}), jitterTrialText({trial.also}));
   if (trial.kind == JitterKind::Scaled)
     return say<"times %1">(shortNumber(static_cast<double>(trial.factor.x)));
   if (trial.kind == JitterKind::OtherUnit)
@@ -132,7 +138,8 @@ std::string jitterTrialText(const JitterTrial& trial) {
 
 std::optional<glm::vec2> trueJitter(const JitterTrial& trial, const std::map<int, glm::vec2>& stated,
                                     int frame) {
-  const int delay = trial.kind == JitterKind::FrameLate ? 1 : trial.kind == JitterKind::FrameEarly ? -1 : 0;
+  const auto is = [&](JitterKind kind) { return trial.kind == kind || trial.also == kind; };
+  const int delay = is(JitterKind::FrameLate) ? 1 : is(JitterKind::FrameEarly) ? -1 : 0;
   const std::optional<glm::vec2> jitter = statedAt(stated, frame + delay);
   if (!jitter) return {};
   switch (trial.kind) {

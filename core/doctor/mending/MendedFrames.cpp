@@ -25,6 +25,27 @@ FrameReader withDepth(FrameReader read, DepthRelation relation) {
   };
 }
 
+FrameReader withFlippedMatrices(FrameReader read) {
+  return [read = std::move(read)](int frame) {
+    DoctorFrame out = read(frame);
+    if (out.previousClipFromClip) out.previousClipFromClip = flippedMatrix(*out.previousClipFromClip);
+    if (out.cameras)
+      for (int column = 0; column < 4; ++column) out.cameras->clipFromView[column][1] *= -1.0;
+    return out;
+  };
+}
+
+FrameReader withoutDepth(FrameReader read) {
+  return [read = std::move(read)](int frame) {
+    DoctorFrame out = read(frame);
+    out.depth = out.depthView = out.previousDepthView = {};
+    out.previousClipFromClip.reset();
+    out.cameras.reset();
+    out.distanceFactor = 0.0f;
+    return out;
+  };
+}
+
 bool mendsAlone(const MotionTrial& trial) {
   if (isOfJitter(trial.kind)) return true;
   switch (trial.kind) {

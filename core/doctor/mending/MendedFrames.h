@@ -19,6 +19,10 @@ FrameReader withJitter(FrameReader read, JitterMender mender, int first, bool is
 
 /// With the depth that follows from the stored one.
 FrameReader withDepth(FrameReader read, DepthRelation relation);
+/// With matrices whose y goes the other way.
+FrameReader withFlippedMatrices(FrameReader read);
+/// As of a capture without depth, where that says nothing; cameras say nothing without it.
+FrameReader withoutDepth(FrameReader read);
 
 /// Whether one frame's motion and jitter say what all of its motion should be.
 bool mendsAlone(const MotionTrial& trial);

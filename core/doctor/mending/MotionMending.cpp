@@ -22,6 +22,7 @@ MendingSettings unitMending(const MotionTrial& trial) {
   std::string unit = isTimesSize ? "as" : "";
   unit += trial.isDevice ? (isTimesSize ? "Ndc" : "ndc") : (isTimesSize ? "Uv" : "uv");
   MendingSettings out{"fault.motionUnit=" + unit};
+  if (trial.factor.x < 0.0f) out.emplace_back("fault.motionX=-1");
   if (isOtherAxis) out.emplace_back("fault.motionY=-1");
   return out;
 }

@@ -148,11 +148,14 @@ std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx) {
   for (const MotionKind kind : {MotionKind::LacksCamera, MotionKind::CameraTwice}) trials.push_back({kind});
   for (const MotionKind kind : {MotionKind::Encoded, MotionKind::Root}) trials.push_back({kind});
   // Texture or device coordinates taken for pixels, and the other way; y of the latter may point up.
-  const glm::vec2 uv(sizePx), ndc = 0.5f * uv, yUp(1.0f, -1.0f);
-  for (const glm::vec2& factor : {uv, uv * yUp, 1.0f / uv, yUp / uv})
-    trials.push_back({MotionKind::OtherUnit, factor});
-  for (const glm::vec2& factor : {ndc * yUp, ndc, yUp / ndc, 1.0f / ndc})
-    trials.push_back({MotionKind::OtherUnit, factor, true});
+  // Direction and axes may be wrong besides.
+  const glm::vec2 uv(sizePx), ndc = 0.5f * uv, yUp(1.0f, -1.0f), xLeft(-1.0f, 1.0f);
+  for (const glm::vec2& unit : {uv, 1.0f / uv})
+    for (const glm::vec2& factor : {unit, unit * yUp, -unit, unit * xLeft})
+      trials.push_back({MotionKind::OtherUnit, factor});
+  for (const glm::vec2& unit : {ndc, 1.0f / ndc})
+    for (const glm::vec2& factor : {unit * yUp, unit, unit * xLeft, -unit})
+      trials.push_back({MotionKind::OtherUnit, factor, true});
   for (const MotionKind kind : {MotionKind::TwoFramesOld, MotionKind::CameraTurned, MotionKind::CameraBeside,
                                 MotionKind::CameraMirrored, MotionKind::CameraIdentity})
     trials.push_back({kind});

@@ -107,6 +107,10 @@ void addWitness(WitnessEvidence& out, const std::vector<MotionTrial>& trials, co
   out.trials[0].add(std::max(0.0f, glm::distance(given, *camera) - rounding));
   if (static_cast<double>(glm::distance(given, *camera) - rounding) <= kOwnPx) return;
   ++out.apart;
+  const glm::mat4 flipped = flippedMatrix(*frames.now.previousClipFromClip);
+  const auto upsideDown = motionUnder(flipped, frames.now, pixel, *frames.now.depth.at(pixel.x, pixel.y));
+  out.flipped.add(upsideDown ? std::max(0.0f, glm::distance(given, *upsideDown) - rounding)
+                             : std::numeric_limits<float>::infinity());
   for (std::size_t t = 1; t < trials.size(); ++t) {
     if (!isTelling(trials[t], *camera)) continue;
     const auto motionPx = trueMotion(trials[t], frames, pixel);
@@ -142,6 +146,26 @@ std::optional<int> identityFrame(const std::vector<PairWitness>& pairs) {
     frame = pair.frame;
   }
   return frame;
+}
+
+bool areMatricesFlipped(const std::vector<const WitnessEvidence*>& regions,
+                        const std::vector<MotionTrial>& trials) {
+  WitnessEvidence all;
+  all.trials.resize(trials.size());
+  for (const WitnessEvidence* region : regions) {
+    if (region->trials.empty()) continue;
+    for (std::size_t t = 0; t < trials.size(); ++t) all.trials[t].add(region->trials[t]);
+    all.apart += region->apart;
+    all.flipped.add(region->flipped);
+  }
+  const auto follows = [&](const DistanceCounts& counts) {
+    return static_cast<double>(counts.upTo(kExplainedPx)) >= kFollowing * static_cast<double>(all.apart);
+  };
+  if (all.apart < kEnoughWitnesses || 2 * all.apart < all.trials[0].count() || !follows(all.flipped))
+    return false;
+  for (std::size_t t = 1; t < trials.size(); ++t)
+    if (!isFitted(trials[t]) && follows(all.trials[t])) return false;
+  return true;
 }
 
 bool isFitted(const MotionTrial& trial) {

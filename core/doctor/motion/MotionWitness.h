@@ -35,6 +35,8 @@ struct WitnessEvidence {
   /// Of all of them for the motion given, of those `apart` for all others.
   std::vector<DistanceCounts> trials;
   std::size_t apart = 0; ///< pixels whose motion given is not the camera's
+  /// Of these: how far the motion given is from the camera's if matrices are upside down.
+  DistanceCounts flipped;
   /// Pixels of all of the region, its rim too, whose motion given is not the camera's, and of these: those at
   /// which the frame after has the motion of the camera of now.
   std::size_t off = 0, offLate = 0;
@@ -73,6 +75,10 @@ struct WitnessDecision {
 /// Where an explanation without a free number fits, one that was fitted says nothing. `trials`:
 /// motionTrials().
 WitnessDecision decideWitness(const WitnessEvidence& evidence, const std::vector<MotionTrial>& trials);
+/// Whether matrices that are upside down make the motion given of what rests, and nothing that could be wrong
+/// with motion does. `regions`: of the whole picture.
+bool areMatricesFlipped(const std::vector<const WitnessEvidence*>& regions,
+                        const std::vector<MotionTrial>& trials);
 /// Whether it has free numbers that were fitted.
 bool isFitted(const MotionTrial& trial);
 /// Whether an explanation is so particular that nothing follows it by accident: what moves by itself may move

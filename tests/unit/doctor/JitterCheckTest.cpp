@@ -61,6 +61,19 @@ TEST(JitterCheck, NamesAFrameLateOrEarly) {
   EXPECT_EQ(told(diagnosisOf([](int frame) { return trueJitterAt(frame + 1); })), "jitterEarly");
 }
 
+TEST(JitterCheck, NamesTwoThingsAtOnce) {
+  const Diagnosis diagnosis =
+      diagnosisOf([](int frame) { return -trueJitterAt(frame == 0 ? 7 : frame - 1); });
+  ASSERT_EQ(told(diagnosis), "jitterNegated, jitterLate");
+  for (const Finding& finding : diagnosis.findings)
+    EXPECT_TRUE(finding.mending.empty()) << "no setting undoes both";
+  EXPECT_EQ(told(diagnosisOf([](int frame) {
+              const glm::vec2 next = trueJitterAt(frame + 1);
+              return glm::vec2(next.y, next.x);
+            })),
+            "jitterSwapped, jitterEarly");
+}
+
 TEST(JitterCheck, NamesJitterThatIsNotApplied) {
   test::PaintedShot still;
   still.isJittered = false;

@@ -100,4 +100,24 @@ TEST(JitterFit, TellsASkyThatRests) {
   EXPECT_EQ(isSkyResting(evidence, 2), true); // beside what the third trial makes of it
 }
 
+// What says two things is asked only where nothing that says one is clear, and then both luma and shifts have
+// to say so.
+TEST(JitterFit, SaysTwoThingsWhereOneIsNotEnough) {
+  JitterEvidence evidence;
+  evidence.stated = {{0, glm::vec2(0.0f)}, {1, glm::vec2(0.25f, 0.0f)}, {2, glm::vec2(0.0f, 0.5f)}};
+  const std::vector<JitterTrial> trials = {
+      {}, {JitterKind::NotApplied}, {JitterKind::Opposite, glm::vec2(1.0f), JitterKind::FrameLate}};
+  // Of frame 1 pictures hold (0, -0.5), of frame 0 (-0.25, 0): the second trial's.
+  evidence.shifts = {{1, {-0.25f, 0.5f}}};
+  evidence.world.assign(8, {1.0, 1.5, 0.25});
+  const JitterFit both = jitterFit(evidence, trials);
+  EXPECT_EQ(both.best, 2u);
+  EXPECT_TRUE(both.isContradicted());
+  evidence.world.assign(8, {1.0, 0.5, 0.25});
+  evidence.shifts = {{1, {0.0f, 0.0f}}}; // none at all
+  EXPECT_EQ(jitterFit(evidence, trials).best, 1u);
+  evidence.world.assign(8, {1.0, 1.5, 0.25});
+  EXPECT_NE(jitterFit(evidence, trials).best, 2u) << "shifts say something else";
+}
+
 } // namespace taa::doctor

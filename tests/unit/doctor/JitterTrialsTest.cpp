@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -39,6 +40,17 @@ TEST(JitterTrials, TakeTheJitterOfOtherFrames) {
   EXPECT_EQ(shown(JitterKind::FrameEarly, 1), glm::vec2(0.25f, -0.5f));
   EXPECT_FALSE(trueJitter({JitterKind::FrameLate}, stated(), 2));
   EXPECT_FALSE(trueJitter({JitterKind::FrameEarly}, stated(), 0));
+}
+
+TEST(JitterTrials, SayTwoThingsAtOnce) {
+  const JitterTrial late{JitterKind::Opposite, glm::vec2(1.0f), JitterKind::FrameLate};
+  EXPECT_EQ(trueJitter(late, stated(), 1), glm::vec2(-0.5f, 0.0f));
+  EXPECT_EQ(jitterTrialId(late), "opposite+frameLate");
+  EXPECT_FALSE(trueJitter(late, stated(), 2));
+  const auto trials = jitterTrials({160, 96});
+  const auto pair = std::ranges::find(trials, true, &JitterTrial::isPair);
+  EXPECT_EQ(trials.end() - pair, 8) << "of four signs and axes, late or early";
+  EXPECT_TRUE(std::all_of(pair, trials.end(), [](const JitterTrial& trial) { return trial.isPair(); }));
 }
 
 TEST(JitterTrials, LeaveTheDistanceOfShifts) {

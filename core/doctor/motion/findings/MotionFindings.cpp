@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -56,11 +57,17 @@ bool breaksNothing(std::size_t trial, const std::vector<JudgedRegion>& judged) {
   });
 }
 
+void nameBy(const MotionFault& fault, Finding& out) {
+  out.id = fault.id;
+  out.name = fault.name;
+  out.symptom = fault.symptom;
+  out.change = fault.change;
+}
+
 Finding findingOf(const FaultGroup& group, const std::vector<JudgedRegion>& judged,
                   const MotionEvidence& evidence, const Patient& patient, double allPixels) {
   Finding out;
-  out.id = group.fault.id;
-  out.name = group.fault.name;
+  nameBy(group.fault, out);
   out.sureness = isSure(group) ? Sureness::Sure : Sureness::Likely;
   out.isWholePicture = group.pixels >= kWholeShare * decidedPixels(judged);
   for (const JudgedRegion* region : group.regions)
@@ -68,8 +75,6 @@ Finding findingOf(const FaultGroup& group, const std::vector<JudgedRegion>& judg
   std::ranges::stable_sort(out.regions, std::greater(), &RegionPlace::share);
   tellEvidence(group, evidence.trials(), out);
   out.alike = alikeIds(group, evidence.trials());
-  out.symptom = group.fault.symptom;
-  out.change = group.fault.change;
   if (!group.trial) return out;
   const std::vector<std::string> mending = motionMending(evidence.trials()[*group.trial]);
   if (breaksNothing(*group.trial, judged))
@@ -81,6 +86,33 @@ Finding findingOf(const FaultGroup& group, const std::vector<JudgedRegion>& judg
   const std::string example = motionExample(patient, *(*largest)->evidence, *group.trial);
   if (!example.empty()) out.change += " " + example;
   return out;
+}
+
+/// One for each thing that is wrong: another unit may be told with other axes.
+std::vector<Finding> findingsOf(FaultGroup group, const std::vector<JudgedRegion>& judged,
+                                const MotionEvidence& evidence, const Patient& patient, double allPixels) {
+  const MotionTrial* trial = group.trial ? &evidence.trials()[*group.trial] : nullptr;
+  const auto axes = trial ? axesBesideUnit(*trial, patient) : std::nullopt;
+  if (!axes) return {findingOf(group, judged, evidence, patient, allPixels)};
+  std::vector<Finding> out;
+  const JudgedRegion& first = *group.regions.front();
+  for (const MotionTrial& one : {unitAlone(*trial, *axes), *axes}) {
+    group.fault = motionFault(&one, *first.region, *first.evidence);
+    out.push_back(findingOf(group, judged, evidence, patient, allPixels));
+  }
+  return out;
+}
+
+/// By a factor what rests is told as well as by the camera's motion, which a capture may state that it lacks:
+/// that it has it is told then.
+void preferStated(std::vector<JudgedRegion>& judged, const std::vector<MotionTrial>& trials,
+                  const Patient& patient) {
+  if (!patient.conventions || patient.conventions->motion.includesCamera) return;
+  const auto found = std::ranges::find(trials, MotionKind::CameraTwice, &MotionTrial::kind);
+  const auto twice = static_cast<std::size_t>(found - trials.begin());
+  for (JudgedRegion& region : judged)
+    if (region.trial && trials[*region.trial].kind == MotionKind::Scaled && isAlike(region, twice))
+      region.trial = twice;
 }
 
 /// Whether the motion of surfaces is that of the cameras at so many pixels that these are right.
@@ -109,8 +141,7 @@ Finding skyFinding(const JudgedRegion& sky, const Patient& patient, double allPi
   const MotionFault fault = motionFault(nullptr, *sky.region, *sky.evidence);
   const double meanPx = sky.evidence->cameraPx / static_cast<double>(sky.evidence->pixels);
   Finding out;
-  out.id = fault.id;
-  out.name = fault.name;
+  nameBy(fault, out);
   out.regions = {placeOf(*sky.region, patient, allPixels)};
   out.reason =
       say<"Motion is 0 wherever nothing is drawn, though depth and matrices, which make the motion of other "
@@ -118,8 +149,6 @@ Finding skyFinding(const JudgedRegion& sky, const Patient& patient, double allPi
   out.measure = say<"mean distance from the camera's motion, px">();
   out.residuals = {{"ofCamera", say<"that of the camera">(), 0.0, false, true},
                    {"asGiven", say<"as given">(), meanPx, true, false}};
-  out.symptom = fault.symptom;
-  out.change = fault.change;
   mendBy(motionMending({MotionKind::OfCamera}), out);
   const std::vector<MotionTrial> trials = motionTrials(patient.sizePx);
   for (std::size_t t = 0; t < trials.size(); ++t)
@@ -195,17 +224,41 @@ RegionPlace placeOf(const Region& region, const Patient& patient, double allPixe
   return out;
 }
 
+bool isBeyondPicture(const MotionEvidence& evidence) {
+  constexpr double kMostLonger = 0.5;
+  std::size_t known = 0, longer = 0;
+  for (const RegionEvidence& region : evidence.regions()) {
+    // One value that most have stands for none.
+    const std::size_t marks = 2 * region.marks > region.outside ? region.marks : 0;
+    known += region.seen - region.marked - marks;
+    longer += region.outside - marks;
+  }
+  return known > 0 && static_cast<double>(longer) >= kMostLonger * static_cast<double>(known);
+}
+
+Finding unitFinding(const MotionTrial& unit) {
+  Finding out;
+  nameBy(motionFault(&unit, Region(), RegionEvidence()), out);
+  out.sureness = Sureness::Likely;
+  out.isWholePicture = true;
+  out.reason = say<"At most of the pixels motion is longer than the picture.">();
+  mendEverywhereBy(motionMending(unit), out);
+  return out;
+}
+
 MotionTold tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
                       const Patient& patient, const RimsSeen& rims, Diagnosis& out) {
   const double allPixels = static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
   tellMarks(evidence, regions, patient, allPixels, out);
   Judged judged = judgeMotion(evidence, regions, rims);
   tellUnwrittenSky(judged.regions, patient, allPixels, out);
+  preferStated(judged.regions, evidence.trials(), patient);
   MotionTold told;
   for (const FaultGroup& group : groupsOf(judged.regions, evidence.trials())) {
-    out.findings.push_back(findingOf(group, judged.regions, evidence, patient, allPixels));
+    const std::vector<Finding> findings = findingsOf(group, judged.regions, evidence, patient, allPixels);
+    std::ranges::copy(findings, std::back_inserter(out.findings));
     if (!told.all && group.trial && breaksNothing(*group.trial, judged.regions))
-      told.all = {evidence.trials()[*group.trial], out.findings.back()};
+      told.all = {evidence.trials()[*group.trial], findings};
   }
   const Finding late = lateFinding();
   if (judged.isLate && std::ranges::count(out.findings, late.id, &Finding::id) == 0)

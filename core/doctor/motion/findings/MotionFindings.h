@@ -15,10 +15,10 @@ namespace taa::doctor {
 /// `allPixels`: of all frames that were looked at.
 RegionPlace placeOf(const Region& region, const Patient& patient, double allPixels);
 
-/// One explanation of the motion of all or most of the picture, with the finding that tells it.
+/// One explanation of the motion of all or most of the picture, with the findings that tell it.
 struct MotionOfAll {
   MotionTrial trial;
-  Finding finding;
+  std::vector<Finding> findings;
 };
 
 struct MotionTold {
@@ -26,6 +26,11 @@ struct MotionTold {
   /// Another previous camera makes the motion given, or another depth: pixels do not tell which.
   bool isOfCameraOrDepth = false;
 };
+
+/// Whether motion leads so far at most of the pixels that nothing can be compared.
+bool isBeyondPicture(const MotionEvidence& evidence);
+/// That it does, and would not in another unit.
+Finding unitFinding(const MotionTrial& unit);
 
 /// Adds findings, what is undecided and what is right about the motion of all regions. Expects that motion
 /// is known.

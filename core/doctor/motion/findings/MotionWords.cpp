@@ -30,8 +30,13 @@ MotionFault unwrittenFault(const Region& region) {
 }
 
 MotionFault scaledFault(const MotionTrial& trial) {
+  const bool isOfUnits = trial.factor.x == 0.5f || trial.factor.x == 2.0f;
+  const std::string factor = shortNumber(static_cast<double>(trial.factor.x));
   const std::string change =
-      say<"Multiply the motion that you write by %1.">(shortNumber(static_cast<double>(trial.factor.x)));
+      isOfUnits
+          ? say<"Multiply the motion that you write by %1, or state the unit that it has: the picture is 2 "
+                "device coordinates wide, and 1 texture coordinate.">(factor)
+          : say<"Multiply the motion that you write by %1.">(factor);
   if (trial.factor.x == 0.5f)
     return ofTable(Fault::MotionDoubled,
                    change + " " +
@@ -93,7 +98,9 @@ MotionFault jitterLeftFault(MotionKind kind) {
 
 MotionFault axesFault(MotionKind kind) {
   if (kind == MotionKind::MirroredX)
-    return ofTable(Fault::MotionNegatedX, say<"Negate x of the motion that you write.">());
+    return ofTable(Fault::MotionNegatedX,
+                   say<"Negate x of the motion that you write; or state the other direction, and that y goes "
+                       "the other way.">());
   if (kind == MotionKind::MirroredY)
     return ofTable(Fault::MotionNegatedY,
                    say<"Negate y of the motion that you write, or state that it points the other way.">());
@@ -178,7 +185,7 @@ MotionFault motionFault(const MotionTrial* trial, const Region& region, const Re
     return lacksCameraFault(region, evidence);
   case MotionKind::CameraTwice:
     return {"motionCameraTwice", say<"The camera's motion twice">(), say<"Ghosts grow with speed.">(),
-            say<"Take the camera's motion off once: motion holds it already.">()};
+            say<"Take the camera's motion off once, or state that motion holds it: it does already.">()};
   case MotionKind::Scaled:
     return scaledFault(*trial);
   case MotionKind::OtherUnit:
@@ -212,6 +219,24 @@ MotionFault motionFault(const MotionTrial* trial, const Region& region, const Re
     return otherCameraFault(trial->kind);
   }
   return {};
+}
+
+std::optional<MotionTrial> axesBesideUnit(const MotionTrial& trial, const Patient& patient) {
+  if (trial.kind != MotionKind::OtherUnit) return {};
+  // Device coordinates point up, where nothing is stated of their axes.
+  const bool isUp = trial.isDevice && std::abs(trial.factor.x) > 1.0f && !patient.conventions;
+  const bool isLeft = trial.factor.x < 0.0f, isOtherY = (trial.factor.y < 0.0f) != isUp;
+  if (isLeft && isOtherY) return MotionTrial{MotionKind::Opposite};
+  if (isLeft) return MotionTrial{MotionKind::MirroredX};
+  if (isOtherY) return MotionTrial{MotionKind::MirroredY};
+  return {};
+}
+
+MotionTrial unitAlone(const MotionTrial& trial, const MotionTrial& axes) {
+  MotionTrial out = trial;
+  if (axes.kind != MotionKind::MirroredY) out.factor.x = -out.factor.x;
+  if (axes.kind != MotionKind::MirroredX) out.factor.y = -out.factor.y;
+  return out;
 }
 
 glm::dvec2 storedMotion(const Patient& patient, const glm::dvec2& motionPx) {

@@ -7,6 +7,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <optional>
 #include <string>
 
 namespace taa::doctor {
@@ -20,6 +21,12 @@ struct MotionFault {
 
 /// `trial`: what explains it; null: the pixels move as no explanation says.
 MotionFault motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence);
+
+/// Of another unit: what is wrong with direction and axes besides, as a trial of its own; nothing: nothing
+/// is. Where a capture states its axes, they are no part of a unit.
+std::optional<MotionTrial> axesBesideUnit(const MotionTrial& trial, const Patient& patient);
+/// The unit without that.
+MotionTrial unitAlone(const MotionTrial& trial, const MotionTrial& axes);
 
 /// What the engine stores for a motion in px, current − previous, by its conventions.
 glm::dvec2 storedMotion(const Patient& patient, const glm::dvec2& motionPx);

@@ -207,13 +207,13 @@ TEST(DepthCheck, NamesANearPlaneThatIsNotTheProjections) {
   DepthEvidence evidence;
   evidence.factors = {2.0, 2.0, 2.0};
   Diagnosis out;
-  tellDepth(evidence, out);
+  EXPECT_TRUE(tellNear(evidence, out));
   ASSERT_EQ(out.findings.size(), 1u);
   EXPECT_EQ(out.findings[0].id, "nearPlaneWrong");
   EXPECT_NE(out.findings[0].change.find("0.5 times what is stated"), std::string::npos);
   evidence.factors = {1.0, 1.04, 1.0}; // rounding
   Diagnosis right;
-  tellDepth(evidence, right);
+  EXPECT_FALSE(tellNear(evidence, right));
   EXPECT_TRUE(right.isHealthy());
 }
 

@@ -82,4 +82,22 @@ TEST(MendedFrames, AreMadeOfOneFrameAndItsJitterAlone) {
     EXPECT_FALSE(mendsAlone({kind}));
 }
 
+TEST(MendedFrames, HaveNeitherDepthNorCamerasWhereDepthSaysNothing) {
+  ASSERT_TRUE(paintedReader()(2).previousClipFromClip);
+  const DoctorFrame without = withoutDepth(paintedReader())(2);
+  EXPECT_TRUE(without.depth.empty() && without.depthView.empty() && without.previousDepthView.empty());
+  EXPECT_FALSE(without.previousClipFromClip);
+  EXPECT_FALSE(without.cameras);
+  EXPECT_FALSE(without.motionPx.empty());
+}
+
+// A picture that is turned upside down before and after moves the other way along y.
+TEST(MendedFrames, HaveTheMotionOfMatricesTurnedOver) {
+  const DoctorFrame given = test::paintedFrame({}, 2), turned = withFlippedMatrices(paintedReader())(2);
+  const auto was = cameraMotionPx(given, {80, 60}, 0.0f), is = cameraMotionPx(turned, {80, 35}, 0.0f);
+  ASSERT_TRUE(was && is);
+  EXPECT_NEAR(is->x, was->x, 1e-4);
+  EXPECT_NEAR(is->y, -was->y, 1e-4);
+}
+
 } // namespace taa::doctor

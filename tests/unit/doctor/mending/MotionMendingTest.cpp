@@ -96,7 +96,7 @@ TEST(MotionMending, MakesTheMotionThatTheExplanationSays) {
     EXPECT_NEAR(is.y, should.y, 1e-5f * glm::abs(should.y)) << trialId(trial);
     ++tried;
   }
-  EXPECT_EQ(tried, 28);
+  EXPECT_EQ(tried, 36);
 }
 
 TEST(MotionMending, SaysWhatAllOthersAre) {

@@ -78,4 +78,29 @@ TEST(MotionWitness, IsLateWhereRimsHaveTheMotionOfAFrameAgo) {
   EXPECT_FALSE(isLateAtRims(rims));
 }
 
+// A camera that turns about its axis and moves sideways makes another motion of matrices that are upside
+// down, and nothing that could be wrong with motion makes that of it.
+TEST(MotionWitness, FindsMatricesThatAreUpsideDown) {
+  const std::vector<MotionTrial> trials = motionTrials(test::kPaintedPx);
+  const auto isFlipped = [&](bool isTurnedOver) {
+    DoctorFrame now = test::paintedFrame({}, 2), before = test::paintedFrame({}, 1);
+    glm::mat4 turn(1.0f);
+    turn[0][1] = 0.08f, turn[1][0] = -0.05f, turn[3][0] = 0.07f;
+    now.previousClipFromClip = turn;
+    for (int y = 0; y < now.motionPx.height; ++y)
+      for (int x = 0; x < now.motionPx.width; ++x) {
+        const auto moved = cameraMotionPx(now, {x, y});
+        now.motionPx.at(x, y)[0] = moved->x;
+        now.motionPx.at(x, y)[1] = moved->y;
+      }
+    if (isTurnedOver) now.previousClipFromClip = flippedMatrix(turn);
+    WitnessEvidence evidence;
+    for (int y = 4; y < 92; ++y)
+      for (int x = 4; x < 156; ++x) addWitness(evidence, trials, {now, before, nullptr}, {x, y});
+    return areMatricesFlipped({&evidence}, trials);
+  };
+  EXPECT_TRUE(isFlipped(true));
+  EXPECT_FALSE(isFlipped(false));
+}
+
 } // namespace taa::doctor

@@ -62,4 +62,22 @@ TEST(MotionWords, CallWhatIsZeroUnwritten) {
   EXPECT_EQ(motionFault(nullptr, Region(), evidence).id, "motionCameraOnly");
 }
 
+TEST(MotionWords, TellDirectionAndAxesBesideAUnit) {
+  const auto kindOf = [](const MotionTrial& trial, const Patient& patient) {
+    const auto axes = axesBesideUnit(trial, patient);
+    return axes ? axes->kind : MotionKind::AsGiven;
+  };
+  Patient own, engine;
+  engine.conventions.emplace();
+  const MotionTrial uv{MotionKind::OtherUnit, {-160.0f, 96.0f}};
+  EXPECT_EQ(kindOf(uv, own), MotionKind::MirroredX);
+  EXPECT_EQ(unitAlone(uv, {MotionKind::MirroredX}).factor, glm::vec2(160.0f, 96.0f));
+  EXPECT_EQ(kindOf({MotionKind::OtherUnit, {-160.0f, -96.0f}}, engine), MotionKind::Opposite);
+  // Device coordinates point up by themselves; an engine states its axes.
+  const MotionTrial device{MotionKind::OtherUnit, {80.0f, -48.0f}, true};
+  EXPECT_EQ(kindOf(device, own), MotionKind::AsGiven);
+  EXPECT_EQ(kindOf(device, engine), MotionKind::MirroredY);
+  EXPECT_EQ(kindOf({MotionKind::Opposite}, engine), MotionKind::AsGiven) << "no unit";
+}
+
 } // namespace taa::doctor
