@@ -69,6 +69,7 @@ class Examiner {
   bool isDepthDistance() const {
     return patient_.conventions && patient_.conventions->depth.kind != capture::DepthKind::Window;
   }
+  bool isDepthDrawn() const { return !patient_.conventions; }
   const RimEvidence& rims() const { return rims_; }
   /// `out`: says how many frames there are.
   std::optional<RegionPlace> skyPlace(const Diagnosis& out) const {
@@ -254,7 +255,8 @@ Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, ToldO
   const bool isMotionRight = static_cast<std::ptrdiff_t>(out.findings.size()) == before;
   const bool isMotionWrong = std::any_of(out.findings.begin() + before, out.findings.end(), spoilsDepth);
   if (tellsDepth && !isMotionWrong) {
-    const DepthPatient patient{isMotionRight, examiner.isDepthDistance(), motion.isOfCameraOrDepth};
+    const DepthPatient patient{isMotionRight, examiner.isDepthDistance(), motion.isOfCameraOrDepth,
+                               examiner.isDepthDrawn()};
     tellDepth(examiner.depth(), out, patient);
     if (told.isNearWrong) blameMatrices(out);
   }

@@ -290,6 +290,19 @@ void leaveCamera(Finding& out) {
                           "here: the pictures do not tell which.">();
 }
 
+/// That it is, where depth is right.
+void tellCamera(Finding& out) {
+  const Finding camera = faultFinding(Fault::CameraOfSecondView);
+  out.id = camera.id;
+  out.name = camera.name;
+  out.symptom = camera.symptom;
+  out.sureness = Sureness::Likely;
+  out.mending.clear();
+  out.change =
+      say<"Make motion with the matrices of the frame before of the same view: what rests moves as if "
+          "the previous camera had stood beside this one.">();
+}
+
 /// The near plane that is stated is not that of the matrices.
 Finding statedNearFinding(double factor) {
   Finding out = faultFinding(Fault::NearPlaneWrong);
@@ -429,7 +442,11 @@ void tellDepth(const DepthEvidence& evidence, Diagnosis& out, const DepthPatient
   const DepthRelation* best = isMeasured ? clearRelation(relations, evidence.samples) : nullptr;
   if (best && !isAgainstForm(best->kind, evidence.form)) {
     out.findings.push_back(depthFinding(relations, *best, evidence.samples.size()));
-    if (best->kind == RelationKind::NearPlane && patient.isOfCameraOrDepth) leaveCamera(out.findings.back());
+    if (best->kind != RelationKind::NearPlane || !patient.isOfCameraOrDepth) return;
+    if (patient.isDepthDrawn)
+      tellCamera(out.findings.back());
+    else
+      leaveCamera(out.findings.back());
     return;
   }
   if (const auto kind = patient.isMotionRight ? storedKind(evidence) : kindByValues(evidence)) {

@@ -65,6 +65,7 @@ struct DepthPatient {
   bool isMotionRight = true; ///< as far as is known; else what hides what is no witness, which motion tells
   bool isDistance = false;   ///< depth is stated to be a distance, and no device depth
   bool isOfCameraOrDepth = false; ///< see MotionTold
+  bool isDepthDrawn = false;      ///< this program's own depth, which follows from its matrices
 };
 /// Adds what is wrong where all that is drawn lies at one end of depth, and returns whether it does: then
 /// depth says nothing else, and all else is looked at without it. `isDistance`: see DepthPatient.

@@ -170,7 +170,8 @@ class PairEvidence {
     if (region == kNoRegion || isMasked(frames_.now, pixel)) return;
     if (isInside) addWitness(witness_, frames_, pixel);
     if (!isMotion(frames_.now.motionAt(pixel.x, pixel.y))) return;
-    addRimWitness(rimWitness_[region], frames_, pixel);
+    const std::size_t i = static_cast<std::size_t>(pixel.y) * frames_.now.sizePx().x + pixel.x;
+    addRimWitness(rimWitness_[region], frames_, pixel, labelsBefore_[i] != labels_[i]);
     if (isInside) addWitness(regions_[static_cast<std::size_t>(region)].witness, trials_, frames_, pixel);
   }
 

@@ -87,14 +87,15 @@ std::size_t DistanceCounts::upTo(double distancePx) const {
   return sum;
 }
 
-void addRimWitness(WitnessEvidence& out, const FrameNeighbors& frames, const glm::ivec2& pixel) {
+void addRimWitness(WitnessEvidence& out, const FrameNeighbors& frames, const glm::ivec2& pixel,
+                   bool wasOther) {
   const auto camera = cameraMotionPx(frames.now, pixel);
   if (!camera || !frames.after || frames.after->startsHistory || frames.after->motionPx.empty()) return;
   const glm::vec2 given = frames.now.motionAt(pixel.x, pixel.y),
                   after = frames.after->motionAt(pixel.x, pixel.y);
   if (!isMotion(after) || !(static_cast<double>(glm::distance(given, *camera)) > kRimOffPx)) return;
   ++out.off;
-  if (static_cast<double>(glm::distance(after, *camera)) <= kExplainedPx) ++out.offLate;
+  if (wasOther && static_cast<double>(glm::distance(after, *camera)) <= kExplainedPx) ++out.offLate;
 }
 
 void addWitness(WitnessEvidence& out, const std::vector<MotionTrial>& trials, const FrameNeighbors& frames,

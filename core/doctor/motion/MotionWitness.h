@@ -37,8 +37,9 @@ struct WitnessEvidence {
   std::size_t apart = 0; ///< pixels whose motion given is not the camera's
   /// Of these: how far the motion given is from the camera's if matrices are upside down.
   DistanceCounts flipped;
-  /// Pixels of all of the region, its rim too, whose motion given is not the camera's, and of these: those at
-  /// which the frame after has the motion of the camera of now.
+  /// Pixels of all of the region, its rim too, whose motion given is not the camera's, and of these: those
+  /// that showed another region in the frame before, at which the frame after has the motion of the camera of
+  /// now.
   std::size_t off = 0, offLate = 0;
 };
 
@@ -53,8 +54,9 @@ struct PairWitness {
 /// Adds a pixel well inside a region.
 void addWitness(WitnessEvidence& out, const std::vector<MotionTrial>& trials, const FrameNeighbors& frames,
                 const glm::ivec2& pixel);
-/// Adds any pixel of a region to `off` and `offLate`.
-void addRimWitness(WitnessEvidence& out, const FrameNeighbors& frames, const glm::ivec2& pixel);
+/// Adds any pixel of a region to `off` and `offLate`. `wasOther`: it showed another one in the frame before.
+void addRimWitness(WitnessEvidence& out, const FrameNeighbors& frames, const glm::ivec2& pixel,
+                   bool wasOther);
 /// Adds a pixel well inside a region.
 void addWitness(PairWitness& out, const FrameNeighbors& frames, const glm::ivec2& pixel);
 /// The only frame in which motion is that of a matrix that was never set, where in the others it is not.

@@ -64,7 +64,9 @@ bool ResolveEvidence::isWanted(std::size_t model, PixelSet set) const {
   const PixelSet own = setOf(kindOf(model));
   // What tells of pixels apart is looked at once the likely presets are known.
   if (own != PixelSet::Anywhere && pairs_ < kPairsOfAll) return false;
-  return models_[model].isTried && (own == set || kindOf(model) == ResolveKind::Sound);
+  // The farthest of nine may look like history that is read where the pixel is.
+  const bool isEverywhere = kindOf(model) == ResolveKind::Sound || kindOf(model) == ResolveKind::Farthest;
+  return models_[model].isTried && (own == set || isEverywhere);
 }
 
 void ResolveEvidence::compare(const ResolveFrames& frames) {

@@ -145,6 +145,16 @@ bool isOfReading(ResolveKind kind) {
   return kind == ResolveKind::ReadJittered || kind == ResolveKind::InPlace || kind == ResolveKind::Opposite;
 }
 
+/// Where little but rims moves, dilation that picks the farthest reads history as if nothing moved: whether
+/// it explains nearly as much of what sound models leave.
+bool mayBeFarthest(const ResolveEvidence& evidence, const ResolveFit& mistake) {
+  constexpr double kNearlyAsMuch = 0.75;
+  const auto sound = evidence.best(ResolveKind::Sound, PixelSet::Anywhere),
+             farthest = evidence.best(ResolveKind::Farthest, PixelSet::Anywhere);
+  return modelOf(mistake).kind == ResolveKind::InPlace && sound && farthest &&
+         sound->error - farthest->error >= kNearlyAsMuch * (sound->error - mistake.error);
+}
+
 /// The kind that explains a set much better than any sound model, in nearly all pairs.
 std::optional<ResolveFit> mistakeOf(const ResolveEvidence& evidence, PixelSet set) {
   const auto sound = evidence.best(ResolveKind::Sound, set);
@@ -171,6 +181,12 @@ void tellMistake(const ResolveEvidence& evidence, const ResolveFit& fit, Diagnos
   finding.measure = measureText();
   finding.residuals = resolveResiduals(evidence, setOf(kind), kind);
   finding.sureness = fit.error <= kAlike ? Sureness::Sure : Sureness::Likely;
+  if (mayBeFarthest(evidence, fit)) {
+    finding.sureness = Sureness::Likely;
+    finding.alike = {std::string(faultInfo(Fault::DilatesFarthest).id)};
+    finding.reason +=
+        " " + say<"So little moves but rims that dilation which picks the farthest would look the same.">();
+  }
   out.findings.push_back(std::move(finding));
 }
 

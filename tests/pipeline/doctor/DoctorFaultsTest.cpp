@@ -42,7 +42,9 @@ TEST_F(DoctorFaults, AreNamedFirst) {
         Fault::AlphaOne, Fault::AlphaZero, Fault::BoxOfCorners, Fault::DilatesFarthest,
         Fault::OffScreenClamped, Fault::LowPrecision, Fault::DepthReversed, Fault::DepthLinear,
         // At rims it has the motion of what is beside: outlines say nothing then.
-        Fault::MotionLingers}},
+        Fault::MotionLingers,
+        // The way of small things over all frames holds that of the one.
+        Fault::PreviousIdentity}},
       {"disocclusion",
        "",
        {Fault::MotionHalved, Fault::MotionInUv, Fault::MotionCameraOnly, Fault::JitterSwapped,
@@ -60,6 +62,8 @@ TEST_F(DoctorFaults, AreNamedFirst) {
       {"foliage", "orbit", {Fault::CameraOfSecondView}},
       {"fence", "orbit", {Fault::CameraOfSecondView, Fault::NearPlaneWrong}},
       {"gallery", "pan", {Fault::CameraOfSecondView}},
+      // Another near plane would make the same motion, but depth is this program's own.
+      {"crowd", "orbit", {Fault::CameraOfSecondView}},
       {"foliage", "pan", {Fault::JitterFrozen}}};
   for (const FaultyShot& shot : shots) {
     EXPECT_TRUE(diagnosisWith(shot, nullptr).isHealthy()) << shot.scene;
@@ -69,6 +73,23 @@ TEST_F(DoctorFaults, AreNamedFirst) {
       EXPECT_EQ(diagnosis.findings[0].id, faultInfo(fault).id) << shot.scene;
     }
   }
+}
+
+// The rims of what is coarse have the motion of what is beside, as those of motion that is late; but they
+// showed nothing else a frame before.
+TEST_F(DoctorFaults, OfACoarsePlaneAreNotLate) {
+  const Fault fault = Fault::MotionCoarse;
+  for (const Finding& finding : diagnosisWith({"crowd", "pan", {}}, &fault).findings)
+    EXPECT_NE(finding.id, "motionLingers");
+}
+
+// Nothing but rims and what is blended moves: the farthest of nine rests, and so does the pixel's own place.
+TEST_F(DoctorFaults, OfDilationMayLookLikeNoReprojection) {
+  const Fault fault = Fault::DilatesFarthest;
+  const Diagnosis diagnosis = diagnosisWith({"glass", "still", {}}, &fault);
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  EXPECT_EQ(diagnosis.findings[0].sureness, Sureness::Likely);
+  EXPECT_EQ(diagnosis.findings[0].alike, std::vector<std::string>{"dilatesFarthest"});
 }
 
 // Where depth has no jitter, its rims are not those of the pictures, and say nothing of motion.

@@ -254,7 +254,9 @@ MotionTold tellMotion(const MotionEvidence& evidence, const std::vector<Region>&
   tellUnwrittenSky(judged.regions, patient, allPixels, out);
   preferStated(judged.regions, evidence.trials(), patient);
   MotionTold told;
+  const bool isOfOneFrame = identityFrame(evidence.pairs()).has_value();
   for (const FaultGroup& group : groupsOf(judged.regions, evidence.trials())) {
+    if (isOfOneFrame && isOfMiddles(group)) continue; // its way over all frames holds that of the one
     const std::vector<Finding> findings = findingsOf(group, judged.regions, evidence, patient, allPixels);
     std::ranges::copy(findings, std::back_inserter(out.findings));
     if (!told.all && group.trial && breaksNothing(*group.trial, judged.regions))
