@@ -43,6 +43,7 @@ class Examiner {
   /// `out`: counts frames and pairs. `firstSeen`: called after kFirstLook frames, where more follow.
   void look(const FrameReader& read, Diagnosis& out, const std::function<void()>& firstSeen = {}) {
     const int count = examination_.frames;
+    read_ = read;
     out.frames = out.pairs = 0;
     std::optional<DoctorFrame> before, now = readNext(read, 0), after;
     for (int frame = 0; frame < count; ++frame) {
@@ -63,7 +64,23 @@ class Examiner {
   Examiner another() const { return {examination_, patient_, progress_, false}; }
   const JitterEvidence& jitter() const { return jitter_; }
   JitterOutcome tellJitter(bool hasCamera, Diagnosis& out) const {
-    return doctor::tellJitter(jitter_, {patient_, hasCamera, skyPlace(out)}, out);
+    const auto surfaces = [this] { return areSurfacesJittered(); };
+    return doctor::tellJitter(jitter_, {patient_, hasCamera, skyPlace(out), surfaces}, out);
+  }
+  /// Whether surfaces are drawn with the jitter that is stated, by depth alone: reads some frames again.
+  bool areSurfacesJittered() const {
+    constexpr int kEnough = 8;
+    JitterEvidence evidence;
+    std::optional<DoctorFrame> before;
+    for (int frame = 0; frame < std::min(kEnough, examination_.frames); ++frame) {
+      DoctorFrame now = read_(examination_.first + frame);
+      if (now.depth.empty()) return false;
+      now.luma = asDepthPicture(now);
+      evidence.stated[now.frame] = now.jitterPx;
+      if (before && !now.startsHistory) evidence.add({now, *before, nullptr});
+      before = std::move(now);
+    }
+    return doctor::areSurfacesJittered(evidence, patient_.sizePx);
   }
   const DepthEvidence& depth() const { return depth_; }
   bool isDepthDistance() const {
@@ -117,6 +134,7 @@ class Examiner {
   }
 
   const Examination& examination_;
+  FrameReader read_; ///< what was looked at
   const Patient& patient_;
   const Progress& progress_;
   RegionTracker tracker_;

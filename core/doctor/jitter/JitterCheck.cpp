@@ -1,5 +1,6 @@
 #include "core/doctor/jitter/JitterCheck.h"
 
+#include "core/base/Median.h"
 #include "core/base/Say.h"
 #include "core/capture/decode/ScreenUnits.h"
 #include "core/doctor/NumberText.h"
@@ -371,6 +372,28 @@ void tellLength(const JitterFit& fit, const std::vector<JitterTrial>& trials, Di
 
 } // namespace
 
+bool areSurfacesJittered(const JitterEvidence& evidence, const glm::ivec2& sizePx) {
+  constexpr double kNearPx = 0.2, kFartherFactor = 2.0;
+  if (evidence.shifts.size() < kEnoughShifts) return false;
+  const std::vector<JitterTrial> trials = jitterTrials(sizePx);
+  const double statedPx = shiftResidual(trials.front(), evidence),
+               noJitterPx = shiftResidual(trials[kNotAppliedTrial], evidence);
+  return statedPx <= kNearPx && noJitterPx >= kFartherFactor * statedPx;
+}
+
+Image asDepthPicture(const DoctorFrame& frame) {
+  std::vector<double> drawn;
+  for (const float depth : frame.depth.pixels)
+    if (depth > 0.0f && depth < 1.0f) drawn.push_back(static_cast<double>(depth));
+  const auto middle = static_cast<float>(drawn.empty() ? 1.0 : median(std::move(drawn)));
+  Image out(frame.depth.width, frame.depth.height, 1);
+  for (std::size_t i = 0; i < out.pixels.size(); ++i) {
+    const float depth = frame.depth.pixels[i];
+    out.pixels[i] = depth > 0.0f ? depth / (depth + middle) : 0.0f;
+  }
+  return out;
+}
+
 JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& patient, Diagnosis& out) {
   if (evidence.stated.empty()) return {};
   if (evidence.shifts.size() < kEnoughShifts) {
@@ -404,6 +427,14 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
     tellNoFit(missPx, out);
     tellShort(evidence.stated, out);
     return {{}, missPx > kMissingPx, true};
+  }
+  if (trials[fit.best].kind == JitterKind::NotApplied && patient.areSurfacesJittered &&
+      patient.areSurfacesJittered()) {
+    out.notes.push_back(
+        say<"Surfaces are drawn with the jitter, and what is seen on them is not shifted by it: textures are "
+            "read as if there were none.">());
+    tellTrial(trials, 0, evidence, patient.sky, out);
+    return {};
   }
   for (Finding& finding : otherJitter(fit, trials, evidence, patient.isCameraKnown, patient.patient))
     out.findings.push_back(std::move(finding));

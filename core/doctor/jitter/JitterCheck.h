@@ -27,7 +27,15 @@ struct JitterPatient {
   const Patient& patient;
   bool isCameraKnown = true;           ///< shifts do not rest on motion vectors
   std::optional<RegionPlace> sky = {}; ///< none: there is none
+  /// Asked where pictures hold no jitter: see areSurfacesJittered(). Empty: nobody knows.
+  std::function<bool()> areSurfacesJittered = {};
 };
+
+/// Whether depth shifts from frame to frame as the jitter that is stated: surfaces are drawn with it,
+/// whatever is seen on them. `evidence`: of frames whose luma is asDepthPicture()'s.
+bool areSurfacesJittered(const JitterEvidence& evidence, const glm::ivec2& sizePx);
+/// Depth as light, 0 to 1: what is in the middle of all that is drawn has a half. Expects depth.
+Image asDepthPicture(const DoctorFrame& frame);
 
 /// Adds what is wrong, right, or not decided about jitter.
 JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& patient, Diagnosis& out);

@@ -259,6 +259,23 @@ void judgeByMiddles(std::vector<JudgedRegion>& judged, const std::vector<MotionT
   }
 }
 
+/// Where pixels say of what rests that its motion is not the camera's, and no more, the motion given is that
+/// of nothing that is known: what outlines alone say of others beside that is no explanation.
+void leaveOutlinesAlone(std::vector<JudgedRegion>& judged, const std::vector<MotionTrial>& trials) {
+  const auto isOfCamera = [&](const JudgedRegion& region) {
+    return region.trial && trials[*region.trial].kind == MotionKind::OfCamera;
+  };
+  const bool isKnown = std::ranges::any_of(judged, [&](const JudgedRegion& region) {
+    return isOfCamera(region) && region.decision.by == DecidedBy::Pixels && !isUnwritten(*region.evidence);
+  });
+  if (!isKnown) return;
+  for (JudgedRegion& region : judged) {
+    if (!region.trial || region.decision.by != DecidedBy::Outline || isOfCamera(region)) continue;
+    region.trial.reset();
+    region.decision = {MotionVerdict::Doubtful, {}};
+  }
+}
+
 /// Everything is a frame late, or nothing: of the sky alone it is what leaks into it from what moves before
 /// it.
 void leaveSkyAlone(std::vector<JudgedRegion>& judged, const std::vector<MotionTrial>& trials) {
@@ -331,6 +348,7 @@ Judged judgeMotion(const MotionEvidence& evidence, const std::vector<Region>& re
   judgeByMiddles(out.regions, evidence.trials());
   explainByFewest(out.regions, evidence.trials());
   leaveSkyAlone(out.regions, evidence.trials());
+  leaveOutlinesAlone(out.regions, evidence.trials());
   leaveJitterAlone(out.regions, evidence.trials());
   return out;
 }
