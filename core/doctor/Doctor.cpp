@@ -80,7 +80,7 @@ class Examiner {
       if (before && !now.startsHistory) evidence.add({now, *before, nullptr});
       before = std::move(now);
     }
-    return doctor::areSurfacesJittered(evidence, patient_.sizePx);
+    return doctor::areSurfacesJittered(evidence);
   }
   const DepthEvidence& depth() const { return depth_; }
   bool isDepthDistance() const {

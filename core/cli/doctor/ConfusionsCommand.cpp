@@ -51,6 +51,7 @@ CasePlan casePlanOf(const ConfusionsArguments& arguments) {
   plan.single = isAsked("single");
   plan.half = isAsked("half");
   plan.pairs = isAsked("pairs");
+  plan.presets = isAsked("presets");
   plan.sizePx = parseSize(arguments.size);
   plan.frames = arguments.frames;
   return plan;

@@ -28,8 +28,9 @@ void addConfusions(CLI::App& app, ConfusionsArguments& confusions, const Progres
   addNames("--captures", confusions.captures, "Folders of captures that faults are injected into, too");
   addNames("--faults", confusions.faults, "Ids of faults (manual, faults); without it all");
   addNames("--kinds", confusions.kinds,
-           "healthy frames, a single fault, half of its strength, pairs of faults")
-      ->check(CLI::IsMember({"healthy", "single", "half", "pairs"}))
+           "healthy frames, a single fault, half of its strength, pairs of faults; "
+           "presets: healthy frames and outputs of each preset")
+      ->check(CLI::IsMember({"healthy", "single", "half", "pairs", "presets"}))
       ->capture_default_str();
   command->add_option("--size", confusions.size, "WxH of scenes, px")->capture_default_str();
   command->add_option("--frames", confusions.frames, "How many frames are examined, from frame 0 on")

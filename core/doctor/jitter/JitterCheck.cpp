@@ -372,13 +372,12 @@ void tellLength(const JitterFit& fit, const std::vector<JitterTrial>& trials, Di
 
 } // namespace
 
-bool areSurfacesJittered(const JitterEvidence& evidence, const glm::ivec2& sizePx) {
-  constexpr double kNearPx = 0.2, kFartherFactor = 2.0;
-  if (evidence.shifts.size() < kEnoughShifts) return false;
-  const std::vector<JitterTrial> trials = jitterTrials(sizePx);
-  const double statedPx = shiftResidual(trials.front(), evidence),
-               noJitterPx = shiftResidual(trials[kNotAppliedTrial], evidence);
-  return statedPx <= kNearPx && noJitterPx >= kFartherFactor * statedPx;
+bool areSurfacesJittered(const JitterEvidence& evidence) {
+  constexpr int kEnoughDepthPairs = 4;
+  constexpr double kFewPairs = 0.2, kClearlyMore = 1.15;
+  const TrialFit without = fitOf(evidence.world, kNotAppliedTrial, 0);
+  return without.pairs >= kEnoughDepthPairs && without.won <= kFewPairs * without.pairs &&
+         without.stated > 0.0 && without.tried >= kClearlyMore * without.stated;
 }
 
 Image asDepthPicture(const DoctorFrame& frame) {
@@ -434,7 +433,7 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
         say<"Surfaces are drawn with the jitter, and what is seen on them is not shifted by it: textures are "
             "read as if there were none.">());
     tellTrial(trials, 0, evidence, patient.sky, out);
-    return {};
+    return {menderOf(trials[fit.best])}; // what pictures are compared by
   }
   for (Finding& finding : otherJitter(fit, trials, evidence, patient.isCameraKnown, patient.patient))
     out.findings.push_back(std::move(finding));

@@ -33,7 +33,7 @@ struct JitterPatient {
 
 /// Whether depth shifts from frame to frame as the jitter that is stated: surfaces are drawn with it,
 /// whatever is seen on them. `evidence`: of frames whose luma is asDepthPicture()'s.
-bool areSurfacesJittered(const JitterEvidence& evidence, const glm::ivec2& sizePx);
+bool areSurfacesJittered(const JitterEvidence& evidence);
 /// Depth as light, 0 to 1: what is in the middle of all that is drawn has a half. Expects depth.
 Image asDepthPicture(const DoctorFrame& frame);
 

@@ -3,6 +3,7 @@
 #include "core/base/Error.h"
 #include "core/doctor/Doctor.h"
 #include "core/doctor/frames/ShownDifference.h"
+#include "core/settings/Presets.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -62,9 +63,17 @@ ShownDifference shownBetween(const std::vector<DoctorFrame>& a, const std::vecto
   return out;
 }
 
+/// Those of the preset, of this program's own none.
+Settings presetSettings(const std::string& id) {
+  if (id.empty()) return {};
+  const auto found = std::ranges::find(builtinPresets(), id, &Preset::id);
+  if (found == builtinPresets().end()) throw Error("there is no preset \"" + id + "\"");
+  return found->settings;
+}
+
 /// Those of the source as healthy as they are, with the faults.
 Settings faultySettings(const DoctorCase& tried) {
-  Settings out;
+  Settings out = presetSettings(tried.preset);
   for (const Fault fault : tried.faults)
     if (!tried.isHalf)
       inject(fault, out);
@@ -87,6 +96,7 @@ void CaseJudge::open(const PlannedCase& planned, const Progress& progress) {
   DoctorCase healthy = tried;
   healthy.faults.clear();
   healthy.isHalf = false;
+  healthy.preset.clear();
   if (opened_ && opened_->path == planned.path && opened_->tried == healthy) return;
   opened_.reset();
   healthy_.clear();
@@ -138,7 +148,9 @@ JudgedCase CaseJudge::judge(const PlannedCase& planned, const Progress& progress
   JudgedCase out;
   out.tried = planned.tried;
   if (out.tried.faults.empty()) {
-    for (const doctor::Finding& finding : ofHealthy_.findings) out.named.push_back(finding.id);
+    const Diagnosis diagnosis =
+        out.tried.preset.empty() ? ofHealthy_ : diagnosisOf(framesOf(out.tried), progress);
+    for (const doctor::Finding& finding : diagnosis.findings) out.named.push_back(finding.id);
     return out;
   }
   const Frames frames = framesOf(planned.tried);

@@ -1,5 +1,6 @@
 #include "core/report/doctor/CasePlan.h"
 
+#include "core/settings/Presets.h"
 #include "core/settings/Settings.h"
 
 #include <algorithm>
@@ -59,6 +60,14 @@ void planFault(const CasePlan& plan, Fault fault, const PlannedCase& source, std
   if (const auto partner = partnerOf(fault, source, turn)) add({fault, *partner}, false);
 }
 
+void planPresets(const PlannedCase& source, std::vector<PlannedCase>& out) {
+  for (const Preset& preset : builtinPresets()) {
+    PlannedCase planned = source;
+    planned.tried.preset = preset.id;
+    out.push_back(std::move(planned));
+  }
+}
+
 } // namespace
 
 std::vector<PlannedCase> plannedCases(const CasePlan& plan) {
@@ -66,6 +75,7 @@ std::vector<PlannedCase> plannedCases(const CasePlan& plan) {
   const std::vector<PlannedCase> sources = sourcesOf(plan);
   for (std::size_t turn = 0; turn < sources.size(); ++turn) {
     if (plan.healthy) out.push_back(sources[turn]);
+    if (plan.presets && sources[turn].path.starts_with("builtin:")) planPresets(sources[turn], out);
     for (const Fault fault : plan.faults)
       if (isPossible(fault, sources[turn])) planFault(plan, fault, sources[turn], turn, out);
   }

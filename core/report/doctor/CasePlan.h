@@ -16,8 +16,9 @@ struct CasePlan {
   std::vector<std::string> cameras;  ///< of scenes
   std::vector<std::string> captures; ///< folders
   std::vector<Fault> faults;
-  bool healthy = true, single = true, half = true, pairs = true; ///< kinds of cases
-  glm::ivec2 sizePx{240, 136};                                   ///< of scenes
+  /// Kinds of cases; presets are healthy frames of all engines.
+  bool healthy = true, single = true, half = true, pairs = true, presets = false;
+  glm::ivec2 sizePx{240, 136}; ///< of scenes
   int frames = 14;
 };
 

@@ -12,8 +12,9 @@ namespace taa {
 
 namespace {
 
-constexpr std::string_view kCasesHeading = "source,camera,size,frames,faults,strength,shows,named,same,open";
-constexpr std::size_t kCaseColumns = 10;
+constexpr std::string_view kCasesHeading =
+    "source,camera,size,frames,preset,faults,strength,shows,named,same,open";
+constexpr std::size_t kCaseColumns = 11;
 
 /// None of an empty text.
 std::vector<std::string> caseParts(const std::string& text, char separator) {
@@ -51,13 +52,13 @@ Fault caseFaultIn(const std::string& id, const std::string& place) {
 }
 
 DoctorCase caseOf(const std::vector<std::string>& parts, const std::string& place) {
-  DoctorCase out{parts[0], parts[1], {}, caseNumberIn(parts[3], place), {}, parts[5] == "half"};
+  DoctorCase out{parts[0], parts[1], {}, caseNumberIn(parts[3], place), {}, parts[6] == "half", parts[4]};
   const std::size_t cross = std::min(parts[2].find('x'), parts[2].size());
   out.sizePx = {caseNumberIn(parts[2].substr(0, cross), place),
                 caseNumberIn(parts[2].substr(std::min(cross + 1, parts[2].size())), place)};
-  for (const std::string& id : caseParts(parts[4], '|')) out.faults.push_back(caseFaultIn(id, place));
-  if (!out.isHalf && parts[5] != "full")
-    throw Error(place + ": \"" + parts[5] + "\" is neither full nor half");
+  for (const std::string& id : caseParts(parts[5], '|')) out.faults.push_back(caseFaultIn(id, place));
+  if (!out.isHalf && parts[6] != "full")
+    throw Error(place + ": \"" + parts[6] + "\" is neither full nor half");
   return out;
 }
 
@@ -99,8 +100,8 @@ std::vector<JudgedCase> judgedCasesFrom(const std::string& text, const std::stri
     const std::string where = place + ":" + std::to_string(number);
     const std::vector<std::string> parts = caseParts(line, ',');
     if (parts.size() != kCaseColumns) throw Error(where + ": " + std::string(kCasesHeading) + " is expected");
-    out.push_back({caseOf(parts, where), caseSwitchIn(parts[6], where), caseParts(parts[7], '|'),
-                   caseParts(parts[8], '|'), caseSwitchIn(parts[9], where)});
+    out.push_back({caseOf(parts, where), caseSwitchIn(parts[7], where), caseParts(parts[8], '|'),
+                   caseParts(parts[9], '|'), caseSwitchIn(parts[10], where)});
   }
   return out;
 }
@@ -115,9 +116,10 @@ std::string judgedCaseText(const JudgedCase& judged) {
   for (const Fault fault : tried.faults) faults.emplace_back(faultInfo(fault).id);
   std::ostringstream out;
   out << tried.source << ',' << tried.camera << ',' << tried.sizePx.x << 'x' << tried.sizePx.y << ','
-      << tried.frames << ',' << caseWords(faults) << ',' << (tried.isHalf ? "half" : "full") << ','
-      << (judged.shows ? "yes" : "no") << ',' << caseWords(judged.named) << ',' << caseWords(judged.same)
-      << ',' << (judged.isOpen ? "yes" : "no") << '\n';
+      << tried.frames << ',' << tried.preset << ',' << caseWords(faults) << ','
+      << (tried.isHalf ? "half" : "full") << ',' << (judged.shows ? "yes" : "no") << ','
+      << caseWords(judged.named) << ',' << caseWords(judged.same) << ',' << (judged.isOpen ? "yes" : "no")
+      << '\n';
   return out.str();
 }
 

@@ -21,6 +21,7 @@ struct DoctorCase {
   int frames = 14;           ///< from frame 0 on
   std::vector<Fault> faults; ///< none: healthy frames
   bool isHalf = false;       ///< at half strength, see injectHalf()
+  std::string preset = {};   ///< the engine's settings; empty: this program's own
 
   bool operator==(const DoctorCase&) const = default;
 };
@@ -50,8 +51,8 @@ CaseOutcome outcomeOf(const JudgedCase& judged);
 /// Whether one of the names says the fault.
 bool isNamed(Fault fault, const JudgedCase& judged);
 
-/// Lines of "source,camera,size,frames,faults,strength,shows,named,same,open" below a line of these names;
-/// several ids with | between. Throws Error naming `place` and the line.
+/// Lines of "source,camera,size,frames,preset,faults,strength,shows,named,same,open" below a line of these
+/// names; several ids with | between. Throws Error naming `place` and the line.
 std::vector<JudgedCase> judgedCasesFrom(const std::string& text, const std::string& place);
 /// The heading, with its end of line.
 std::string judgedCasesHead();

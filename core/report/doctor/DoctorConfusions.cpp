@@ -100,7 +100,8 @@ void addAllShares(std::ostream& out, const Cases& judged) {
 }
 
 void addHealthy(std::ostream& out, const Cases& judged) {
-  const Cases healthy = casesWhere(judged, [](const JudgedCase& one) { return one.tried.faults.empty(); });
+  const Cases healthy = casesWhere(
+      judged, [](const JudgedCase& one) { return one.tried.faults.empty() && one.tried.preset.empty(); });
   const Cases named = casesWhere(healthy, [](const JudgedCase& one) { return !one.named.empty(); });
   out << "Of " << healthy.size() << " healthy sequences something is found in " << named.size();
   for (const JudgedCase& one : named)
@@ -188,6 +189,35 @@ void addFault(std::ostream& out, const FaultInfo& info, const Cases& judged) {
   out << " | " << wrongNames(ofFault) << " |\n";
 }
 
+/// What is found of frames and outputs that presets make.
+void addPresets(std::ostream& out, const Cases& judged) {
+  const Cases presets = casesWhere(judged, [](const JudgedCase& one) { return !one.tried.preset.empty(); });
+  if (presets.empty()) return;
+  const auto idOf = [](const JudgedCase& one) { return one.tried.preset; };
+  std::map<std::string, std::pair<std::set<std::string>, std::set<std::string>>> found; // names, places
+  std::vector<std::string> order;
+  for (const JudgedCase& one : presets) {
+    if (one.named.empty()) continue;
+    if (!found.contains(one.tried.preset)) order.push_back(one.tried.preset);
+    auto& [names, places] = found[one.tried.preset];
+    for (const std::string& name : one.named) names.insert("`" + name + "`");
+    places.insert("`" + one.tried.source + "` with `" + one.tried.camera + "`");
+  }
+  const Cases sound =
+      casesWhere(presets, [&](const JudgedCase& one) { return !found.contains(one.tried.preset); });
+  const auto joined = [](const std::set<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text.append(text.empty() ? "" : ", ").append(word);
+    return text;
+  };
+  out << "\nPresets as engines: frames and outputs as each makes them, without a fault. Nothing is found of "
+      << listOf(sound, idOf) << ". What is found of the others is what they do:\n\n| preset | found | in |\n"
+      << "|---|---|---|\n";
+  for (const std::string& preset : order)
+    out << "| `" << preset << "` | " << joined(found[preset].first) << " | " << joined(found[preset].second)
+        << " |\n";
+}
+
 } // namespace
 
 void OutcomeCounts::add(const JudgedCase& judged) {
@@ -208,7 +238,7 @@ std::string doctorConfusions(const std::vector<JudgedCase>& judged) {
          "shown where frames differ from those without it by what one sees, in jitter or in pixels enough to "
          "be "
          "a region; it is named first, too, where another name stands first that makes the same frames. ";
-  addTried(out, judged);
+  addTried(out, casesWhere(judged, [](const JudgedCase& one) { return one.tried.preset.empty(); }));
   addHealthy(out, judged);
   addPairs(out, judged);
   out << "Shares are of the cases that are shown, the last of those that are not.\n\n";
@@ -217,6 +247,7 @@ std::string doctorConfusions(const std::vector<JudgedCase>& judged) {
          "decided "
          "| nothing said | wrong name | named instead |\n|---|---|---|---|---|---|---|---|---|\n";
   for (const FaultInfo& info : faultTable()) addFault(out, info, judged);
+  addPresets(out, judged);
   return out.str();
 }
 

@@ -1,6 +1,8 @@
 // Which cases the doctor is tried on.
 #include "core/report/doctor/CasePlan.h"
 
+#include "core/settings/Presets.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,6 +50,17 @@ TEST(CasePlan, PairsFaultsOfTwoPartsThatGoTogether) {
       partners.insert(one.tried.faults[1]);
     }
   EXPECT_EQ(partners.size(), 4u);
+}
+
+TEST(CasePlan, TakesAllPresetsForEnginesOfScenesWhereThatIsAsked) {
+  CasePlan plan = planOf({});
+  plan.captures = {"/data/capture-three"};
+  plan.healthy = false;
+  EXPECT_TRUE(plannedCases(plan).empty());
+  plan.presets = true;
+  const std::vector<PlannedCase> cases = plannedCases(plan);
+  EXPECT_EQ(cases.size(), 4 * builtinPresets().size());
+  for (const PlannedCase& one : cases) EXPECT_FALSE(one.tried.preset.empty());
 }
 
 TEST(CasePlan, InjectsNothingIntoCapturesThatHasToBeDrawn) {

@@ -51,11 +51,11 @@ TEST(DoctorCases, AreReadAsTheyAreWritten) {
   pair.tried.faults = {Fault::JitterLate, Fault::MotionZero};
   pair.isOpen = true;
   const std::string line =
-      "builtin:fan,pan,240x136,14,jitterLate|motionZero,full,yes,jitterLate|motionZero,,yes\n";
+      "builtin:fan,pan,240x136,14,,jitterLate|motionZero,full,yes,jitterLate|motionZero,,yes\n";
   EXPECT_EQ(judgedCaseText(pair), line);
   JudgedCase healthy;
-  healthy.tried = {"capture-three", "", {0, 0}, 12, {}, false};
-  const std::string second = "capture-three,,0x0,12,,full,no,,,no\n";
+  healthy.tried = {"builtin:fan", "pan", {240, 136}, 12, {}, false, "godot"};
+  const std::string second = "builtin:fan,pan,240x136,12,godot,,full,no,,,no\n";
   EXPECT_EQ(judgedCaseText(healthy), second);
   const std::vector<JudgedCase> read = judgedCasesFrom(judgedCasesHead() + line + second, "judged");
   ASSERT_EQ(read.size(), 2u);
@@ -70,11 +70,11 @@ TEST(DoctorCases, ThatAreWrongAreRefusedWithTheirLine) {
   };
   EXPECT_EQ(test::errorOf([] { judgedCasesFrom("source\n", "judged"); }).find("judged: the first line"), 0u);
   EXPECT_EQ(errorOfLine("builtin:fan,pan\n").find("judged:2"), 0u);
-  EXPECT_NE(errorOfLine("builtin:fan,pan,240x136,14,jitterLat,full,yes,,,no\n").find("jitterLate"),
+  EXPECT_NE(errorOfLine("builtin:fan,pan,240x136,14,,jitterLat,full,yes,,,no\n").find("jitterLate"),
             std::string::npos);
-  EXPECT_NE(errorOfLine("builtin:fan,pan,wide,14,,full,yes,,,no\n").find("no number"), std::string::npos);
-  EXPECT_NE(errorOfLine("builtin:fan,pan,240x136,14,,third,yes,,,no\n").find("third"), std::string::npos);
-  EXPECT_NE(errorOfLine("builtin:fan,pan,240x136,14,,full,maybe,,,no\n").find("maybe"), std::string::npos);
+  EXPECT_NE(errorOfLine("builtin:fan,pan,wide,14,,,full,yes,,,no\n").find("no number"), std::string::npos);
+  EXPECT_NE(errorOfLine("builtin:fan,pan,240x136,14,,,third,yes,,,no\n").find("third"), std::string::npos);
+  EXPECT_NE(errorOfLine("builtin:fan,pan,240x136,14,,,full,maybe,,,no\n").find("maybe"), std::string::npos);
 }
 
 TEST(DoctorCases, OfTheManualAreRead) {

@@ -51,6 +51,20 @@ TEST(DoctorConfusions, AreATableWithEveryFault) {
   EXPECT_EQ(text.find("`motionZero` |"), std::string::npos);
 }
 
+TEST(DoctorConfusions, SayWhatIsFoundOfPresets) {
+  std::vector<JudgedCase> cases = fiveCases();
+  for (const char* preset : {"balanced", "godot", "ue4"}) {
+    cases.push_back(judgedCase({}, {}, false));
+    cases.back().tried.preset = preset;
+  }
+  cases[6].named = {"dilatesFarthest"};
+  const std::string text = doctorConfusions(cases);
+  EXPECT_NE(text.find("Nothing is found of `balanced`, `ue4`."), std::string::npos) << text;
+  EXPECT_NE(text.find("| `godot` | `dilatesFarthest` | `builtin:fan` with `pan` |"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("Of 1 healthy sequences"), std::string::npos) << "they are counted apart";
+}
+
 TEST(DoctorConfusions, CountPairsApartThatShowByThemselves) {
   std::vector<JudgedCase> cases = fiveCases();
   EXPECT_EQ(doctorConfusions(cases).find("of them whose faults"), std::string::npos) << "motionZero alone";

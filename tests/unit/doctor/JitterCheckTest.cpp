@@ -6,7 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace taa::doctor {
 namespace {
@@ -78,6 +81,49 @@ TEST(JitterCheck, NamesJitterThatIsNotApplied) {
   test::PaintedShot still;
   still.isJittered = false;
   EXPECT_EQ(told(diagnosisOf(trueJitterAt, still)), "jitterNotApplied");
+}
+
+// Depth shifts with the jitter where surfaces are drawn with it, whatever is seen on them.
+TEST(JitterCheck, AsksDepthWhetherSurfacesAreJittered) {
+  const auto areJittered = [](bool isJittered) {
+    JitterEvidence evidence;
+    std::optional<DoctorFrame> before;
+    for (int frame = 0; frame < kFrames; ++frame) {
+      test::PaintedShot shot;
+      shot.isJittered = isJittered;
+      DoctorFrame now = test::paintedFrame(shot, frame);
+      // A ground that rises to the right, in waves.
+      for (int y = 0; y < now.depth.height; ++y)
+        for (int x = 0; x < now.depth.width; ++x) *now.depth.at(x, y) = 0.02f + 0.01f * *now.luma.at(x, y);
+      now.luma = asDepthPicture(now);
+      now.jitterPx = trueJitterAt(frame);
+      evidence.stated[frame] = now.jitterPx;
+      if (before) evidence.add({now, *before, nullptr});
+      before = std::move(now);
+    }
+    return areSurfacesJittered(evidence);
+  };
+  EXPECT_TRUE(areJittered(true));
+  EXPECT_FALSE(areJittered(false));
+}
+
+TEST(JitterCheck, SaysThatTexturesAreReadWithoutJitter) {
+  JitterEvidence evidence;
+  for (int frame = 0; frame < kFrames; ++frame) evidence.stated[frame] = trueJitterAt(frame);
+  const std::vector<JitterTrial> trials = jitterTrials(test::kPaintedPx);
+  for (int frame = 1; frame < kFrames; ++frame) {
+    evidence.shifts.push_back({frame, glm::vec2(0.0f)});
+    evidence.world.emplace_back(trials.size(), 1.0);
+    evidence.world.back()[kNotAppliedTrial] = 0.1;
+  }
+  Patient patient;
+  patient.sizePx = test::kPaintedPx;
+  for (const bool areSurfaces : {false, true}) {
+    Diagnosis out;
+    tellJitter(evidence, {patient, true, {}, [&] { return areSurfaces; }}, out);
+    EXPECT_EQ(told(out), areSurfaces ? "" : "jitterNotApplied");
+    EXPECT_EQ(out.notes.size(), areSurfaces ? 1u : 0u);
+  }
 }
 
 TEST(JitterCheck, NamesJitterThatIsAlwaysTheSame) {
