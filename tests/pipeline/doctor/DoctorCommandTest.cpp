@@ -77,8 +77,8 @@ TEST_F(BatchDoctor, IsTriedOnCasesThatTheFileDoesNotHold) {
   ASSERT_EQ(result.exitCode, 0) << result.out << result.err;
   EXPECT_EQ(taa::readFile(file),
             "source,camera,size,frames,preset,faults,strength,shows,named,same,open\n"
-            "builtin:gallery,orbit,192x108,6,,full,no,,,no\n"
-            "builtin:gallery,orbit,192x108,6,motionShifted,full,yes,motionShifted,,no\n");
+            "builtin:gallery,orbit,192x108,6,,,full,no,,,no\n"
+            "builtin:gallery,orbit,192x108,6,,motionShifted,full,yes,motionShifted,,no\n");
   EXPECT_EQ(batch(command).out, "2 cases, 2 there already\n");
 }
 
