@@ -233,6 +233,16 @@ bool contradictMiddles(const std::vector<const JudgedRegion*>& objects, std::siz
   return tried > given;
 }
 
+/// Whether more than one or two objects go by an explanation: the middle of a ring that spins stays where it
+/// is, though all of it that is seen moves.
+bool areSeveral(const std::vector<const JudgedRegion*>& objects, std::size_t trial) {
+  constexpr std::ptrdiff_t kSeveral = 3;
+  return std::ranges::count_if(objects, [&](const JudgedRegion* object) {
+           const MiddleCounts& own = object->evidence->middle.trials[trial];
+           return own.samples > 0 && own.tried < own.given;
+         }) >= kSeveral;
+}
+
 /// Objects that are too small to tell anything by themselves tell it together, and the same as depth and
 /// matrices where it fits. That what rests in the world has another motion than the camera's is no news then.
 void judgeByMiddles(std::vector<JudgedRegion>& judged, const std::vector<MotionTrial>& trials) {
@@ -245,6 +255,9 @@ void judgeByMiddles(std::vector<JudgedRegion>& judged, const std::vector<MotionT
     }
   std::vector<std::size_t> winners = middleWinners(all);
   std::erase_if(winners, [&](std::size_t trial) { return contradictMiddles(objects, trial); });
+  std::erase_if(winners, [&](std::size_t trial) {
+    return trials[trial].kind == MotionKind::OfCamera && !areSeveral(objects, trial);
+  });
   if (winners.empty()) return;
   const auto told = std::ranges::find(judged, true, &JudgedRegion::isWitnessed);
   if (told != judged.end() && std::ranges::count(winners, *told->trial) > 0)

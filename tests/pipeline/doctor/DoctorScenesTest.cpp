@@ -88,11 +88,14 @@ class DoctorOfEngines : public DoctorScenes {
 TEST_F(DoctorOfEngines, BlenderWritesNoMotionForTheSkyAndIsElseHealthy) {
   const std::string folder = dataFolder("capture-blender");
   if (folder.empty()) GTEST_SKIP() << "the frames are not here";
-  const Diagnosis diagnosis = examine(examinationOf(sourceOf(folder, ""), kDoctorFrames));
-  ASSERT_EQ(diagnosis.findings.size(), 1u) << told(diagnosis);
-  EXPECT_EQ(diagnosis.findings[0].id, "skyWithoutMotion");
-  ASSERT_EQ(diagnosis.findings[0].regions.size(), 1u);
-  EXPECT_EQ(diagnosis.findings[0].regions[0].name, "the sky");
+  // In 14 frames one of two rings that spin is seen whole.
+  for (const int frames : {14, kDoctorFrames}) {
+    const Diagnosis diagnosis = examine(examinationOf(sourceOf(folder, ""), frames));
+    ASSERT_EQ(diagnosis.findings.size(), 1u) << told(diagnosis);
+    EXPECT_EQ(diagnosis.findings[0].id, "skyWithoutMotion");
+    ASSERT_EQ(diagnosis.findings[0].regions.size(), 1u);
+    EXPECT_EQ(diagnosis.findings[0].regions[0].name, "the sky");
+  }
 }
 
 TEST_F(DoctorOfEngines, ThreeIsHealthyAndItsFirstFrameIsNotJittered) {
