@@ -47,7 +47,8 @@ bool doesAs(const std::string& name, const Settings& s, int frames) {
   if (name == "dilatesFarthest") return s.dilate.method == DilateMethod::Farthest3x3;
   if (name == "lowPrecision") return s.history.precision == Precision::Unorm8;
   if (name == "offScreenClamped") return s.validate.offScreen == OffScreen::Keep;
-  if (name == "motionCameraOnly") return motion == MotionSource::CameraFromDepth;
+  if (name == "motionCameraOnly")
+    return motion == MotionSource::CameraFromDepth || motion == MotionSource::SingleMatrix;
   if (name == "motionNotCameras")
     return motion != MotionSource::Objects && motion != MotionSource::CameraFromDepth;
   const int period = periodOf(s, frames);
