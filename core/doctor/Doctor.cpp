@@ -83,9 +83,7 @@ class Examiner {
     return doctor::areSurfacesJittered(evidence);
   }
   const DepthEvidence& depth() const { return depth_; }
-  bool isDepthDistance() const {
-    return patient_.conventions && patient_.conventions->depth.kind != capture::DepthKind::Window;
-  }
+  bool isDepthDistance() const { return examination_.known.depthDistance; }
   bool isDepthDrawn() const { return !patient_.conventions; }
   const RimEvidence& rims() const { return rims_; }
   /// `out`: says how many frames there are.

@@ -20,10 +20,11 @@ namespace taa::doctor {
 /// What frames of a source hold; what they do not is made up by it or 0, and no witness.
 struct KnownPlanes {
   bool motion = true, depth = true, ids = true;
-  bool camera = true;        ///< matrices of all frames
-  bool depthJittered = true; ///< depth was drawn with the jitter of its frame
-  bool output = false;       ///< what a TAA made of the frames
-  bool maskUsed = false;     ///< the TAA gets the mask; else it says what was drawn, to the doctor alone
+  bool camera = true;         ///< matrices of all frames
+  bool depthJittered = true;  ///< depth was drawn with the jitter of its frame
+  bool depthDistance = false; ///< depth is examined as a distance that is stored, and no device depth
+  bool output = false;        ///< what a TAA made of the frames
+  bool maskUsed = false;      ///< the TAA gets the mask; else it says what was drawn, to the doctor alone
   /// Of a capture: the near plane that is stated over that of its matrices, by which depth is decoded.
   float nearFactor = 1.0f;
 };

@@ -62,6 +62,7 @@ DoctorSource openCaptureForDoctor(const SourceRequest& request, const Progress& 
   out.known.ids = manifest.framesWith(capture::PlaneKind::ObjectId) > 0;
   out.contradicted = mendContradicted(opened->folder(), manifest);
   out.known.depthJittered = manifest.conventions.depth.jittered;
+  out.known.depthDistance = manifest.conventions.depth.kind != capture::DepthKind::Window;
   out.known.nearFactor = takeNearPlane(manifest);
   out.frames = std::make_shared<FaultySource>(std::make_unique<capture::CaptureSource>(
       std::make_shared<const capture::Capture>(opened->folder(), std::move(manifest))));

@@ -8,8 +8,8 @@
 #include "core/doctor/NumberText.h"
 #include "core/settings/Faults.h"
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
 #include <algorithm>

@@ -151,7 +151,7 @@ std::string scaledName(const glm::vec2& factor) {
 std::vector<Residual> jitterResiduals(const JitterFit& fit, const std::vector<JitterTrial>& trials) {
   std::vector<Residual> out;
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    if (trials[i].isPair() && !trials[fit.best].isPair()) continue;
+    if (trials[i].isTwofold() && !trials[fit.best].isTwofold()) continue;
     const bool isStated = trials[i].kind == JitterKind::AsStated;
     const double share = isStated ? 1.0 : fit.trials[i].share();
     if (std::isfinite(share))
@@ -175,7 +175,7 @@ void tellRivals(const JitterFit& fit, const std::vector<JitterTrial>& trials, Fi
   out.sureness = Sureness::Likely;
 }
 
-/// One thing that a trial says is wrong; a pair says two.
+/// One thing that a trial says is wrong; a twofold one says two.
 Finding otherJitterFinding(const JitterTrial& one, const JitterTrial& best, const JitterEvidence& evidence,
                            const Patient& patient) {
   Finding out = jitterFinding(jitterWords(one));
@@ -187,7 +187,7 @@ Finding otherJitterFinding(const JitterTrial& one, const JitterTrial& best, cons
     out.name = scaledName(one.factor);
   out.change += " " + exampleOf(best, evidence, patient);
   // No setting undoes two things that are wrong with jitter.
-  if (!best.isPair()) mendBy(jitterMending(one), out);
+  if (!best.isTwofold()) mendBy(jitterMending(one), out);
   return out;
 }
 
@@ -197,7 +197,7 @@ std::vector<Finding> otherJitter(const JitterFit& fit, const std::vector<JitterT
   const JitterTrial& best = trials[fit.best];
   const TrialFit& won = fit.trials[fit.best];
   std::vector<Finding> findings{otherJitterFinding({best.kind, best.factor}, best, evidence, patient)};
-  if (best.isPair()) findings.push_back(otherJitterFinding({best.also}, best, evidence, patient));
+  if (best.isTwofold()) findings.push_back(otherJitterFinding({best.also}, best, evidence, patient));
   for (Finding& out : findings) {
     out.reason =
         say<"In %1 of %2 pairs of frames pictures fit the one before better if jitter is like this: %3. "

@@ -48,13 +48,13 @@ TrialFit fitOf(const std::vector<TrialLuma>& pairs, std::size_t tried, std::size
 }
 
 bool JitterFit::isConfirmed() const {
-  const auto end = trials.end() - static_cast<std::ptrdiff_t>(pairs);
+  const auto end = trials.end() - static_cast<std::ptrdiff_t>(twofold);
   return std::none_of(trials.begin(), end, [](const TrialFit& fit) { return fit.share() < kDoubtShare; });
 }
 
 bool JitterFit::isMeasured() const {
   const double stated = missPx.front();
-  const auto end = missPx.end() - static_cast<std::ptrdiff_t>(pairs);
+  const auto end = missPx.end() - static_cast<std::ptrdiff_t>(twofold);
   return stated <= kMeasuredPx && std::all_of(missPx.begin() + 1, end, [&](double other) {
            return other >= std::max(kFromOthersPx, kMeasuredFactor * stated);
          });
@@ -76,7 +76,7 @@ bool JitterFit::isContradictedTwice() const {
 
 std::vector<std::size_t> JitterFit::rivals() const {
   std::vector<std::size_t> out;
-  const std::size_t singles = trials.size() - pairs, tried = best < singles ? singles : trials.size();
+  const std::size_t singles = trials.size() - twofold, tried = best < singles ? singles : trials.size();
   for (std::size_t i = 0; i < tried; ++i)
     if (i != best && trials[i].share() <= kAsGoodShare * trials[best].share()) out.push_back(i);
   return out;
@@ -88,8 +88,8 @@ JitterFit jitterFit(const JitterEvidence& evidence, const std::vector<JitterTria
     out.trials.push_back(fitOf(evidence.world, trial, 0));
     out.missPx.push_back(shiftResidual(trials[trial], evidence));
   }
-  out.pairs = static_cast<std::size_t>(std::ranges::count(trials, true, &JitterTrial::isPair));
-  const std::size_t singles = trials.size() - out.pairs;
+  out.twofold = static_cast<std::size_t>(std::ranges::count(trials, true, &JitterTrial::isTwofold));
+  const std::size_t singles = trials.size() - out.twofold;
   const auto leastOf = [&](std::size_t first, std::size_t end) {
     const auto begin = out.trials.begin() + static_cast<std::ptrdiff_t>(first);
     const auto least = std::ranges::min_element(begin, out.trials.begin() + static_cast<std::ptrdiff_t>(end),
@@ -99,7 +99,7 @@ JitterFit jitterFit(const JitterEvidence& evidence, const std::vector<JitterTria
   out.best = leastOf(0, singles);
   for (const TrialLuma& pair : evidence.world)
     out.statedLuma += pair.front() / static_cast<double>(evidence.world.size());
-  if (out.isContradicted() || out.pairs == 0) return out;
+  if (out.isContradicted() || out.twofold == 0) return out;
   JitterFit twice = out;
   twice.best = leastOf(singles, trials.size());
   return twice.isContradictedTwice() ? twice : out;

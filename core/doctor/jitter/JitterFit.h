@@ -24,9 +24,9 @@ TrialFit fitOf(const std::vector<TrialLuma>& pairs, std::size_t tried, std::size
 struct JitterFit {
   std::vector<TrialFit> trials; ///< as jitterTrials(), against what is stated
   std::vector<double> missPx;   ///< as trials: shiftResidual()
-  std::size_t best = 0;         ///< of trials: the one that leaves least; a pair where no other contradicts
-  std::size_t pairs = 0;        ///< of trials, the last ones: those that say two things
-  double statedLuma = 0.0;      ///< mean of what is left as stated
+  std::size_t best = 0;    ///< of trials: the one that leaves least; a twofold one where no other contradicts
+  std::size_t twofold = 0; ///< of trials, the last ones: those that say two things
+  double statedLuma = 0.0; ///< mean of what is left as stated
 
   /// Nothing fits better than what is stated.
   bool isConfirmed() const;

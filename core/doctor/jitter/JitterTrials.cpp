@@ -120,7 +120,7 @@ std::vector<JitterTrial> jitterTrials(const glm::ivec2& sizePx) {
 }
 
 std::string jitterTrialId(const JitterTrial& trial) {
-  if (trial.isPair()) return jitterTrialId({trial.kind}) + "+" + jitterTrialId({trial.also});
+  if (trial.isTwofold()) return jitterTrialId({trial.kind}) + "+" + jitterTrialId({trial.also});
   const std::string id(kJitterWords[static_cast<std::size_t>(trial.kind)].id);
   if (trial.kind == JitterKind::Scaled) return id + ":" + shortNumber(static_cast<double>(trial.factor.x));
   if (trial.kind != JitterKind::OtherUnit) return id;
@@ -128,7 +128,8 @@ std::string jitterTrialId(const JitterTrial& trial) {
 }
 
 std::string jitterTrialText(const JitterTrial& trial) {
-  if (trial.isPair()) return say<"%1, and %2">(jitterTrialText({trial.kind}), jitterTrialText({trial.also}));
+  if (trial.isTwofold())
+    return say<"%1, and %2">(jitterTrialText({trial.kind}), jitterTrialText({trial.also}));
   if (trial.kind == JitterKind::Scaled)
     return say<"times %1">(shortNumber(static_cast<double>(trial.factor.x)));
   if (trial.kind == JitterKind::OtherUnit)

@@ -32,9 +32,9 @@ enum class JitterKind : std::uint8_t {
 struct JitterTrial {
   JitterKind kind = JitterKind::AsStated;
   glm::vec2 factor{1.0f};                 ///< of Scaled, OtherUnit: pictures hold the stated jitter times it
-  JitterKind also = JitterKind::AsStated; ///< besides, of a pair: FrameLate, FrameEarly
+  JitterKind also = JitterKind::AsStated; ///< besides, where that is twofold: FrameLate, FrameEarly
 
-  bool isPair() const { return also != JitterKind::AsStated; }
+  bool isTwofold() const { return also != JitterKind::AsStated; }
 };
 
 /// What the trials leave of a pair of frames, see lumaLeft(); as jitterTrials(), NaN where one says nothing.
@@ -56,7 +56,7 @@ struct JitterEvidence {
   void add(const FrameNeighbors& frames);
 };
 
-/// AsStated first, NotApplied, then all others for pictures of a size; pairs last.
+/// AsStated first, NotApplied, then all others for pictures of a size; twofold ones last.
 std::vector<JitterTrial> jitterTrials(const glm::ivec2& sizePx);
 inline constexpr std::size_t kNotAppliedTrial = 1;
 std::string jitterTrialId(const JitterTrial& trial);

@@ -88,7 +88,7 @@ class DoctorOfEngines : public DoctorScenes {
 TEST_F(DoctorOfEngines, BlenderWritesNoMotionForTheSkyAndIsElseHealthy) {
   const std::string folder = dataFolder("capture-blender");
   if (folder.empty()) GTEST_SKIP() << "the frames are not here";
-  // In 14 frames one of two rings that spin is seen whole.
+  // In 14 frames the middle of one ring alone goes as the camera makes it, and what is seen of it does not.
   for (const int frames : {14, kDoctorFrames}) {
     const Diagnosis diagnosis = examine(examinationOf(sourceOf(folder, ""), frames));
     ASSERT_EQ(diagnosis.findings.size(), 1u) << told(diagnosis);

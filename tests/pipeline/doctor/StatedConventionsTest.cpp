@@ -1,6 +1,5 @@
 // Captures whose conventions are stated wrongly, one or two of them at a time: the doctor names all that is
 // wrong, and nothing else.
-#include "core/base/Error.h"
 #include "core/base/Files.h"
 #include "core/capture/format/Manifest.h"
 #include "core/doctor/Doctor.h"
@@ -11,12 +10,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <future>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace taa::doctor {

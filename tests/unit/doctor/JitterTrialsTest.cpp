@@ -48,9 +48,9 @@ TEST(JitterTrials, SayTwoThingsAtOnce) {
   EXPECT_EQ(jitterTrialId(late), "opposite+frameLate");
   EXPECT_FALSE(trueJitter(late, stated(), 2));
   const auto trials = jitterTrials({160, 96});
-  const auto pair = std::ranges::find(trials, true, &JitterTrial::isPair);
+  const auto pair = std::ranges::find(trials, true, &JitterTrial::isTwofold);
   EXPECT_EQ(trials.end() - pair, 8) << "of four signs and axes, late or early";
-  EXPECT_TRUE(std::all_of(pair, trials.end(), [](const JitterTrial& trial) { return trial.isPair(); }));
+  EXPECT_TRUE(std::all_of(pair, trials.end(), [](const JitterTrial& trial) { return trial.isTwofold(); }));
 }
 
 TEST(JitterTrials, LeaveTheDistanceOfShifts) {
