@@ -12,6 +12,7 @@
 #include "core/doctor/motion/findings/MotionFindings.h"
 #include "core/doctor/resolve/ResolveEvidence.h"
 #include "core/doctor/resolve/ResolveFindings.h"
+#include "core/doctor/source/StatedMotion.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -297,21 +298,6 @@ void withholdMotion(const JitterOutcome& jitter, Diagnosis& out) {
        say<"Mend jitter first.">()});
 }
 
-/// Whose own motion is that of the camera, were it not for them.
-Finding flippedFinding() {
-  Finding out;
-  out.id = "matricesFlipped";
-  out.name = say<"Matrices upside down">();
-  out.isWholePicture = true;
-  out.reason =
-      say<"Depth and matrices make the motion given if y of clip space goes the other way, and nothing "
-          "that could be wrong with motion makes it of them as they are stated.">();
-  out.symptom = say<"Whatever is made of depth and matrices, as motion of the sky, goes the wrong way.">();
-  out.change = say<"State that y of clip space goes the other way, or negate the second row of the "
-                   "projection.">();
-  return out;
-}
-
 /// Depth that all else is examined by, jitter, and where these are right the planes. Returns what hides the
 /// rest.
 Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf& told, Diagnosis& out) {
@@ -329,7 +315,9 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
   }
   hiding.flipped = hasCamera && !told.flipped && examiner.areMatricesFlipped();
   if (hiding.flipped) {
-    out.findings.push_back(flippedFinding());
+    out.findings.push_back(matricesFlipped(
+        say<"Depth and matrices make the motion given if y of clip space goes the other way, and nothing "
+            "that could be wrong with motion makes it of them as they are stated.">()));
     return hiding;
   }
   if (known.motion && !told.unit && examiner.isMotionBeyondPicture()) {
@@ -388,6 +376,28 @@ void tellAll(const Examination& examination, const Examiner& first, const Bright
   last->tellColor(brightness, out);
 }
 
+/// Rows that are stored from the other end turn all that has a y: that is told, and not each of them.
+void tellRows(const Patient& patient, Diagnosis& out) {
+  const std::string turned[] = {std::string(faultInfo(Fault::JitterNegatedY).id),
+                                std::string(faultInfo(Fault::MotionNegatedY).id), matricesFlipped({}).id};
+  const auto isTurned = [&](const Finding& finding) {
+    return finding.isWholePicture && std::ranges::count(turned, finding.id) > 0;
+  };
+  if (!patient.conventions || std::ranges::count_if(out.findings, isTurned) != std::ssize(turned)) return;
+  Finding rows;
+  rows.id = "rowsTurned";
+  rows.name = say<"Rows from the other end">();
+  rows.isWholePicture = true;
+  rows.reason = say<"Jitter, motion and matrices all have another y than pictures show: the pictures are "
+                    "upside down.">();
+  rows.symptom = say<"The picture is upside down; moved by its motion it breaks up.">();
+  rows.change = patient.conventions->rows == capture::RowOrder::TopFirst
+                    ? say<"State that rows are stored from the bottom on.">()
+                    : say<"State that rows are stored from the top on.">();
+  std::erase_if(out.findings, isTurned);
+  out.findings.insert(out.findings.begin(), std::move(rows));
+}
+
 } // namespace
 
 Examination examinationOf(const DoctorSource& source, int frames, int first) {
@@ -437,6 +447,11 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
     bare.look(read, out);
     tellAll(examination, bare, brightness, read, out);
   }
+  tellRows(patient, out);
+  if (!examination.contradicted.empty())
+    out.notes.push_back(
+        say<"What is right here is so of the frames as they are once that is stated which the "
+            "first findings name.">());
   if (examination.known.output) tellResolve(first.resolve(), out.findings.empty(), out);
   return out;
 }

@@ -5,7 +5,7 @@
 #include "core/base/Progress.h"
 #include "core/doctor/Diagnosis.h"
 #include "core/doctor/Patient.h"
-#include "core/doctor/frames/DoctorSource.h"
+#include "core/doctor/source/DoctorSource.h"
 
 #include <functional>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
-#include "core/doctor/frames/DoctorSource.h"
+#include "core/doctor/source/DoctorSource.h"
 #include "core/inspect/Inspector.h"
 #include "core/taa/twin/Color.h"
 

@@ -171,8 +171,8 @@ std::string depthChange(const DepthRelation& relation) {
       "of what rests.">(shortNumber(1.0 / relation.factor));
 }
 
-Finding depthFinding(const std::vector<DepthRelation>& relations, const DepthRelation& best,
-                     std::size_t samples) {
+Finding relatedFinding(const std::vector<DepthRelation>& relations, const DepthRelation& best,
+                       std::size_t samples) {
   Finding out = kindFinding(best.kind);
   out.isWholePicture = true;
   out.change = depthChange(best);
@@ -227,9 +227,7 @@ std::string storedReason(const DepthEvidence& evidence) {
 /// form over flat surfaces says; where that says nothing, one name stands for both.
 Finding storedFinding(const DepthEvidence& evidence, RelationKind kind) {
   const std::optional<bool> isDistance = evidence.form.isDistance();
-  Finding out = kindFinding(kind);
-  out.isWholePicture = true;
-  out.change = depthChange({kind});
+  Finding out = depthFinding(kind);
   mendBy(depthMending({kind}), out);
   out.reason = storedReason(evidence);
   if (!isDistance) out.alike = {std::string(faultInfo(Fault::DepthLinear).id)};
@@ -255,19 +253,14 @@ Finding storedFinding(const DepthEvidence& evidence, RelationKind kind) {
 
 /// All that is drawn lies at one end of depth.
 Finding endFinding(const DepthEnds& ends, bool isDistance) {
-  Finding out = ends.isAllNear() && !isDistance
-                    ? kindFinding(RelationKind::Linear)
-                    : namedFinding("depthKind", say<"Depth of another kind or range">());
-  out.isWholePicture = true;
+  Finding out = ends.isAllNear() && !isDistance ? depthFinding(RelationKind::Linear) : depthKindFinding();
   out.sureness = Sureness::Likely;
   out.reason = ends.isAllNear()
                    ? say<"By the depth that is decoded everything lies in the near plane.">()
                    : say<"By the depth that is decoded nothing is drawn where object numbers say "
                          "that something is.">();
-  out.change = !isDistance && ends.isAllNear() ? depthChange({RelationKind::Linear})
-               : isDistance
-                   ? say<"State that depth is what the projection leaves, or the unit of its distances.">()
-                   : say<"State the range of depth as it is stored, and whether it is reversed.">();
+  if (!ends.isAllNear() && !isDistance)
+    out.change = say<"State the range of depth as it is stored, and whether it is reversed.">();
   return out;
 }
 
@@ -364,6 +357,20 @@ const DepthRelation* otherDistance(const std::vector<DepthRelation>& relations) 
 
 } // namespace
 
+Finding depthFinding(RelationKind kind) {
+  Finding out = kindFinding(kind);
+  out.isWholePicture = true;
+  out.change = depthChange({kind});
+  return out;
+}
+
+Finding depthKindFinding() {
+  Finding out = namedFinding("depthKind", say<"Depth of another kind or range">());
+  out.isWholePicture = true;
+  out.change = say<"State that depth is what the projection leaves, or the unit of its distances.">();
+  return out;
+}
+
 std::optional<DepthRelation> otherDepth(const DepthEvidence& evidence) {
   if (evidence.samples.size() >= kEnoughDepths) {
     const std::vector<DepthRelation> relations = depthRelations(evidence.samples);
@@ -432,7 +439,7 @@ void tellDepth(const DepthEvidence& evidence, Diagnosis& out, const DepthPatient
   const std::vector<DepthRelation> relations =
       isMeasured ? depthRelations(evidence.samples) : std::vector<DepthRelation>();
   if (const DepthRelation* along = patient.isDistance && isMeasured ? otherDistance(relations) : nullptr) {
-    out.findings.push_back(depthFinding(relations, *along, evidence.samples.size()));
+    out.findings.push_back(relatedFinding(relations, *along, evidence.samples.size()));
     return;
   }
   if (isMeasured && relations.front().residual <= kFittingLog) {
@@ -441,7 +448,7 @@ void tellDepth(const DepthEvidence& evidence, Diagnosis& out, const DepthPatient
   }
   const DepthRelation* best = isMeasured ? clearRelation(relations, evidence.samples) : nullptr;
   if (best && !isAgainstForm(best->kind, evidence.form)) {
-    out.findings.push_back(depthFinding(relations, *best, evidence.samples.size()));
+    out.findings.push_back(relatedFinding(relations, *best, evidence.samples.size()));
     if (best->kind != RelationKind::NearPlane || !patient.isOfCameraOrDepth) return;
     if (patient.isDepthDrawn)
       tellCamera(out.findings.back());

@@ -67,6 +67,10 @@ struct DepthPatient {
   bool isOfCameraOrDepth = false; ///< see MotionTold
   bool isDepthDrawn = false;      ///< this program's own depth, which follows from its matrices
 };
+/// What a relation says is wrong, and what to change; without what it rests on.
+Finding depthFinding(RelationKind kind);
+/// The same of depth that is stated to be a distance and is none.
+Finding depthKindFinding();
 /// Adds what is wrong where all that is drawn lies at one end of depth, and returns whether it does: then
 /// depth says nothing else, and all else is looked at without it. `isDistance`: see DepthPatient.
 bool tellEnds(const DepthEnds& ends, bool isDistance, Diagnosis& out);

@@ -136,7 +136,7 @@ std::vector<std::string> jitterMending(const JitterTrial& trial) {
   return {};
 }
 
-Finding jitterFinding(const JitterWords& words) {
+Finding wordedFinding(const JitterWords& words) {
   Finding out = faultFinding(words.fault);
   out.change = words.change;
   out.isWholePicture = true;
@@ -178,13 +178,7 @@ void tellRivals(const JitterFit& fit, const std::vector<JitterTrial>& trials, Fi
 /// One thing that a trial says is wrong; a twofold one says two.
 Finding otherJitterFinding(const JitterTrial& one, const JitterTrial& best, const JitterEvidence& evidence,
                            const Patient& patient) {
-  Finding out = jitterFinding(jitterWords(one));
-  if (one.kind == JitterKind::OtherUnit) {
-    out.id = kOtherUnitId;
-    out.name = say<"Jitter of another unit">();
-  }
-  if (one.kind == JitterKind::Scaled && one.factor.x != 0.5f && one.factor.x != 2.0f)
-    out.name = scaledName(one.factor);
+  Finding out = jitterFinding(one);
   out.change += " " + exampleOf(best, evidence, patient);
   // No setting undoes two things that are wrong with jitter.
   if (!best.isTwofold()) mendBy(jitterMending(one), out);
@@ -215,42 +209,9 @@ std::vector<Finding> otherJitter(const JitterFit& fit, const std::vector<JitterT
   return findings;
 }
 
-/// Jitter of so many pixels is none, whatever pictures show: of another unit it goes to half of one.
-std::optional<std::size_t> unitOfRange(const JitterEvidence& evidence,
-                                       const std::vector<JitterTrial>& trials) {
-  constexpr float kNoJittersPx = 4.0f, kHalfPx = 0.5f, kRoundedPx = 0.55f;
-  glm::vec2 farthest(0.0f);
-  for (const auto& [frame, stated] : evidence.stated) farthest = glm::max(farthest, glm::abs(stated));
-  if (!(std::max(farthest.x, farthest.y) >= kNoJittersPx)) return {};
-  std::optional<std::size_t> best;
-  float nearest = kHalfPx;
-  for (std::size_t t = 0; t < trials.size(); ++t) {
-    const glm::vec2 shown = farthest * trials[t].factor;
-    if (trials[t].kind != JitterKind::OtherUnit || trials[t].factor.y < 0.0f ||
-        std::max(shown.x, shown.y) > kRoundedPx)
-      continue;
-    const float miss = std::abs(kHalfPx - std::max(shown.x, shown.y));
-    if (miss >= nearest) continue;
-    nearest = miss;
-    best = t;
-  }
-  return best;
-}
-
-Finding unitOfRangeFinding(const JitterTrial& trial, const JitterEvidence& evidence, const Patient& patient) {
-  Finding out = jitterFinding(jitterWords(trial));
-  out.id = kOtherUnitId;
-  out.name = say<"Jitter of another unit">();
-  out.sureness = Sureness::Likely;
-  out.change += " " + exampleOf(trial, evidence, patient);
-  out.reason = say<"Jitter that is stated goes over many pixels; it goes to half of one like this: %1.">(
-      jitterTrialText(trial));
-  return out;
-}
-
 /// Always the same jitter is stated, and pictures do not shift.
 Finding frozenJitter(const glm::vec2& statedPx, const Patient& patient) {
-  Finding out = jitterFinding(
+  Finding out = wordedFinding(
       {Fault::JitterFrozen,
        say<"Go on in the sequence with each frame that is drawn: its index is always the same.">()});
   out.reason = say<"All frames state the same jitter, %1, and pictures do not shift against each other.">(
@@ -302,7 +263,7 @@ JitterMender tellUnstated(const JitterEvidence& evidence, bool isCameraKnown, co
          say<"Capture depth and matrices, too.">()});
     return {};
   }
-  Finding finding = jitterFinding(jitterWords({}));
+  Finding finding = wordedFinding(jitterWords({}));
   finding.reason = say<"No jitter is stated, or always the same, and pictures shift by %1 px besides the "
                        "camera's motion.">(shortNumber(shiftPx));
   finding.measure = say<"distance of measured shifts from those that jitter makes, px">();
@@ -372,6 +333,17 @@ void tellLength(const JitterFit& fit, const std::vector<JitterTrial>& trials, Di
 
 } // namespace
 
+Finding jitterFinding(const JitterTrial& trial) {
+  Finding out = wordedFinding(jitterWords(trial));
+  if (trial.kind == JitterKind::OtherUnit) {
+    out.id = kOtherUnitId;
+    out.name = say<"Jitter of another unit">();
+  }
+  if (trial.kind == JitterKind::Scaled && trial.factor.x != 0.5f && trial.factor.x != 2.0f)
+    out.name = scaledName(trial.factor);
+  return out;
+}
+
 bool areSurfacesJittered(const JitterEvidence& evidence) {
   constexpr int kEnoughDepthPairs = 4;
   constexpr double kFewPairs = 0.2, kClearlyMore = 1.15;
@@ -419,10 +391,6 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
     return [trial, all = evidence.stated](int frame) { return trueJitter(trial, all, frame); };
   };
   if (!fit.isContradicted()) {
-    if (const auto unit = unitOfRange(evidence, trials)) {
-      out.findings.push_back(unitOfRangeFinding(trials[*unit], evidence, patient.patient));
-      return {menderOf(trials[*unit])};
-    }
     tellNoFit(missPx, out);
     tellShort(evidence.stated, out);
     return {{}, missPx > kMissingPx, true};

@@ -37,6 +37,9 @@ bool areSurfacesJittered(const JitterEvidence& evidence);
 /// Depth as light, 0 to 1: what is in the middle of all that is drawn has a half. Expects depth.
 Image asDepthPicture(const DoctorFrame& frame);
 
+/// What a trial says is wrong, which is no twofold one, and what to change; without what it rests on.
+Finding jitterFinding(const JitterTrial& trial);
+
 /// Adds what is wrong, right, or not decided about jitter.
 JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& patient, Diagnosis& out);
 

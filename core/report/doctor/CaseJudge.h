@@ -4,7 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/doctor/Diagnosis.h"
 #include "core/doctor/frames/DoctorFrame.h"
-#include "core/doctor/frames/DoctorSource.h"
+#include "core/doctor/source/DoctorSource.h"
 #include "core/report/doctor/CasePlan.h"
 #include "core/report/doctor/DoctorCases.h"
 

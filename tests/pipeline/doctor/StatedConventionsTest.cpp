@@ -3,6 +3,7 @@
 #include "core/base/Files.h"
 #include "core/capture/format/Manifest.h"
 #include "core/doctor/Doctor.h"
+#include "core/doctor/source/StatedMotion.h"
 #include "core/inspect/Inspector.h"
 #include "core/report/CaptureExport.h"
 #include "tests/support/GlTest.h"
@@ -12,8 +13,10 @@
 
 #include <filesystem>
 #include <future>
+#include <iterator>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace taa::doctor {
@@ -38,6 +41,12 @@ class StatedCapture {
   }
 
   const capture::Manifest& healthy() const { return healthy_; }
+  const std::filesystem::path& folder() const { return folder_; }
+  capture::Manifest stating(const std::vector<std::string>& assignments) const {
+    capture::Manifest stated = healthy_;
+    for (const std::string& assignment : assignments) applyAssignment(stated.conventions, assignment);
+    return stated;
+  }
   /// All that is found in the frames where this is stated of them.
   std::vector<Finding> foundIn(const capture::Manifest& stated) const {
     writeFile(folder_ / capture::kManifestName, capture::manifestText(stated));
@@ -46,10 +55,8 @@ class StatedCapture {
   }
   /// Ids of it, in order.
   std::vector<std::string> found(const std::vector<std::string>& assignments) const {
-    capture::Manifest stated = healthy_;
-    for (const std::string& assignment : assignments) applyAssignment(stated.conventions, assignment);
     std::vector<std::string> ids;
-    for (const Finding& finding : foundIn(stated)) ids.push_back(finding.id);
+    for (const Finding& finding : foundIn(stating(assignments))) ids.push_back(finding.id);
     return ids;
   }
 
@@ -131,6 +138,120 @@ TEST_F(StatedConventions, AreNamedWhereTwoAreWrong) {
       EXPECT_EQ(setOf(own().found(assignments)), setOf(expected))
           << one->assignment << " " << two->assignment;
     }
+}
+
+// Depth and matrices say which two of all that motion is decoded by are stated wrongly; what is stated
+// rightly stays as it is. Of two that undo each other, or lie in one number, one is enough.
+TEST_F(StatedConventions, OfMotionAreSetRightInPairs) {
+  struct Wrong {
+    std::string group;
+    Misstated stated;
+  };
+  const Wrong all[] = {{"unit", {"motion.unit=uv", "motionUnit"}},
+                       {"unit", {"motion.unit=ndc", "motionUnit"}},
+                       {"axes", {"motion.direction=previousMinusCurrent", "motionNegated"}},
+                       {"axes", {"motion.yAxis=up", "motionNegatedY"}},
+                       {"axes", {"motion.scaleX=-1", "motionNegatedX"}},
+                       {"camera", {"motion.includesCamera=off", "motionCameraTwice"}},
+                       {"jitter", {"motion.jitter=both", "motionJitterTakenOff"}},
+                       {"jitter", {"motion.jitter=current", "motionJitterTakenOff"}},
+                       {"order", {"depth.reversed=off", "depthReversed"}},
+                       {"range", {"depth.range=minusOneToOne", "depthRange"}},
+                       {"clip", {"matrices.clipY=down", "matricesFlipped"}}};
+  const capture::Conventions& healthy = own().healthy().conventions;
+  for (auto one = std::begin(all); one != std::end(all); ++one)
+    for (auto two = std::next(one); two != std::end(all); ++two) {
+      if (one->group == two->group) continue;
+      capture::Manifest stated = own().stating({one->stated.assignment, two->stated.assignment});
+      std::multiset<std::string> ids;
+      for (const Finding& finding : mendMotion(own().folder(), stated)) ids.insert(finding.id);
+      EXPECT_EQ(ids, setOf({one->stated.id, two->stated.id}))
+          << one->stated.assignment << " " << two->stated.assignment;
+      EXPECT_EQ(stated.conventions, healthy) << one->stated.assignment << " " << two->stated.assignment;
+    }
+}
+
+// Pictures tell what is wrong alone, with more evidence; but not what is taken off, or added, by a statement.
+TEST_F(StatedConventions, OfMotionAreLeftToPicturesWhereOneIsWrong) {
+  const auto idsOf = [](const std::string& assignment) {
+    capture::Manifest stated = own().stating({assignment});
+    Ids ids;
+    for (const Finding& finding : mendMotion(own().folder(), stated)) ids.push_back(finding.id);
+    EXPECT_EQ(stated.conventions == own().healthy().conventions, !ids.empty()) << assignment;
+    return ids;
+  };
+  for (const std::string assignment :
+       {"motion.unit=uv", "motion.yAxis=up", "depth.reversed=off", "matrices.clipY=down"})
+    EXPECT_EQ(idsOf(assignment), Ids{}) << assignment;
+  EXPECT_EQ(idsOf("motion.includesCamera=off"), Ids{"motionCameraTwice"});
+  EXPECT_EQ(idsOf("motion.jitter=both"), Ids{"motionJitterTakenOff"});
+  EXPECT_EQ(idsOf("depth.range=minusOneToOne"), Ids{"depthRange"});
+  capture::Manifest healthy = own().healthy();
+  EXPECT_TRUE(mendMotion(own().folder(), healthy).empty());
+}
+
+// Motion whose jitter is taken off is decoded by what is stated of jitter.
+TEST_F(StatedConventions, OfJitterAreNamedBesideThoseOfMotion) {
+  const std::pair<Ids, Ids> pairs[] = {
+      {{"motion.unit=uv", "motion.includesCamera=off"}, {"motionUnit", "motionCameraTwice"}},
+      {{"motion.jitter=both", "jitter.delay=1"}, {"motionJitterTakenOff", "jitterLate"}},
+      {{"motion.jitter=current", "jitter.yAxis=up"}, {"motionJitterTakenOff", "jitterNegatedY"}},
+      {{"motion.includesCamera=off", "jitter.unit=uv"}, {"motionCameraTwice", "jitterUnit"}},
+      {{"jitter.unit=ndc", "jitter.meaning=sample"}, {"jitterUnit", "jitterNegated"}},
+      {{"jitter.unit=uv", "jitter.delay=-1"}, {"jitterUnit", "jitterEarly"}},
+      {{"depth.range=minusOneToOne", "jitter.delay=1"}, {"depthRange", "jitterLate"}}};
+  for (const auto& [assignments, ids] : pairs)
+    EXPECT_EQ(setOf(own().found(assignments)), setOf(ids)) << assignments[0] << " " << assignments[1];
+}
+
+TEST_F(StatedConventions, OfMotionThatHoldsJitter) {
+  const StatedCapture holding("stated-holding", {"taa-inspector", {"motion.jitter=both"}});
+  EXPECT_EQ(holding.found({}), Ids{});
+  EXPECT_EQ(holding.found({"motion.jitter=removed"}), Ids{"motionJitterBoth"});
+  EXPECT_EQ(holding.found({"jitter.meaning=sample"}), Ids{"jitterNegated"});
+  EXPECT_EQ(holding.found({"jitter.delay=1"}), Ids{"jitterLate"});
+}
+
+// Of an engine whose depth is not reversed: nearly all of it lies near 1, beyond the near plane.
+TEST_F(StatedConventions, OfDepthThatIsNotReversed) {
+  const StatedCapture fsr("stated-fsr", {"fsr", {}});
+  EXPECT_EQ(fsr.found({}), Ids{});
+  EXPECT_EQ(fsr.found({"depth.kind=planar"}), Ids{"depthKind"});
+  EXPECT_EQ(fsr.found({"depth.range=minusOneToOne"}), Ids{"depthRange"});
+  EXPECT_EQ(fsr.found({"matrices.clipZ=minusOneToOne"}), Ids{"matricesRange"});
+}
+
+// Texture coordinates as pixels are next to nothing: the camera's motion, added once more, would fit.
+TEST_F(StatedConventions, OfTextureCoordinates) {
+  const StatedCapture unity("stated-unity", {"unity", {}});
+  EXPECT_EQ(unity.found({}), Ids{});
+  const auto mended = [&](const Ids& assignments) {
+    capture::Manifest stated = unity.stating(assignments);
+    std::multiset<std::string> ids;
+    for (const Finding& finding : mendMotion(unity.folder(), stated)) ids.insert(finding.id);
+    EXPECT_EQ(stated.conventions == unity.healthy().conventions, !ids.empty());
+    return ids;
+  };
+  EXPECT_EQ(mended({"motion.unit=pixels"}), setOf({}));
+  EXPECT_EQ(mended({"motion.unit=pixels", "matrices.clipZ=zeroToOne"}),
+            setOf({"motionInUv", "matricesRange"}));
+  EXPECT_EQ(mended({"motion.unit=pixels", "motion.includesCamera=off"}),
+            setOf({"motionInUv", "motionCameraTwice"}));
+  EXPECT_EQ(mended({"motion.unit=ndc", "motion.includesCamera=off"}),
+            setOf({"motionHalved", "motionCameraTwice"}));
+}
+
+TEST_F(StatedConventions, OfOpenGlsMatrices) {
+  const StatedCapture godot("stated-godot", {"godot", {}});
+  EXPECT_EQ(godot.found({}), Ids{});
+  EXPECT_EQ(godot.found({"matrices.clipZ=zeroToOne"}), Ids{"matricesRange"});
+  EXPECT_EQ(godot.found({"matrices.clipZ=zeroToOne", "jitter.meaning=sample"}),
+            (Ids{"matricesRange", "jitterNegated"}));
+}
+
+// All that has a y is wrong then: three findings would send somebody to three places.
+TEST_F(StatedConventions, OfRowsAreOneFinding) {
+  EXPECT_EQ(own().found({"rows=bottomFirst"}), Ids{"rowsTurned"});
 }
 
 // With matrices upside down all that is examined by them would look wrong.

@@ -1,4 +1,4 @@
-#include "core/doctor/frames/DoctorSource.h"
+#include "core/doctor/source/DoctorSource.h"
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
@@ -6,7 +6,8 @@
 #include "core/capture/source/Capture.h"
 #include "core/capture/source/CaptureSource.h"
 #include "core/capture/source/OpenSource.h"
-#include "core/doctor/frames/StatedConventions.h"
+#include "core/doctor/source/StatedConventions.h"
+#include "core/doctor/source/StatedMotion.h"
 #include "core/render/CaptureFacts.h"
 #include "core/render/faults/FaultySource.h"
 #include "core/scene/SceneOutline.h"
@@ -52,7 +53,6 @@ DoctorSource openCaptureForDoctor(const SourceRequest& request, const Progress& 
   const auto opened = capture::openCapture(request.source, progress);
   capture::Manifest manifest = opened->manifest();
   DoctorSource out;
-  out.conventions = manifest.conventions;
   // What an import adds where the engine wrote nothing would hide that it did not.
   manifest.conventions.motion.whereNothing.reset();
   out.frameCount = static_cast<int>(manifest.frames.size());
@@ -61,9 +61,14 @@ DoctorSource openCaptureForDoctor(const SourceRequest& request, const Progress& 
   out.known.depth = manifest.framesWith(capture::PlaneKind::Depth) > 0;
   out.known.ids = manifest.framesWith(capture::PlaneKind::ObjectId) > 0;
   out.contradicted = mendContradicted(opened->folder(), manifest);
+  out.conventions = manifest.conventions;
   out.known.depthJittered = manifest.conventions.depth.jittered;
   out.known.depthDistance = manifest.conventions.depth.kind != capture::DepthKind::Window;
   out.known.nearFactor = takeNearPlane(manifest);
+  for (Finding& finding : mendMotion(opened->folder(), manifest))
+    out.contradicted.push_back(std::move(finding));
+  out.conventions->motion = manifest.conventions.motion;
+  out.conventions->jitter = manifest.conventions.jitter;
   out.frames = std::make_shared<FaultySource>(std::make_unique<capture::CaptureSource>(
       std::make_shared<const capture::Capture>(opened->folder(), std::move(manifest))));
   const auto facts = out.frames->capture();

@@ -1,11 +1,14 @@
-#include "core/doctor/frames/StatedConventions.h"
+#include "core/doctor/source/StatedConventions.h"
 
 #include "core/base/Say.h"
 #include "core/capture/decode/Cameras.h"
 #include "core/capture/decode/DecodedFrame.h"
+#include "core/capture/decode/ScreenUnits.h"
 #include "core/capture/import/DepthValues.h"
 #include "core/capture/planes/Planes.h"
 #include "core/doctor/NumberText.h"
+#include "core/doctor/depth/DepthCheck.h"
+#include "core/doctor/jitter/JitterCheck.h"
 #include "core/settings/Faults.h"
 
 #include <glm/geometric.hpp>
@@ -74,14 +77,12 @@ std::optional<Finding> mendKind(const std::filesystem::path& folder, Manifest& m
   depth.reversed = guessed.reversed;
   depth.range = guessed.range;
   depth.nothing = guessed.nothing;
-  return statedFinding(
-      "depthKind", say<"Depth of another kind or range">(),
+  Finding out = depthKindFinding();
+  out.reason =
       say<"It is said to be a distance, and nearly everything would lie before the near plane of the "
-          "matrices, "
-          "%1 m: what is stored goes from %2 to %3.">(
-          shortNumber(camera->nearPlane), shortNumber(values.lowest), shortNumber(values.highest)),
-      say<"Disocclusion is found everywhere or nowhere.">(),
-      say<"State that depth is what the projection leaves, or the unit of its distances.">());
+          "matrices, %1 m: what is stored goes from %2 to %3.">(
+          shortNumber(camera->nearPlane), shortNumber(values.lowest), shortNumber(values.highest));
+  return out;
 }
 
 // Jitter in projections.
@@ -179,6 +180,45 @@ std::optional<Finding> mendProjections(Manifest& manifest) {
                        symptom, say<"State that matrices hold the jitter, or write those without it.">());
 }
 
+// Jitter.
+
+/// Jitter of so many pixels is none, whatever pictures show: of another unit it goes to half of one.
+std::optional<Finding> mendJitterUnit(Manifest& manifest) {
+  constexpr double kNoJittersPx = 4.0, kHalfPx = 0.5, kRoundedPx = 0.55;
+  using capture::ScreenUnit;
+  ScreenUnit& unit = manifest.conventions.jitter.unit;
+  const auto farthestPx = [](const Manifest& stated) {
+    double farthest = 0.0;
+    for (const glm::dvec2& jitter : jitterOfFrames(stated))
+      farthest = std::max({farthest, std::abs(jitter.x), std::abs(jitter.y)});
+    return farthest;
+  };
+  const double statedPx = farthestPx(manifest);
+  if (!(statedPx >= kNoJittersPx)) return {};
+  std::optional<ScreenUnit> best;
+  double nearest = kHalfPx;
+  for (const ScreenUnit other : {ScreenUnit::Pixels, ScreenUnit::Uv, ScreenUnit::Ndc}) {
+    Manifest otherwise = manifest;
+    otherwise.conventions.jitter.unit = other;
+    const double px = farthestPx(otherwise), miss = std::abs(kHalfPx - px);
+    if (px > kRoundedPx || miss >= nearest) continue;
+    nearest = miss;
+    best = other;
+  }
+  if (!best) return {};
+  const auto perUnit = [&](ScreenUnit of) {
+    return capture::pxPerUnit(of, capture::VerticalAxis::Down, manifest.sizePx);
+  };
+  const JitterTrial trial{JitterKind::OtherUnit, glm::vec2(perUnit(*best) / perUnit(unit))};
+  unit = *best;
+  Finding out = jitterFinding(trial);
+  out.sureness = Sureness::Likely;
+  out.reason =
+      say<"Jitter that is stated goes to %1 px; it goes to %2 px, about half of one, like this: %3.">(
+          shortNumber(statedPx), shortNumber(farthestPx(manifest)), jitterTrialText(trial));
+  return out;
+}
+
 // Encoding of motion.
 
 /// Whether all numbers but 0 lie around a half, farther from 0 and 1 than motion without sign would.
@@ -228,8 +268,8 @@ std::optional<Finding> mendEncoding(const std::filesystem::path& folder, Manifes
 
 std::vector<Finding> mendContradicted(const std::filesystem::path& folder, Manifest& manifest) {
   std::vector<Finding> out;
-  for (std::optional<Finding> finding :
-       {mendKind(folder, manifest), mendProjections(manifest), mendEncoding(folder, manifest)})
+  for (std::optional<Finding> finding : {mendKind(folder, manifest), mendJitterUnit(manifest),
+                                         mendProjections(manifest), mendEncoding(folder, manifest)})
     if (finding) out.push_back(std::move(*finding));
   return out;
 }
