@@ -286,12 +286,15 @@ Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, ToldO
 }
 
 /// Jitter that nobody knows makes the motion of single regions look wrong by parts of a pixel, and says
-/// nothing of jitter in motion.
-void withholdMotion(const JitterOutcome& jitter, Diagnosis& out) {
+/// nothing of jitter in motion. `first`: the finding from which on they rest on pictures.
+void withholdMotion(const JitterOutcome& jitter, std::size_t first, Diagnosis& out) {
   const auto isUnsure = [&](const Finding& finding) {
     return (jitter.isContradicted && !finding.isWholePicture) || finding.id.starts_with("motionJitter");
   };
-  if (std::erase_if(out.findings, isUnsure) == 0) return;
+  const auto unsure =
+      std::remove_if(out.findings.begin() + static_cast<std::ptrdiff_t>(first), out.findings.end(), isUnsure);
+  if (unsure == out.findings.end()) return;
+  out.findings.erase(unsure, out.findings.end());
   out.undecided.push_back(
       {say<"Motion">(),
        say<"it does not fit, but pictures do not shift as the jitter that is stated either">(),
@@ -340,7 +343,7 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
   hiding = tellPlanes(examiner, hasCamera && !told.depth, !jitter.isOpen, told, out);
   if (!jitter.isOpen) return hiding;
   leaveOpen(hiding, out);
-  withholdMotion(jitter, out);
+  withholdMotion(jitter, examination.contradicted.size(), out);
   return {};
 }
 
@@ -384,16 +387,9 @@ void tellRows(const Patient& patient, Diagnosis& out) {
     return finding.isWholePicture && std::ranges::count(turned, finding.id) > 0;
   };
   if (!patient.conventions || std::ranges::count_if(out.findings, isTurned) != std::ssize(turned)) return;
-  Finding rows;
-  rows.id = "rowsTurned";
-  rows.name = say<"Rows from the other end">();
-  rows.isWholePicture = true;
+  Finding rows = rowsTurned(patient.conventions->rows);
   rows.reason = say<"Jitter, motion and matrices all have another y than pictures show: the pictures are "
                     "upside down.">();
-  rows.symptom = say<"The picture is upside down; moved by its motion it breaks up.">();
-  rows.change = patient.conventions->rows == capture::RowOrder::TopFirst
-                    ? say<"State that rows are stored from the bottom on.">()
-                    : say<"State that rows are stored from the top on.">();
   std::erase_if(out.findings, isTurned);
   out.findings.insert(out.findings.begin(), std::move(rows));
 }

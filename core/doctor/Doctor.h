@@ -28,7 +28,7 @@ Examination examinationOf(const DoctorSource& source, int frames, int first = 0)
 
 /// What is known after kFirstLook frames; what examine() returns takes its place.
 using DiagnosisTold = std::function<void(const Diagnosis&)>;
-inline constexpr int kFirstLook = 6;
+inline constexpr int kFirstLook = 5;
 
 /// Looks at each frame with those before and after it. Throws Error, Cancelled.
 Diagnosis examine(const Examination& examination, const Progress& progress = {},

@@ -182,9 +182,10 @@ std::optional<Finding> mendProjections(Manifest& manifest) {
 
 // Jitter.
 
-/// Jitter of so many pixels is none, whatever pictures show: of another unit it goes to half of one.
+/// Jitter of so many pixels, or so small a part of one, is none, whatever pictures show: of another unit it
+/// goes to half of one.
 std::optional<Finding> mendJitterUnit(Manifest& manifest) {
-  constexpr double kNoJittersPx = 4.0, kHalfPx = 0.5, kRoundedPx = 0.55;
+  constexpr double kNoJittersPx = 4.0, kSmallPx = 0.02, kHalfPx = 0.5, kRoundedPx = 0.55, kNearlyPx = 0.2;
   using capture::ScreenUnit;
   ScreenUnit& unit = manifest.conventions.jitter.unit;
   const auto farthestPx = [](const Manifest& stated) {
@@ -194,9 +195,10 @@ std::optional<Finding> mendJitterUnit(Manifest& manifest) {
     return farthest;
   };
   const double statedPx = farthestPx(manifest);
-  if (!(statedPx >= kNoJittersPx)) return {};
+  const bool isJitters = statedPx > kSmallPx && statedPx < kNoJittersPx;
+  if (isJitters || !(statedPx > 0.0)) return {};
   std::optional<ScreenUnit> best;
-  double nearest = kHalfPx;
+  double nearest = statedPx <= kSmallPx ? kNearlyPx : kHalfPx;
   for (const ScreenUnit other : {ScreenUnit::Pixels, ScreenUnit::Uv, ScreenUnit::Ndc}) {
     Manifest otherwise = manifest;
     otherwise.conventions.jitter.unit = other;

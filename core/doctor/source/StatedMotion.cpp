@@ -53,6 +53,7 @@ enum class Group : std::uint8_t {
   DepthOrder,
   ClipRange,
   ClipAxis,
+  Rows,
 };
 
 struct Otherwise {
@@ -65,6 +66,8 @@ struct Otherwise {
   /// Told beside jitter in motion alone: what rests has no motion then, in whatever unit and by whatever
   /// depth.
   bool addsCamera = false;
+  /// Told beside something else alone: three things that pictures tell one by one.
+  bool isOfSeveral = false;
 };
 
 Finding motionFinding(const MotionTrial& trial) {
@@ -254,6 +257,27 @@ void addMatrices(const Conventions& stated, float lowest, std::vector<Otherwise>
                  std::move(range), true});
 }
 
+/// Planes are read once: what is stored from the other end has another y in all that has one.
+void addRows(const Conventions& stated, std::vector<Otherwise>& out) {
+  out.push_back({Group::Rows,
+                 [](Conventions& c) {
+                   turnY(c.motion.yAxis);
+                   turnY(c.jitter.yAxis);
+                   turnY(c.matrices.clipY);
+                 },
+                 rowsTurned(stated.rows)});
+  out.back().isOfSeveral = true;
+}
+
+/// The rows alone, where `conventions` say the same by three axes.
+void turnRows(Conventions& conventions) {
+  using capture::RowOrder;
+  turnY(conventions.motion.yAxis);
+  turnY(conventions.jitter.yAxis);
+  turnY(conventions.matrices.clipY);
+  conventions.rows = otherOf(conventions.rows, RowOrder::TopFirst, RowOrder::BottomFirst);
+}
+
 std::vector<Otherwise> othersThan(const capture::Manifest& manifest, float lowestDepth) {
   const Conventions& stated = manifest.conventions;
   std::vector<Otherwise> out;
@@ -263,6 +287,7 @@ std::vector<Otherwise> othersThan(const capture::Manifest& manifest, float lowes
   addJitter(stated, out);
   addDepth(stated, lowestDepth, out);
   addMatrices(stated, lowestDepth, out);
+  addRows(stated, out);
   return out;
 }
 
@@ -341,12 +366,19 @@ class MotionFits {
 /// Nothing, one or two things that are stated otherwise.
 using Changes = std::vector<const Otherwise*>;
 
+/// Whether what is stated beside rows from the other end could stand for a part of them, or for nothing.
+bool hidesRows(Group group) {
+  return group == Group::MotionAxes || group == Group::ClipAxis || group == Group::JitterSign ||
+         group == Group::JitterFrame;
+}
+
 std::vector<Changes> changesOf(const std::vector<Otherwise>& others) {
   std::vector<Changes> out;
-  for (const Otherwise& one : others) out.push_back({&one});
+  for (const Otherwise& one : others)
+    if (!one.isOfSeveral) out.push_back({&one});
   for (const Otherwise& one : others)
     for (const Otherwise& two : others) {
-      if (!(one.group < two.group)) continue;
+      if (!(one.group < two.group) || (two.isOfSeveral && hidesRows(one.group))) continue;
       const bool addsCamera = one.addsCamera || two.addsCamera;
       if (!addsCamera || two.group == Group::MotionJitter) out.push_back({&one, &two});
     }
@@ -418,6 +450,18 @@ std::vector<Finding> mendMotion(const std::filesystem::path& folder, capture::Ma
   std::vector<Finding> out;
   for (const Otherwise* change : *changes) out.push_back(toldFinding(*change, *changes, shareStated, share));
   manifest.conventions = right;
+  if (changes->back()->isOfSeveral) turnRows(manifest.conventions);
+  return out;
+}
+
+Finding rowsTurned(capture::RowOrder stated) {
+  Finding out;
+  out.id = "rowsTurned";
+  out.name = say<"Rows from the other end">();
+  out.isWholePicture = true;
+  out.symptom = say<"The picture is upside down; moved by its motion it breaks up.">();
+  out.change = stated == capture::RowOrder::TopFirst ? say<"State that rows are stored from the bottom on.">()
+                                                     : say<"State that rows are stored from the top on.">();
   return out;
 }
 

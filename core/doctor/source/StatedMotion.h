@@ -17,6 +17,8 @@ namespace taa::doctor {
 /// wrong that pictures tell as well, or where several explain the same. Throws Error.
 std::vector<Finding> mendMotion(const std::filesystem::path& folder, capture::Manifest& manifest);
 
+/// Without what says so.
+Finding rowsTurned(capture::RowOrder stated);
 /// That they are, with what says so.
 Finding matricesFlipped(std::string reason);
 

@@ -140,6 +140,20 @@ TEST_F(StatedConventions, AreNamedWhereTwoAreWrong) {
     }
 }
 
+// Jitter of a unit that makes next to nothing of it, with a sign that pictures tell then.
+TEST_F(StatedConventions, OfJitterThatIsNextToNone) {
+  const StatedCapture godot("stated-small-jitter", {"godot", {}});
+  EXPECT_EQ(godot.found({"jitter.unit=pixels"}), Ids{"jitterUnit"});
+  EXPECT_EQ(godot.found({"jitter.unit=pixels", "jitter.meaning=sample"}),
+            (Ids{"jitterUnit", "jitterNegated"}));
+}
+
+// Of a jitter that nothing explains no pixel of motion says anything; what is stored does.
+TEST_F(StatedConventions, OfMotionAreNamedBesideJitterThatIsNot) {
+  const StatedCapture babylon("stated-babylon", {"babylon", {}});
+  EXPECT_EQ(babylon.found({"motion.jitter=both", "jitter.delay=-1"}), Ids{"motionJitterTakenOff"});
+}
+
 // Depth and matrices say which two of all that motion is decoded by are stated wrongly; what is stated
 // rightly stays as it is. Of two that undo each other, or lie in one number, one is enough.
 TEST_F(StatedConventions, OfMotionAreSetRightInPairs) {
@@ -252,6 +266,10 @@ TEST_F(StatedConventions, OfOpenGlsMatrices) {
 // All that has a y is wrong then: three findings would send somebody to three places.
 TEST_F(StatedConventions, OfRowsAreOneFinding) {
   EXPECT_EQ(own().found({"rows=bottomFirst"}), Ids{"rowsTurned"});
+  EXPECT_EQ(setOf(own().found({"rows=bottomFirst", "motion.jitter=both"})),
+            setOf({"rowsTurned", "motionJitterTakenOff"}));
+  EXPECT_EQ(setOf(own().found({"rows=bottomFirst", "depth.range=minusOneToOne"})),
+            setOf({"rowsTurned", "depthRange"}));
 }
 
 // With matrices upside down all that is examined by them would look wrong.
