@@ -26,6 +26,9 @@ constexpr double kAsLargeObject = 0.1;
 /// Pixels that come and go with where a rim lies between them. What else came or went at one side moves the
 /// middle by its half, as a share of the object's width; explanations differ by so many times that.
 constexpr double kRimPixels = 2.0, kOverOff = 4.0;
+/// What turns, or is turned around, moves in front by another motion than its outline does: explanations
+/// differ by so many times what the motions of its pixels differ by.
+constexpr double kOverSpread = 4.0;
 constexpr int kSampledPerObject = 48;
 /// Of a distance: what is so much nearer beside an object may hide a part of it.
 constexpr float kNearer = 0.95f;
@@ -89,6 +92,7 @@ struct MeanMotions {
   int count = 0;
   glm::ivec2 pixel{-1};                        ///< one of them
   std::vector<std::optional<glm::dvec2>> sums; ///< none: the explanation says nothing of a pixel
+  double squares = 0.0;                        ///< sum of those of the motions given
 
   void add(const FrameNeighbors& frames, const std::vector<MotionTrial>& trials, const glm::ivec2& at) {
     if (count++ == 0) {
@@ -102,7 +106,13 @@ struct MeanMotions {
         *sums[t] += glm::dvec2(*motion);
       else
         sums[t].reset();
+      if (t == 0 && sums[0]) squares += glm::dot(glm::dvec2(*motion), glm::dvec2(*motion));
     }
+  }
+  /// Of the motions given, px: root of their mean squared distance from their mean. Expects that all are.
+  double spreadPx() const {
+    const glm::dvec2 middle = *mean(0);
+    return std::sqrt(std::max(0.0, squares / static_cast<double>(count) - glm::dot(middle, middle)));
   }
   std::optional<glm::dvec2> mean(std::size_t trial) const {
     if (!sums[trial]) return {};
@@ -173,10 +183,10 @@ class PairMiddles {
   std::set<RegionIndex> hidden_;
 };
 
-/// `offPx`: see offBySize().
-void compareWay(const glm::dvec2& way, double offPx, const glm::dvec2& given, const glm::dvec2& tried,
+/// `leastPx`: explanations that differ by no more say the same.
+void compareWay(const glm::dvec2& way, double leastPx, const glm::dvec2& given, const glm::dvec2& tried,
                 MiddleCounts& out) {
-  if (glm::distance(given, tried) <= std::max(kMiddleApartPx, kOverOff * offPx)) return;
+  if (glm::distance(given, tried) <= leastPx) return;
   const double ofGiven = glm::distance(given, way), ofTried = glm::distance(tried, way);
   ++out.samples;
   if (ofTried < ofGiven) ++out.won;
@@ -230,14 +240,16 @@ std::map<RegionIndex, MiddleEvidence> MotionMiddles::add(const FrameNeighbors& f
         *way.motions[t] += *mean;
       else
         way.motions[t].reset();
+    if (way.motions[0]) way.spreadPx += motions.spreadPx();
     ways_[region] = way;
     if (!way.motions[0]) continue;
+    const double leastPx = std::max({kMiddleApartPx, kOverOff * way.offPx, kOverSpread * way.spreadPx});
     MiddleEvidence& evidence = out[region];
     evidence.pixel = motions.pixel;
     evidence.trials.resize(trials.size());
     for (std::size_t t = 1; t < trials.size(); ++t)
       if (way.motions[t] && isOfMiddle(trials[t].kind))
-        compareWay(way.px, way.offPx, *way.motions[0], *way.motions[t], evidence.trials[t]);
+        compareWay(way.px, leastPx, *way.motions[0], *way.motions[t], evidence.trials[t]);
   }
   return out;
 }

@@ -50,6 +50,7 @@ class MotionMiddles {
   struct Way {
     double sizeAtStart = 0.0; ///< pixels
     double offPx = 0.0;       ///< that its middle may be off by for how its size has changed
+    double spreadPx = 0.0;    ///< sum, of frames, of what the motions of its pixels differ by
     glm::dvec2 px{0.0};
     std::vector<std::optional<glm::dvec2>> motions; ///< by trial; none: it says nothing of a frame
   };
