@@ -10,7 +10,10 @@ namespace {
 
 class ThreadRenderer final : public Renderer {
  public:
-  explicit ThreadRenderer(Listener listener) : thread_(std::move(listener)) {}
+  explicit ThreadRenderer(Listener listener) : thread_(std::move(listener)) {
+    constexpr double kFeltMs = 50.0; // so long a hand that drags does not notice
+    thread_.post(request::SetPreviews{kFeltMs});
+  }
   RequestId post(Request request) override { return thread_.post(std::move(request)); }
 
  private:

@@ -125,7 +125,7 @@ QString ViewSides::absenceNote() const {
 }
 
 bool ViewSides::isPictureComplete() const {
-  if (!isResultOfContent() || result_->picture.width == 0) return false;
+  if (!isResultOfContent() || result_->picture.width == 0 || result_->isPreview) return false;
   const bool needsOther = other_ && (showing_ == Showing::Other || showing_ == Showing::Wipe);
   if (!needsOther) return true;
   return result_->other && !kept_ && result_->request.other && result_->request.other->id == other_->row.id &&
@@ -147,7 +147,7 @@ LegendSide ViewSides::legendSide(bool other, Showing showing) const {
   const bool isOfResult = !other && isResultOfContent();
   if (isOfResult && totalOf(result_->reasons) > 0) side.reasons = &result_->reasons;
   if (isOfOther && totalOf(otherSide()->reasons) > 0) side.reasons = &otherSide()->reasons;
-  if (isOfResult) side.note = referenceNote(*result_);
+  if (isOfResult) side.note = result_->isPreview ? tr("preview") : referenceNote(*result_);
   if (other || side.isDifference) side.absence = absenceNote();
   side.space = content.space;
   return side;

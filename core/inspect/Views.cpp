@@ -3,10 +3,16 @@
 #include "core/gl/PassTimer.h"
 #include "core/inspect/ReferenceOfShot.h"
 #include "core/measure/Profiler.h"
+#include "core/render/CaptureFacts.h"
 #include "core/replay/ShotPlayer.h"
+#include "core/settings/Parameters.h"
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -18,6 +24,14 @@ namespace {
 
 Layer layerOf(const ExposedRows& exposedRows, IntermediateId id) {
   return {&exposedRows.texture(id), exposedRows.layer(id), exposedRows.firstChannel(id)};
+}
+
+/// So many pixels of a region as one run of the resolve exposes all rows of.
+glm::ivec2 previewTexels(const gl::Rect& region) {
+  constexpr double kMost = 128.0 * 128.0;
+  const double pixels = static_cast<double>(region.width) * region.height;
+  const double scale = std::min(1.0, std::sqrt(kMost / pixels));
+  return glm::max(glm::ivec2(scale * glm::dvec2(region.width, region.height)), glm::ivec2(1));
 }
 
 } // namespace
@@ -81,6 +95,30 @@ Picture Views::thumbnail(IntermediateId id, const glm::ivec2& texels, int lane) 
     return pictureOfReference(id, defaultStyle(intermediate(id)), whole, texels, lane);
   }
   return thumbnails_.draw(player_.maker().pass, visualizer_, player_.resolved(lane), id, texels);
+}
+
+std::optional<Picture> Views::preview(const Settings& settings, const ViewRequest& view) {
+  const gl::PassGroup group(pass_group::kThumbnails);
+  const auto capture = player_.state().frames->capture();
+  const Settings used = capture ? settingsOn(*capture, settings) : settings;
+  const ShownLane& shown = player_.lane(view.lane);
+  const bool isOfResolve = !isOfReference(view.id) && intermediate(view.id).stage != Stage::Output;
+  if (!isOfResolve || !sameInputs(used, player_.settings(view.lane)) || !shown.inputs->areDrawn) return {};
+  const gl::Rect region = visiblePixels(view, player_.picturePx());
+  if (region.width <= 0 || region.height <= 0) return {};
+  const glm::ivec2 texels = previewTexels(region);
+  if (previewRows_.region() != region || previewRows_.texels() != texels)
+    previewRows_ = ExposedRows(allRows(), region, texels);
+  TaaPass& pass = player_.maker().pass;
+  if (!pass.isPrepared(used, previewRows_)) return {};
+  pass.expose(shown.inputs->textures, shown.previous.get(), *shown.current, used, previewRows_);
+  const Layer layer = layerOf(previewRows_, view.id);
+  const float texelsPerPixel = static_cast<float>(texels.x) / static_cast<float>(region.width);
+  ViewTransform transform = view.transform;
+  transform.origin = (transform.origin - glm::vec2(region.x, region.y)) * texelsPerPixel;
+  transform.zoom /= texelsPerPixel;
+  return visualizer_.draw(*layer.texture, layer.layer, layer.firstChannel, intermediate(view.id), view.style,
+                          transform, view.width, view.height);
 }
 
 const FrameInputs& Views::inputs(int lane) const {

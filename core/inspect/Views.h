@@ -8,6 +8,7 @@
 #include "core/measure/compare/FrameBefore.h"
 #include "core/picture/PictureSource.h"
 #include "core/picture/Thumbnails.h"
+#include "core/picture/ViewRequest.h"
 #include "core/picture/Visualizer.h"
 #include "core/render/FrameInputs.h"
 #include "core/taa/rows/Intermediates.h"
@@ -39,6 +40,10 @@ class Views {
                   int height, int lane = 0);
   /// A small picture of it in the style it opens with; costs only the pixels that are in it.
   Picture thumbnail(IntermediateId id, const glm::ivec2& texels, int lane = 0);
+  /// The picture of a view by settings that are not in force, of few of its pixels, each as in the whole
+  /// picture: the frame on show, on the history that it has. Nothing where something has to be drawn or
+  /// compiled first, of rows of what is shown, and of rows of the reference.
+  std::optional<Picture> preview(const Settings& settings, const ViewRequest& view);
   /// Drawn now when they are not.
   const FrameInputs& inputs(int lane = 0) const;
 
@@ -69,6 +74,7 @@ class Views {
   Visualizer& visualizer_;
   ReferenceOfShot& reference_;
   Thumbnails thumbnails_;
+  ExposedRows previewRows_;
   RowsBefore rowsBefore_;
 };
 

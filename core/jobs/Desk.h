@@ -49,6 +49,8 @@ class Desk {
   bool isStatusOld = true;
   // These change with the comparison frames, and with each picture of a reference or of flicker
   std::uint64_t comparisonVersion = 1, referenceVersion = 1;
+  /// Changes when previews are on show of settings that do not come.
+  std::uint64_t previewVersion = 1;
 
   // Requests
   const WaitingRequests& waiting() const { return waiting_; }

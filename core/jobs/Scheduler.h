@@ -20,6 +20,7 @@
 #include "core/jobs/shot/Exporting.h"
 #include "core/jobs/shot/Goal.h"
 #include "core/jobs/shot/Play.h"
+#include "core/jobs/shot/Previews.h"
 #include "core/jobs/shot/Replay.h"
 #include "core/jobs/shot/Shaders.h"
 #include "core/jobs/shot/ShotChanges.h"
@@ -62,7 +63,7 @@ class Scheduler {
 
   // Everything a request may concern; a request is heard by each that has a member take() for its type.
   auto parts() {
-    return std::tie(changes_, play_, flight_, replay_, shaders_, views_, probes_, objects_, worst_,
+    return std::tie(previews_, changes_, play_, flight_, replay_, shaders_, views_, probes_, objects_, worst_,
                     exporting_, comparing_, costing_, traces_, lineage_, compiling_, thumbnails_, reference_,
                     overTime_, judging_, metrics_);
   }
@@ -78,7 +79,8 @@ class Scheduler {
   Goal goal_;
   Wanted wanted_;
   CameraFlight flight_{desk_, transport_, goal_};
-  ShotChanges changes_{desk_, flight_, goal_};
+  Previews previews_{desk_, wanted_};
+  ShotChanges changes_{desk_, flight_, goal_, previews_};
   Replay replay_{desk_, transport_, goal_, flight_};
   Play play_{desk_, transport_, goal_, flight_};
   Shaders shaders_{desk_};

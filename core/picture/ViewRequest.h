@@ -9,6 +9,8 @@
 #include "core/picture/Visualizer.h"
 #include "core/taa/rows/Intermediates.h"
 
+#include <glm/vec2.hpp>
+
 #include <array>
 #include <cstdint>
 #include <numeric>
@@ -42,6 +44,9 @@ struct ViewRequest {
   std::optional<gl::Rect> measured{}; ///< also say how the values of these pixels are spread
   bool operator==(const ViewRequest&) const = default;
 };
+
+/// The pixels of a picture that a view shows, whole ones.
+gl::Rect visiblePixels(const ViewRequest& view, const glm::ivec2& picturePx);
 
 /// Pixels of the whole picture that were rejected for each reason; [0]: kept. All 0: not counted.
 inline constexpr int kReasonCount = 10;
@@ -85,6 +90,7 @@ struct ViewResult {
   std::optional<RegionSpread> spread{};
   int frame = 0;
   bool exact = true;
+  bool isPreview = false;          ///< by settings that are not in force yet, of few of its pixels
   ReasonCounts reasons{};          ///< where they are shown
   std::optional<ViewSide> other{}; ///< delivered together; nothing while it is on its way
   std::uint64_t shotVersion = 0;   ///< see Status

@@ -246,6 +246,13 @@ struct SetThumbnails {
   static constexpr RequestRule kRule{.kind = RequestKind::Thumbnails};
 };
 
+/// Where a resolve takes so long, each change of settings is first shown by few of the pixels of each view,
+/// and those that a newer change follows at once by them alone. Nothing: no previews.
+struct SetPreviews {
+  std::optional<double> fromMs;
+  static constexpr RequestRule kRule{.kind = RequestKind::None, .turn = Turn::First};
+};
+
 /// How many samples a reference has, 4 to 1024. It is drawn while nothing plays and nothing else is to be
 /// done, as long as a view shows a row of it or metrics need it; the views see it with 4, 16, 64 …
 struct SetReferenceSamples {
@@ -328,7 +335,7 @@ using Request =
                  request::SetCamera, request::AddCameraTrack, request::SetFlownCameras, request::Locate,
                  request::SetPlaying, request::SetLooping, request::SetPlayback, request::Step, request::Seek,
                  request::SetViews, request::SetProbes, request::SetCheckpointBudget, request::SetSceneBudget,
-                 request::SetProfiling, request::MeasureStages, request::SetThumbnails,
+                 request::SetProfiling, request::MeasureStages, request::SetThumbnails, request::SetPreviews,
                  request::SetReferenceSamples, request::FindWorst, request::SetLineage, request::SetMetrics,
                  request::SetTracing, request::FillTraces, request::TraceInIdleTime, request::SetVerdicts,
                  request::ReloadShaders, request::Cancel, request::ExportSequence>;

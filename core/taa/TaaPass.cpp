@@ -76,6 +76,15 @@ std::vector<Run> runsFor(const Settings& settings, bool keepsHistory, std::span<
   return runs;
 }
 
+std::vector<Run> exposingRuns(const Settings& settings, const ExposedRows& exposedRows) {
+  const glm::ivec2& texels = exposedRows.texels();
+  std::vector<Run> runs = runsFor(settings, false, exposedRows.layout().ofResolve());
+  if (runs.size() > 1 && texels.x * texels.y <= kFewTexels)
+    runs = {{.stores = true, .slots = exposedRows.layout().ofResolve(), .last = {}}};
+  for (Run& run : runs) run.isSparse = exposedRows.isSparse();
+  return runs;
+}
+
 // Bit 0: there is history; the others: the layers of it that these settings need and it holds.
 int historyState(const History* previous, const Settings& settings) {
   if (!previous) return 0;
@@ -194,11 +203,7 @@ void TaaPass::resolvePart(const FrameInputs& inputs, const History* previous, co
 void TaaPass::expose(const FrameInputs& inputs, const History* previous, const History& resolved,
                      const Settings& settings, ExposedRows& exposedRows) {
   const glm::ivec2& texels = exposedRows.texels();
-  std::vector<Run> runs = runsFor(settings, false, exposedRows.layout().ofResolve());
-  if (runs.size() > 1 && texels.x * texels.y <= kFewTexels)
-    runs = {{.stores = true, .slots = exposedRows.layout().ofResolve(), .last = {}}};
-  for (Run& run : runs) {
-    run.isSparse = exposedRows.isSparse();
+  for (const Run& run : exposingRuns(settings, exposedRows)) {
     const gl::Framebuffer target =
         run.stores
             ? gl::Framebuffer(texels.x, texels.y, "exposed region")
@@ -235,6 +240,12 @@ bool TaaPass::isPrepared(const Settings& settings, const std::vector<Intermediat
   const ExposedLayout layout(watched, rowSources(settings));
   const Settings relevant = relevantSettings(settings);
   return std::ranges::all_of(runsFor(relevant, true, layout.ofResolve()),
+                             [&](const Run& run) { return impl_->programs.holds(relevant, run.key()); });
+}
+
+bool TaaPass::isPrepared(const Settings& settings, const ExposedRows& exposedRows) const {
+  const Settings relevant = relevantSettings(settings);
+  return std::ranges::all_of(exposingRuns(settings, exposedRows),
                              [&](const Run& run) { return impl_->programs.holds(relevant, run.key()); });
 }
 

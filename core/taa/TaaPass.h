@@ -100,6 +100,9 @@ class TaaPass {
   /// Whether resolve() has all it needs for that.
   bool isPrepared(const Settings& settings, const std::vector<IntermediateId>& watched) const;
 
+  /// Likewise for expose().
+  bool isPrepared(const Settings& settings, const ExposedRows& exposedRows) const;
+
   /// Drops all programs and compiles the ones in use again; on Error the old ones stay.
   void reloadShaders();
 

@@ -92,6 +92,7 @@ class FakeRenderer final : public Renderer {
   void take(const request::TraceInIdleTime& asked) { idleTraces = asked; }
   void take(const request::Prepare& asked) { prepared = asked.settings; }
   void take(const request::SetVerdicts& asked);
+  void take(const request::SetPreviews&) {}
   void take(const request::SetLooping& asked) { isLooping = asked.looping; }
   void take(const request::Step& asked) { take(request::Seek{status.info.frame + asked.frames}); }
   void take(const request::SetProfiling& asked) { profiling = asked.on; }

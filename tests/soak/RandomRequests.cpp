@@ -182,7 +182,7 @@ Request timeRequest(Dice& dice) {
 
 Request lookRequest(Dice& dice) {
   const auto pixel = [&] { return glm::ivec2(dice.below(80) - 8, dice.below(80) - 8); };
-  switch (dice.below(16)) {
+  switch (dice.below(17)) {
   case 0:
     return request::Locate{several(dice, 2, [&] { return dice.below(12) - 1; })};
   case 1:
@@ -219,6 +219,8 @@ Request lookRequest(Dice& dice) {
     return request::SetVerdicts{dice.oneIn(2)};
   case 14:
     return request::ReloadShaders{};
+  case 15:
+    return request::SetPreviews{dice.oneIn(3) ? std::nullopt : std::optional(0.01 * dice.below(200))};
   default:
     return request::SetViews{several(dice, 4, [&] { return viewFrom(dice); })};
   }

@@ -41,6 +41,7 @@ struct Recorder {
   std::vector<ExportResult> exports;
   std::vector<VerdictDelivery> verdicts;
   // Also called, without the lock
+  std::function<void(const ViewResult&)> onPicture;
   std::function<void(const Work&)> onWork;
   std::function<void(const ShadersRead&)> onShaders;
 
@@ -52,7 +53,10 @@ struct Recorder {
     }
     changed.notify_all();
   }
-  void take(ViewResult result) { add(pictures, std::move(result)); }
+  void take(ViewResult result) {
+    if (onPicture) onPicture(result);
+    add(pictures, std::move(result));
+  }
   void take(ProbeResult result) { add(probes, std::move(result)); }
   void take(Status status) { add(statuses, std::move(status)); }
   void take(Work work) {

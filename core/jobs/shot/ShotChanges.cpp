@@ -65,8 +65,12 @@ void ShotChanges::take(const request::SetMotionModes& modes) {
 
 void ShotChanges::take(const request::SetSettings& settings) {
   InspectedShot& shot = desk_.inspector.shot();
-  changeIf(!(settings.settings == shot.settings()), RequestKind::Settings,
-           [&] { shot.setSettings(settings.settings); });
+  if (settings.settings == shot.settings()) return previews_.withdraw();
+  if (previews_.tell(settings.settings)) return; // newer ones are taken up next
+  if (desk_.change(RequestKind::Settings, [&] { shot.setSettings(settings.settings); }))
+    previews_.cameTrue();
+  else
+    previews_.withdraw();
 }
 
 // Lane 0 is the one of the settings.

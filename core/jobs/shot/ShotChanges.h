@@ -4,6 +4,7 @@
 #include "core/jobs/Desk.h"
 #include "core/jobs/shot/CameraFlight.h"
 #include "core/jobs/shot/Goal.h"
+#include "core/jobs/shot/Previews.h"
 #include "core/requests/Requests.h"
 
 #include <functional>
@@ -15,7 +16,8 @@ namespace taa {
 
 class ShotChanges {
  public:
-  ShotChanges(Desk& desk, CameraFlight& flight, Goal& goal) : desk_(desk), flight_(flight), goal_(goal) {}
+  ShotChanges(Desk& desk, CameraFlight& flight, Goal& goal, Previews& previews)
+      : desk_(desk), flight_(flight), goal_(goal), previews_(previews) {}
 
   /// Whether it could be opened.
   bool open(const request::Open& open);
@@ -45,6 +47,7 @@ class ShotChanges {
   Desk& desk_;
   CameraFlight& flight_;
   Goal& goal_;
+  Previews& previews_;
   std::vector<std::string> objects_;
   std::shared_ptr<const SceneOutline> outline_;
   RequestId opened_ = 0;

@@ -15,30 +15,11 @@ namespace taa {
 
 namespace {
 
-// The pixels of the picture that a view shows, whole ones.
-gl::Rect visiblePixels(const ViewRequest& view, int width, int height) {
-  const auto edge = [](float position, int size) {
-    return static_cast<int>(std::clamp(position, 0.0f, static_cast<float>(size)));
-  };
-  const glm::vec2 from = view.transform.origin;
-  const glm::vec2 to = from + glm::vec2(view.width, view.height) / view.transform.zoom;
-  const int left = edge(std::floor(from.x), width), top = edge(std::floor(from.y), height);
-  return {left, top, edge(std::ceil(to.x), width) - left, edge(std::ceil(to.y), height) - top};
-}
-
 bool showsReference(const ViewRequest& view) {
   return isOfReference(view.id) || (view.other && isOfReference(view.other->id));
 }
 
 } // namespace
-
-ReasonCounts countReasons(const Image& reasons) {
-  ReasonCounts counts{};
-  for (const float value : reasons.pixels)
-    if (const int reason = static_cast<int>(value); reason >= 0 && reason < kReasonCount)
-      ++counts[static_cast<std::size_t>(reason)];
-  return counts;
-}
 
 void ShownViews::take(const request::SetViews& views) {
   wanted_.views = views.views;
@@ -54,7 +35,7 @@ void ShownViews::deliverView(int index) {
   const ViewRequest& view = wanted_.views[static_cast<std::size_t>(index)];
   Delivered& last = delivered_[static_cast<std::size_t>(index)];
   const Delivered now{view, desk_.version(), view.other ? desk_.comparisonVersion : 0,
-                      showsReference(view) ? desk_.referenceVersion : 0};
+                      showsReference(view) ? desk_.referenceVersion : 0, desk_.previewVersion};
   if (!isShown(view) || last == now) return;
   const InspectedShot& shot = desk_.inspector.shot();
   std::optional<PictureSource> other;
@@ -116,7 +97,7 @@ ViewResult ShownViews::draw(int index, const PictureSource& source,
   Views& views = desk_.inspector.views();
   ViewResult result{.view = index, .request = view, .picture = {}, .values = {}, .region = {}};
   if (isOfReference(view.id)) addReference(result);
-  const gl::Rect region = visiblePixels(view, shot.width(), shot.height());
+  const gl::Rect region = visiblePixels(view, {shot.width(), shot.height()});
   if (view.withValues && views.isCached(source) && region.width > 0 && region.height > 0)
     result.region = region;
   const std::optional<PictureSource> minus = view.asDifference ? other : std::nullopt;

@@ -24,7 +24,7 @@ class ShownViews {
   /// What a view was last delivered of: the same again is no news.
   struct Delivered {
     ViewRequest request;
-    std::uint64_t version = 0, asides = 0, reference = 0;
+    std::uint64_t version = 0, asides = 0, reference = 0, preview = 0;
     bool operator==(const Delivered&) const = default;
   };
   struct Reasons {

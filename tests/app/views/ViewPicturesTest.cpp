@@ -48,6 +48,26 @@ TEST_F(ViewPictures, APictureForAFileIsWhatBothSidesShow) {
   EXPECT_TRUE(viewport()->picture(false).isNull()) << "a side is missing";
 }
 
+// What few pixels show of settings to come is said to be that, says no values, and goes into no file.
+TEST_F(ViewPictures, APreviewIsNoPictureForAFile) {
+  settle();
+  ASSERT_FALSE(viewport()->picture(false).isNull());
+  const int rows = viewport()->picture(true).height();
+  auto preview = std::make_shared<ViewResult>(*viewport()->result());
+  preview->isPreview = true;
+  preview->values = {};
+  preview->region = {};
+  const QImage before = viewport()->grab().toImage();
+  viewport()->setResult(preview);
+  EXPECT_TRUE(viewport()->picture(false).isNull());
+  EXPECT_FALSE(viewport()->valueAt({3, 3}));
+  EXPECT_NE(viewport()->grab().toImage(), before) << "its legend says so";
+  preview = std::make_shared<ViewResult>(*preview);
+  preview->isPreview = false;
+  viewport()->setResult(preview);
+  EXPECT_EQ(viewport()->picture(true).height(), rows);
+}
+
 TEST_F(ViewPictures, TheLegendOfAPictureLiesBelowWhatTheScreenShows) {
   view()->setIntermediate(IntermediateId::motion);
   view()->setOverlay(Overlay::Arrows, true);

@@ -25,6 +25,7 @@ struct Squares {
   int count = 3;
   glm::dvec2 sidePx{7.0};
   glm::dvec2 perFramePx{0.5, 0.0};
+  double spreadPx = 0.0; ///< what motions of their left halves lack, and those of their right ones have more
   double cameraPx = 0.0; ///< per frame: a camera turns, by which what rests in the world moves along x
   float screenM =
       0.0f; ///< 0: none; else the distance of what hides all that is left of the middles of squares
@@ -54,7 +55,8 @@ DoctorFrame squaresFrame(const Squares& squares, int frame, const Change& change
         out.objectId[static_cast<std::size_t>(y) * kSizePx.x + x] =
             isHidden ? 9u : static_cast<std::uint32_t>(i + 1);
         const glm::vec2 motion = change(glm::vec2(squares.perFramePx));
-        out.motionPx.at(x, y)[0] = motion.x;
+        const double spreadPx = at.x < 0.5 * squares.sidePx.x ? -squares.spreadPx : squares.spreadPx;
+        out.motionPx.at(x, y)[0] = motion.x + static_cast<float>(spreadPx);
         out.motionPx.at(x, y)[1] = motion.y;
       }
     }
@@ -133,6 +135,14 @@ TEST(MotionMiddles, TellWhatRestsInTheWorldByTheCamera) {
 TEST(MotionMiddles, DoNotTellWhatTurns) {
   EXPECT_EQ(winnersOf({.perFramePx = {0.0, 0.0}}, [](const glm::vec2&) { return glm::vec2(1.0f, 0.0f); }),
             "");
+}
+
+// Of a cube that the camera goes around the front goes one way and the outline, a little, the other: as if
+// its motion were negated. What its pixels move by differs by as much as it moves.
+TEST(MotionMiddles, DoNotTellWhatIsTurnedAround) {
+  const Change turned = [](const glm::vec2&) { return glm::vec2(0.25f, 0.0f); };
+  EXPECT_EQ(winnersOf({.perFramePx = {-0.2, 0.0}}, turned), "mirroredX,opposite");
+  EXPECT_EQ(winnersOf({.perFramePx = {-0.2, 0.0}, .spreadPx = 0.25}, turned), "");
 }
 
 TEST(MotionMiddles, LeaveOutWhatIsNotSeenWhole) {
