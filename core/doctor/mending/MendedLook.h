@@ -5,8 +5,8 @@
 #include "core/base/Image.h"
 #include "core/base/Progress.h"
 #include "core/doctor/Diagnosis.h"
-#include "core/doctor/source/DoctorSource.h"
 #include "core/doctor/mending/Mending.h"
+#include "core/doctor/source/DoctorSource.h"
 #include "core/settings/Settings.h"
 
 #include <cstddef>
