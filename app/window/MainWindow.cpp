@@ -62,6 +62,7 @@
 #include "app/window/FlightFeed.h"
 #include "app/window/FocusOrder.h"
 #include "app/window/HoverText.h"
+#include "app/window/MenuTitle.h"
 #include "app/window/PlotFeed.h"
 #include "app/window/ProbeFeed.h"
 #include "app/window/SceneFeed.h"
@@ -78,7 +79,6 @@
 #include <QDragEnterEvent>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
@@ -152,10 +152,6 @@ void MainWindow::makePanels() {
   work_ = new WorkBar(views_, ViewHeader::barHeight());
   flightBar_ = new FlightBar(views_, legendHeight() + 8);
   new LoadingNote(session_, views_);
-  sourceLabel_ = new QLabel;
-  sourceLabel_->setFont(secondaryFont());
-  sourceLabel_->setForegroundRole(QPalette::PlaceholderText);
-  sourceLabel_->setContentsMargins(0, 0, 2 * kUnit, 0);
   lower_ = new LowerArea;
   lower_->add(profiler_, tr("Profiler"));
   lower_->add(plots_, tr("Plots"));
@@ -184,7 +180,10 @@ void MainWindow::layOut() {
   rows->addWidget(statusLine_);
   setCentralWidget(content);
   menuBar()->setNativeMenuBar(false);
-  menuBar()->setCornerWidget(sourceLabel_);
+  title_ = new MenuTitle(menuBar());
+  title_->setFont(secondaryFont());
+  title_->setForegroundRole(QPalette::PlaceholderText);
+  title_->setContentsMargins(0, 0, 2 * kUnit, 0);
 }
 
 // As the eye goes; what is torn off has an order of its own.
@@ -407,9 +406,8 @@ void MainWindow::startSource(const Status& status) {
 
 void MainWindow::showTitle() {
   const QString text = titleText(session_);
-  if (text == sourceLabel_->text()) return;
-  sourceLabel_->setText(text);
-  menuBar()->setCornerWidget(sourceLabel_); // places it anew for its new width
+  if (text == title_->whole()) return;
+  title_->setTitle(text);
   setWindowTitle(tr("%1 - TAA Inspector").arg(text));
 }
 
@@ -515,8 +513,8 @@ void MainWindow::showEvent(QShowEvent* event) {
   const QByteArray docks = settings_ ? settings_->value(QStringLiteral("docks")).toByteArray() : QByteArray();
   workspace_->setFirstSizes(width());
   if (!docks.isEmpty()) workspace_->setState(QJsonDocument::fromJson(docks).object());
-  sourceLabel_->setMinimumHeight(menuBar()->height()); // in line with the menus
-  menuBar()->setCornerWidget(sourceLabel_);
+  title_->setMinimumHeight(menuBar()->height()); // in line with the menus
+  title_->place();
   views_->active()->viewport()->setFocus();
   keeper_->setFirstState(state_->capture());
 }

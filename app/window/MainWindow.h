@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-class QLabel;
 class QSettings;
 
 namespace taa::app {
@@ -36,6 +35,7 @@ class LeftArea;
 class LineageFeed;
 class LineagePanel;
 class LowerArea;
+class MenuTitle;
 class MessagesBar;
 class OwnPresets;
 class PanelCycle;
@@ -145,7 +145,7 @@ class MainWindow : public QMainWindow {
   WorkBar* work_ = nullptr;
   FlightBar* flightBar_ = nullptr;
   Workspace* workspace_ = nullptr;
-  QLabel* sourceLabel_ = nullptr;
+  MenuTitle* title_ = nullptr; ///< what is open
   // What commands do
   SessionKeeper* keeper_ = nullptr;
   ThemeSetting* theme_ = nullptr;

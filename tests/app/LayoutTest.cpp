@@ -8,8 +8,10 @@
 #include "app/widgets/parameters/SegmentedButtons.h"
 #include "tests/app/WindowFixture.h"
 
+#include <QAction>
 #include <QDialog>
 #include <QLabel>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QSplitterHandle>
 #include <QTabBar>
@@ -130,6 +132,26 @@ TEST_F(SmallScreen, HoldsTheWindowWithEachOfItsPages) {
       EXPECT_EQ(window.width(), kSmallestScreen.width()) << where;
       EXPECT_EQ(window.height(), kSmallestScreen.height()) << where;
     }
+}
+
+// A long name of what is open would hide the last menus.
+TEST_F(SmallScreen, KeepsAllMenusBesideWhatIsOpen) {
+  window.openSource("a folder of some length/and one below it, longer/with a model that has a long name.glb");
+  settle();
+  const QMenuBar& bar = *window.menuBar();
+  for (const int width : {1024, 1280, 1024}) {
+    window.resize(width, 600);
+    settle();
+    const auto* title = bar.cornerWidget();
+    for (QAction* menu : bar.actions()) {
+      const QRect place = bar.actionGeometry(menu);
+      EXPECT_GT(place.width(), 0) << menu->text().toStdString();
+      EXPECT_LT(place.right(), title->x()) << menu->text().toStdString() << " " << width;
+    }
+    EXPECT_GT(title->width(), 100) << "there is room for some of it";
+    EXPECT_LE(title->geometry().right(), bar.width());
+    EXPECT_TRUE(title->toolTip().contains("a long name")) << "its tip has the rest";
+  }
 }
 
 TEST_F(SmallScreen, HoldsTheDialogs) {

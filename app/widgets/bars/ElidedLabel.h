@@ -16,6 +16,8 @@ class ElidedLabel : public QLabel {
     updateGeometry();
   }
 
+  const QString& whole() const { return whole_; }
+
   QSize sizeHint() const override { return {widthOf(whole_), QLabel::sizeHint().height()}; }
   QSize minimumSizeHint() const override {
     return {widthOf(whole_.left(kLeastLetters)), QLabel::minimumSizeHint().height()};

@@ -1,0 +1,44 @@
+#include "app/window/MenuTitle.h"
+
+#include "app/style/Theme.h"
+
+#include <QAction>
+#include <QEvent>
+
+#include <algorithm>
+
+namespace taa::app {
+
+MenuTitle::MenuTitle(QMenuBar* bar) : bar_(bar) {
+  bar_->setCornerWidget(this);
+  bar_->installEventFilter(this);
+}
+
+void MenuTitle::setTitle(const QString& text) {
+  setWhole(text);
+  place();
+}
+
+// Where the menus end shows without it: a bar hides menus that its corner leaves no room for.
+void MenuTitle::place() {
+  if (isPlacing_ || bar_->actions().isEmpty()) return;
+  isPlacing_ = true;
+  room_ = 0;
+  bar_->setCornerWidget(this);
+  const QRect last = bar_->actionGeometry(bar_->actions().last());
+  room_ = std::max(0, bar_->width() - last.right() - 2 * kUnit);
+  bar_->setCornerWidget(this);
+  isPlacing_ = false;
+}
+
+QSize MenuTitle::sizeHint() const {
+  const QSize whole = ElidedLabel::sizeHint();
+  return {std::min(whole.width(), room_), whole.height()};
+}
+
+bool MenuTitle::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize || event->type() == QEvent::FontChange) place();
+  return ElidedLabel::eventFilter(watched, event);
+}
+
+} // namespace taa::app
