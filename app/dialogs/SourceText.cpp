@@ -2,7 +2,6 @@
 
 #include "app/style/Theme.h"
 
-#include <QFontDatabase>
 #include <QPainter>
 #include <QScrollBar>
 #include <QTextBlock>
@@ -30,9 +29,7 @@ SourceText::SourceText(QWidget* parent) : QPlainTextEdit(parent), margin_(new Ma
   setReadOnly(true);
   setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   setLineWrapMode(QPlainTextEdit::NoWrap);
-  QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-  font.setPointSize(10);
-  setFont(font);
+  setFont(numberFont(10));
   setAccessibleName(tr("Text of the shader"));
   connect(this, &QPlainTextEdit::blockCountChanged, this, &SourceText::placeMargin);
   connect(this, &QPlainTextEdit::updateRequest, margin_, [this](const QRect&, int dy) {

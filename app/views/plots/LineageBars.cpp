@@ -110,9 +110,10 @@ void LineageBars::paintEvent(QPaintEvent*) {
   axes_.paint(painter, colors);
   painter.setFont(secondaryFont());
   painter.setPen(colors.secondary);
-  const double line = QFontMetricsF(secondaryFont()).height();
-  painter.drawText(QRectF(kUnit, 0.0, width() - 2.0 * kUnit, line), Qt::AlignLeft | Qt::AlignVCenter,
-                   readout());
+  const QFontMetricsF letters(secondaryFont());
+  const QRectF place(kUnit, 0.0, width() - 2.0 * kUnit, letters.height());
+  painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter,
+                   letters.elidedText(readout(), Qt::ElideRight, place.width()));
   if (!lineage_) return;
   painter.setRenderHint(QPainter::Antialiasing);
   for (const LineageFrame& entry : lineage_->frames) {
