@@ -30,8 +30,6 @@ std::vector<QPointF> backwards(const std::vector<double>& weights) {
   return points;
 }
 
-constexpr int kLeastRows = 4; ///< of a chart: its legend, its numbers and some of its curves
-
 std::vector<QPointF> from(int first, const std::vector<double>& values) {
   std::vector<QPointF> points;
   for (std::size_t index = 0; index < values.size(); ++index)
@@ -56,8 +54,7 @@ WeightsPanel::WeightsPanel(QWidget* parent)
   charts->addWidget(weights_, 1);
   charts->addWidget(samples_, 1);
   rows->addLayout(charts, 1);
-  for (CurveChart* chart : {weights_, samples_}) chart->setMinimumHeight(kLeastRows * rowHeight());
-  auto* summary = new FittingArea(rowHeight());
+  auto* summary = new FittingArea(rowHeight()); // in a low window the curves go first
   summary->setWidget(summaryLabel());
   rows->addWidget(summary);
   connect(samples_, &CurveChart::xClicked, this,

@@ -34,7 +34,7 @@ class ElidedLabel : public QLabel {
 
   int widthOf(const QString& text) const {
     const QMargins around = contentsMargins();
-    return fontMetrics().horizontalAdvance(text) + around.left() + around.right();
+    return fontMetrics().horizontalAdvance(text) + 1 + around.left() + around.right(); // of fractions
   }
   void elide() {
     const QString shown = fontMetrics().elidedText(whole_, Qt::ElideRight, contentsRect().width());
