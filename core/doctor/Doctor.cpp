@@ -12,7 +12,7 @@
 #include "core/doctor/motion/findings/MotionFindings.h"
 #include "core/doctor/resolve/ResolveEvidence.h"
 #include "core/doctor/resolve/ResolveFindings.h"
-#include "core/doctor/source/StatedMotion.h"
+#include "core/doctor/source/OtherConventions.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -6,7 +6,6 @@
 #include "core/doctor/Diagnosis.h"
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 namespace taa::doctor {
@@ -16,10 +15,5 @@ namespace taa::doctor {
 /// with those that are stated it is not. These are set to what is stored. Nothing is found where one alone is
 /// wrong that pictures tell as well, or where several explain the same. Throws Error.
 std::vector<Finding> mendMotion(const std::filesystem::path& folder, capture::Manifest& manifest);
-
-/// Without what says so.
-Finding rowsTurned(capture::RowOrder stated);
-/// That they are, with what says so.
-Finding matricesFlipped(std::string reason);
 
 } // namespace taa::doctor

@@ -1,4 +1,4 @@
-#include "app/window/MenuTitle.h"
+#include "app/widgets/bars/MenuTitle.h"
 
 #include "app/style/Theme.h"
 
