@@ -26,11 +26,10 @@ Layer layerOf(const ExposedRows& exposedRows, IntermediateId id) {
   return {&exposedRows.texture(id), exposedRows.layer(id), exposedRows.firstChannel(id)};
 }
 
-/// So many pixels of a region as one run of the resolve exposes all rows of.
+/// As many pixels of a region as one run of the resolve exposes all rows of.
 glm::ivec2 previewTexels(const gl::Rect& region) {
-  constexpr double kMost = 128.0 * 128.0;
   const double pixels = static_cast<double>(region.width) * region.height;
-  const double scale = std::min(1.0, std::sqrt(kMost / pixels));
+  const double scale = std::min(1.0, std::sqrt(kFewTexels / pixels));
   return glm::max(glm::ivec2(scale * glm::dvec2(region.width, region.height)), glm::ivec2(1));
 }
 

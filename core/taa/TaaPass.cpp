@@ -40,9 +40,6 @@ std::string stageEndsPrelude(std::optional<Stage> last) {
          "{ o_color = keptAlive; o_surface = keptAlive.xy; return; }\n";
 }
 
-// So few are exposed in one run whatever is watched: one program to compile, and stores cost little.
-constexpr int kFewTexels = 128 * 128;
-
 /// One run of the resolve: whether it writes the history, which slots how, and where it ends.
 struct Run {
   bool keepsHistory = false, stores = false, isSparse = false;

@@ -60,6 +60,9 @@ class ExposedRows {
   const History* resolved_ = nullptr;
 };
 
+/// So few are exposed in one run whatever is watched: one program to compile, and stores cost little.
+inline constexpr int kFewTexels = 128 * 128;
+
 /// What ExposedRows of the same take, bytes.
 std::size_t exposedBytes(const ExposedLayout& layout, const gl::Rect& region);
 

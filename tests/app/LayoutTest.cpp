@@ -136,9 +136,7 @@ TEST_F(SmallScreen, HoldsTheWindowWithEachOfItsPages) {
 
 // A long name of what is open would hide the last menus.
 TEST_F(SmallScreen, KeepsAllMenusBesideWhatIsOpen) {
-  renderer->status.source = "a model whose name is longer than all that the menus of a window leave room for "
-                            "beside them, with some "
-                            "words more for one that is wide, and longer still.glb";
+  renderer->status.source = "a model of " + std::string(150, 'x') + " letters and longer still.glb";
   renderer->deliver();
   settle();
   const QMenuBar& bar = *window.menuBar();

@@ -62,11 +62,11 @@ DoctorSource openCaptureForDoctor(const SourceRequest& request, const Progress& 
   out.known.ids = manifest.framesWith(capture::PlaneKind::ObjectId) > 0;
   out.contradicted = mendContradicted(opened->folder(), manifest);
   out.conventions = manifest.conventions;
-  out.known.depthJittered = manifest.conventions.depth.jittered;
-  out.known.depthDistance = manifest.conventions.depth.kind != capture::DepthKind::Window;
   out.known.nearFactor = takeNearPlane(manifest);
   for (Finding& finding : mendMotion(opened->folder(), manifest))
     out.contradicted.push_back(std::move(finding));
+  out.known.depthJittered = manifest.conventions.depth.jittered;
+  out.known.depthDistance = manifest.conventions.depth.kind != capture::DepthKind::Window;
   out.conventions->motion = manifest.conventions.motion;
   out.conventions->jitter = manifest.conventions.jitter;
   out.frames = std::make_shared<FaultySource>(std::make_unique<capture::CaptureSource>(

@@ -21,12 +21,8 @@ using capture::ScreenUnit;
 using capture::VerticalAxis;
 
 Finding motionFinding(const MotionTrial& trial) {
-  const MotionFault fault = motionFault(&trial, Region(), RegionEvidence());
   Finding out;
-  out.id = fault.id;
-  out.name = fault.name;
-  out.symptom = fault.symptom;
-  out.change = fault.change;
+  nameBy(motionFault(&trial, Region(), RegionEvidence()), out);
   return out;
 }
 
@@ -208,15 +204,16 @@ void addMatrices(const Conventions& stated, float lowest, std::vector<Otherwise>
                  std::move(range), true});
 }
 
+/// All that has a y.
+void turnAxes(Conventions& conventions) {
+  turnY(conventions.motion.yAxis);
+  turnY(conventions.jitter.yAxis);
+  turnY(conventions.matrices.clipY);
+}
+
 /// Planes are read once: what is stored from the other end has another y in all that has one.
 void addRows(const Conventions& stated, std::vector<Otherwise>& out) {
-  out.push_back({StatedGroup::Rows,
-                 [](Conventions& c) {
-                   turnY(c.motion.yAxis);
-                   turnY(c.jitter.yAxis);
-                   turnY(c.matrices.clipY);
-                 },
-                 rowsTurned(stated.rows)});
+  out.push_back({StatedGroup::Rows, turnAxes, rowsTurned(stated.rows)});
   out.back().isOfSeveral = true;
 }
 
@@ -237,9 +234,7 @@ std::vector<Otherwise> othersThan(const capture::Manifest& manifest, float lowes
 
 void turnRows(capture::Conventions& conventions) {
   using capture::RowOrder;
-  turnY(conventions.motion.yAxis);
-  turnY(conventions.jitter.yAxis);
-  turnY(conventions.matrices.clipY);
+  turnAxes(conventions);
   conventions.rows = otherOf(conventions.rows, RowOrder::TopFirst, RowOrder::BottomFirst);
 }
 

@@ -231,6 +231,8 @@ TEST_F(StatedConventions, OfDepthThatIsNotReversed) {
   const StatedCapture fsr("stated-fsr", {"fsr", {}});
   EXPECT_EQ(fsr.found({}), Ids{});
   EXPECT_EQ(fsr.found({"depth.kind=planar"}), Ids{"depthKind"});
+  const DoctorSource mended = openForDoctor({fsr.folder().string(), "", kStatedPx, {}});
+  EXPECT_FALSE(mended.known.depthDistance) << "all else is examined by what it is";
   EXPECT_EQ(fsr.found({"depth.range=minusOneToOne"}), Ids{"depthRange"});
   EXPECT_EQ(fsr.found({"matrices.clipZ=minusOneToOne"}), Ids{"matricesRange"});
 }

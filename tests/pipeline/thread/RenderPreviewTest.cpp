@@ -31,6 +31,16 @@ class RenderPreviewTest : public taa::test::onThread::RenderThreadTest {
     settings.weight.minimum = alpha;
     return settings;
   }
+  /// What a change shows until all is done.
+  std::vector<ViewResult> shownBy(const Settings& settings) {
+    recorder.clear();
+    thread->post(taa::request::SetSettings{settings});
+    thread->waitUntilIdle();
+    return shown();
+  }
+  bool previews(const Settings& settings) {
+    return std::ranges::any_of(shownBy(settings), &ViewResult::isPreview);
+  }
   std::vector<ViewResult> shown() {
     return recorder.read([&] { return recorder.pictures; });
   }
@@ -41,9 +51,7 @@ class RenderPreviewTest : public taa::test::onThread::RenderThreadTest {
 // The picture is as small as a preview may be: both are the same, on the history that the frame has.
 TEST_F(RenderPreviewTest, ComesFirstAndIsWhatThePictureShowsThere) {
   thread->post(taa::request::SetPreviews{0.0});
-  thread->post(taa::request::SetSettings{other()});
-  thread->waitUntilIdle();
-  const std::vector<ViewResult> pictures = shown();
+  const std::vector<ViewResult> pictures = shownBy(other());
   ASSERT_GE(pictures.size(), 2u);
   EXPECT_TRUE(pictures[0].isPreview);
   EXPECT_FALSE(pictures[0].exact);
@@ -62,44 +70,36 @@ TEST_F(RenderPreviewTest, ShowsThePartThatAViewShows) {
   view.transform = {.origin = {5.5f, 3.25f}, .zoom = 4.0f};
   thread->post(taa::request::SetViews{{view}});
   thread->waitUntilIdle();
-  recorder.clear();
   thread->post(taa::request::SetPreviews{0.0});
-  thread->post(taa::request::SetSettings{other()});
-  thread->waitUntilIdle();
-  const std::vector<ViewResult> pictures = shown();
+  const std::vector<ViewResult> pictures = shownBy(other());
   ASSERT_GE(pictures.size(), 2u);
   EXPECT_TRUE(pictures[0].isPreview);
   EXPECT_EQ(pictures[0].picture.rgba, pictures[1].picture.rgba);
 }
 
 TEST_F(RenderPreviewTest, ComesOnlyWhereItIsAskedForAndTheResolveTakesLong) {
-  thread->post(taa::request::SetSettings{other(0.5f)});
-  thread->waitUntilIdle();
+  EXPECT_FALSE(previews(other(0.5f)));
   thread->post(taa::request::SetPreviews{1e9});
-  thread->post(taa::request::SetSettings{other(0.6f)});
-  thread->waitUntilIdle();
-  EXPECT_TRUE(std::ranges::none_of(shown(), &ViewResult::isPreview));
+  EXPECT_FALSE(previews(other(0.6f)));
+  thread->post(taa::request::SetPreviews{0.0});
+  EXPECT_TRUE(previews(other(0.7f)));
 }
 
-// What is shown of the picture, and what has to be compiled or drawn first, is not there at once.
+// What has to be compiled or drawn first is not there at once; what is shown of the picture is made of that.
 TEST_F(RenderPreviewTest, LeavesOutWhatIsNotThereAtOnce) {
   thread->post(taa::request::SetPreviews{0.0});
   Settings compiled;
   compiled.rectify.method = taa::RectifyMethod::None;
-  ASSERT_NE(compiled, Settings());
-  thread->post(taa::request::SetSettings{compiled});
-  thread->waitUntilIdle();
-  Settings drawn = compiled;
+  EXPECT_FALSE(previews(compiled));
+  Settings drawn; // by a program that is there
   drawn.jitter.period += 1;
-  thread->post(taa::request::SetSettings{drawn});
-  thread->waitUntilIdle();
+  EXPECT_FALSE(previews(drawn));
+  drawn.weight.minimum = 0.5f;
+  EXPECT_TRUE(previews(drawn));
   thread->post(taa::request::SetViews{{viewOf(IntermediateId::output)}});
   thread->waitUntilIdle();
-  Settings changed = drawn;
-  changed.weight.minimum = 0.5f;
-  thread->post(taa::request::SetSettings{changed});
-  thread->waitUntilIdle();
-  EXPECT_TRUE(std::ranges::none_of(shown(), &ViewResult::isPreview));
+  drawn.weight.minimum = 0.6f;
+  EXPECT_FALSE(previews(drawn));
 }
 
 // Settings that are overtaken never come; where what follows is what was in force, the picture comes back.

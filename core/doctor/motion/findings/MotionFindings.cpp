@@ -57,13 +57,6 @@ bool breaksNothing(std::size_t trial, const std::vector<JudgedRegion>& judged) {
   });
 }
 
-void nameBy(const MotionFault& fault, Finding& out) {
-  out.id = fault.id;
-  out.name = fault.name;
-  out.symptom = fault.symptom;
-  out.change = fault.change;
-}
-
 Finding findingOf(const FaultGroup& group, const std::vector<JudgedRegion>& judged,
                   const MotionEvidence& evidence, const Patient& patient, double allPixels) {
   Finding out;

@@ -221,6 +221,13 @@ MotionFault motionFault(const MotionTrial* trial, const Region& region, const Re
   return {};
 }
 
+void nameBy(const MotionFault& fault, Finding& out) {
+  out.id = fault.id;
+  out.name = fault.name;
+  out.symptom = fault.symptom;
+  out.change = fault.change;
+}
+
 std::optional<MotionTrial> axesBesideUnit(const MotionTrial& trial, const Patient& patient) {
   if (trial.kind != MotionKind::OtherUnit) return {};
   // Device coordinates point up, where nothing is stated of their axes.

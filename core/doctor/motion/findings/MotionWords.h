@@ -22,6 +22,9 @@ struct MotionFault {
 /// `trial`: what explains it; null: the pixels move as no explanation says.
 MotionFault motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence);
 
+/// Gives a finding the words of a fault.
+void nameBy(const MotionFault& fault, Finding& out);
+
 /// Of another unit: what is wrong with direction and axes besides, as a trial of its own; nothing: nothing
 /// is. Where a capture states its axes, they are no part of a unit.
 std::optional<MotionTrial> axesBesideUnit(const MotionTrial& trial, const Patient& patient);
