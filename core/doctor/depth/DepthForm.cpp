@@ -25,6 +25,14 @@ double unevenness(double first, double middle, double last) {
   return step > 0.0 ? std::abs(first - 2.0 * middle + last) / step : 1e9;
 }
 
+/// Whether a pixel has the very value of one beside it along a row: of texels that several pixels share the
+/// middle one of three lies off the middle, which makes even what is not.
+bool sharesTexel(const Image& depth, const glm::ivec2& pixel, const glm::ivec2& direction) {
+  const float value = *depth.at(pixel.x, pixel.y);
+  const glm::ivec2 before = pixel - direction, after = pixel + direction;
+  return *depth.at(before.x, before.y) == value || *depth.at(after.x, after.y) == value;
+}
+
 } // namespace
 
 void DepthForm::add(const DoctorFrame& frame, const std::vector<RegionIndex>& labels) {
@@ -41,6 +49,7 @@ void DepthForm::add(const DoctorFrame& frame, const std::vector<RegionIndex>& la
       if (!(values[i] > 0.0) || values[i] >= 1.0) return; // the sky, or beyond the unit of a distance
     }
     if (std::abs(values[2] - values[0]) < kLeastStep * values[1]) return;
+    if (sharesTexel(frame.depth, middle, step / gap)) return;
     const double stored = unevenness(values[0], values[1], values[2]);
     const double reciprocal = unevenness(1.0 / values[0], 1.0 / values[1], 1.0 / values[2]);
     if (std::max(stored, reciprocal) < kLeastUneven) return;

@@ -1,5 +1,6 @@
 #include "core/doctor/frames/ShownDifference.h"
 
+#include "core/capture/import/FrameSamples.h"
 #include "core/doctor/frames/Regions.h"
 
 #include <glm/geometric.hpp>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace taa::doctor {
 
@@ -23,6 +25,27 @@ double motionBetween(const DoctorFrame& a, const DoctorFrame& b, int x, int y) {
   const glm::vec2 ofA = a.motionAt(x, y), ofB = b.motionAt(x, y);
   if (!isMotion(ofA) || !isMotion(ofB)) return isMotion(ofA) == isMotion(ofB) ? 0.0 : kFarthestPx;
   return std::min(static_cast<double>(glm::distance(ofA, ofB)), kFarthestPx);
+}
+
+/// Light of the frame before where a pixel was that moves like this; NaN: beyond the picture, or there was none.
+double lightRead(const DoctorFrame& frame, const DoctorFrame& before, const glm::ivec2& pixel,
+                 const glm::vec2& motionPx) {
+  constexpr double kNoLight = std::numeric_limits<double>::quiet_NaN();
+  if (!isMotion(motionPx)) return kNoLight;
+  const glm::vec2 place = glm::vec2(pixel) + 0.5f - motionPx + before.jitterPx - frame.jitterPx;
+  const glm::vec2 size(frame.sizePx());
+  // Comparisons are written so that NaN fails them.
+  if (!(place.x >= 0.0f && place.y >= 0.0f && place.x <= size.x && place.y <= size.y)) return kNoLight;
+  return static_cast<double>(capture::betweenPixels(before.luma, place));
+}
+
+/// Whether two motions of a pixel of `b` lead to what one can tell apart.
+bool readsOtherwise(const DoctorFrame& a, const DoctorFrame& b, const DoctorFrame& before,
+                    const glm::ivec2& pixel) {
+  const double ofA = lightRead(b, before, pixel, a.motionAt(pixel.x, pixel.y));
+  const double ofB = lightRead(b, before, pixel, b.motionAt(pixel.x, pixel.y));
+  if (std::isnan(ofA) || std::isnan(ofB)) return std::isnan(ofA) != std::isnan(ofB);
+  return std::abs(ofA - ofB) > kSeenLuma;
 }
 
 double depthBetween(float a, float b) {
@@ -47,10 +70,10 @@ double outputBetween(const DoctorFrame& a, const DoctorFrame& b, int x, int y) {
 
 } // namespace
 
-void ShownDifference::add(const DoctorFrame& a, const DoctorFrame& b) {
+void ShownDifference::add(const DoctorFrame& a, const DoctorFrame& b, const DoctorFrame* before) {
   // Nothing reads motion where history starts anew.
   const bool usesMotion = !a.motionPx.empty() && !(a.startsHistory && b.startsHistory);
-  std::size_t seen = 0;
+  std::size_t seen = 0, seenInOutput = 0;
   double motion = 0.0, depths = 0.0, lumas = 0.0, outputs = 0.0;
   for (int y = 0; y < a.luma.height; ++y)
     for (int x = 0; x < a.luma.width; ++x) {
@@ -63,8 +86,9 @@ void ShownDifference::add(const DoctorFrame& a, const DoctorFrame& b) {
       depths += farther;
       lumas += lighter;
       outputs += resolved;
-      if (moved > kSeenMotionPx || farther > kSeenDepth || lighter > kSeenLuma || resolved > kSeenLuma)
-        ++seen;
+      const bool isMoved = moved > kSeenMotionPx && before != nullptr && readsOtherwise(a, b, *before, {x, y});
+      if (isMoved || farther > kSeenDepth || lighter > kSeenLuma) ++seen;
+      if (resolved > kSeenLuma) ++seenInOutput;
     }
   const double pixels = static_cast<double>(a.luma.width) * a.luma.height;
   const auto jittered = static_cast<double>(glm::distance(a.jitterPx, b.jitterPx));
@@ -75,6 +99,13 @@ void ShownDifference::add(const DoctorFrame& a, const DoctorFrame& b) {
   luma += lumas / pixels;
   output += outputs / pixels;
   if (seen >= kLeastPart || jittered > kSeenJitterPx || a.startsHistory != b.startsHistory) ++shown;
+  if (seenInOutput >= kLeastPart) ++shownInOutput;
+}
+
+bool ShownDifference::shows() const {
+  if (shown > 0) return true;
+  const bool isGivenTheSame = jitterPx == 0.0 && motionPx == 0.0 && depth == 0.0 && luma == 0.0;
+  return isGivenTheSame && shownInOutput > 0;
 }
 
 bool ShownDifference::isSmallBeside(const ShownDifference& other) const {

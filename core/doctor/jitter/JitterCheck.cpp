@@ -306,6 +306,25 @@ void tellNoFit(double missPx, Diagnosis& out) {
                            say<"Capture 8 frames or more with camera and objects still.">(), jitterFaults()});
 }
 
+/// Whether parts of the pictures shift as is stated, whatever most of the detail does: an interface that is
+/// drawn without the jitter rests beside them.
+bool areSomeShifting(const JitterEvidence& evidence) {
+  constexpr std::size_t kEnoughShifting = 4;
+  constexpr double kSome = 0.1;
+  return evidence.shiftingParts >= kEnoughShifting &&
+         static_cast<double>(evidence.shiftingParts) >= kSome * static_cast<double>(evidence.parts);
+}
+
+void tellSomeShifting(const JitterEvidence& evidence, Diagnosis& out) {
+  out.undecided.push_back(
+      {say<"Jitter">(),
+       say<"most of the detail rests, as without jitter, but %1 of %2 parts of the pictures shift as is "
+           "stated: an interface without jitter may lie over what has it">(evidence.shiftingParts,
+                                                                           evidence.parts),
+       say<"Capture without the interface, or let the camera turn by some pixels a frame.">(),
+       {Fault::JitterNotApplied, Fault::InterfaceBefore}});
+}
+
 /// Pictures fit no better, and yet shifts that are measured are nearer to jitter of another length; or they
 /// are measured so coarsely that a somewhat other length would look the same.
 void tellLength(const JitterFit& fit, const std::vector<JitterTrial>& trials, Diagnosis& out) {
@@ -402,6 +421,10 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
             "read as if there were none.">());
     tellTrial(trials, 0, evidence, patient.sky, out);
     return {menderOf(trials[fit.best])}; // what pictures are compared by
+  }
+  if (trials[fit.best].kind == JitterKind::NotApplied && areSomeShifting(evidence)) {
+    tellSomeShifting(evidence, out);
+    return {{}, false, true};
   }
   for (Finding& finding : otherJitter(fit, trials, evidence, patient.isCameraKnown, patient.patient))
     out.findings.push_back(std::move(finding));

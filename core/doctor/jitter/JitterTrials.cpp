@@ -79,6 +79,26 @@ bool isSkyApart(const ShiftSamples& samples, const FrameNeighbors& frames) {
          left(samples.world, step) < left(samples.world, glm::vec2(0.0f));
 }
 
+/// Adds the parts of a pair, see JitterEvidence::parts.
+void addParts(const std::vector<SearchedPixel>& samples, const FrameNeighbors& frames, JitterEvidence& out) {
+  constexpr int kPartsAcross = 4;
+  constexpr std::size_t kLeastInPart = 24;
+  constexpr double kClearly = 0.9;
+  const glm::vec2 size(frames.now.sizePx());
+  std::map<std::pair<int, int>, std::vector<SearchedPixel>> parts;
+  for (const SearchedPixel& sample : samples) {
+    const glm::ivec2 part(static_cast<float>(kPartsAcross) * sample.place / size);
+    parts[{part.x, part.y}].push_back(sample);
+  }
+  for (const auto& [place, part] : parts) {
+    if (part.size() < kLeastInPart) continue;
+    ++out.parts;
+    if (lumaLeft(part, frames.before.luma, frames.jitterStep()) <
+        kClearly * lumaLeft(part, frames.before.luma, glm::vec2(0.0f)))
+      ++out.shiftingParts;
+  }
+}
+
 } // namespace
 
 void JitterEvidence::add(const FrameNeighbors& frames) {
@@ -96,6 +116,7 @@ void JitterEvidence::add(const FrameNeighbors& frames) {
   const bool isMixed = !areEnough(samples.world) && !(areEnough(samples.sky) && isSkyApart(samples, frames));
   if (isMixed) samples.world.insert(samples.world.end(), samples.sky.begin(), samples.sky.end());
   if (isMixed && !areEnough(samples.world)) return;
+  addParts(samples.world, frames, *this);
   world.push_back(trialLuma(samples.world, frames, around));
   if (const auto shift = measureShift(samples.world, frames)) shifts.push_back({now.frame, *shift});
 }

@@ -57,9 +57,10 @@ bool isOneOf(const std::vector<Fault>& faults, const std::string& id) {
   return std::ranges::any_of(faults, [&](Fault fault) { return faultInfo(fault).id == id; });
 }
 
+/// Of consecutive frames.
 ShownDifference shownBetween(const std::vector<DoctorFrame>& a, const std::vector<DoctorFrame>& b) {
   ShownDifference out;
-  for (std::size_t i = 0; i < a.size(); ++i) out.add(a[i], b[i]);
+  for (std::size_t i = 0; i < a.size(); ++i) out.add(a[i], b[i], i == 0 ? nullptr : &b[i - 1]);
   return out;
 }
 

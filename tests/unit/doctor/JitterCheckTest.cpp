@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -81,6 +83,54 @@ TEST(JitterCheck, NamesJitterThatIsNotApplied) {
   test::PaintedShot still;
   still.isJittered = false;
   EXPECT_EQ(told(diagnosisOf(trueJitterAt, still)), "jitterNotApplied");
+}
+
+// An interface without jitter rests, and what it lies over shifts.
+TEST(JitterCheck, LeavesOpenWhetherWhatRestsHasJitter) {
+  const auto toldBeside = [](std::size_t shiftingParts) {
+    JitterEvidence evidence;
+    for (int frame = 0; frame < kFrames; ++frame) evidence.stated[frame] = trueJitterAt(frame);
+    for (int frame = 1; frame < kFrames; ++frame) {
+      evidence.shifts.push_back({frame, glm::vec2(0.0f)});
+      evidence.world.emplace_back(jitterTrials(test::kPaintedPx).size(), 1.0);
+      evidence.world.back()[kNotAppliedTrial] = 0.1;
+    }
+    evidence.parts = 40;
+    evidence.shiftingParts = shiftingParts;
+    Patient patient;
+    patient.sizePx = test::kPaintedPx;
+    Diagnosis out;
+    const JitterOutcome outcome = tellJitter(evidence, {patient}, out);
+    EXPECT_EQ(outcome.isOpen, out.findings.empty());
+    const auto open = std::ranges::find(out.undecided, std::string("Jitter"), &Undecided::question);
+    EXPECT_EQ(open != out.undecided.end(), outcome.isOpen);
+    if (open != out.undecided.end()) {
+      EXPECT_EQ(open->faults.back(), Fault::InterfaceBefore);
+    }
+    return told(out);
+  };
+  EXPECT_EQ(toldBeside(0), "jitterNotApplied");
+  EXPECT_EQ(toldBeside(3), "jitterNotApplied");
+  EXPECT_EQ(toldBeside(4), "");
+}
+
+TEST(JitterCheck, CountsThePartsThatShift) {
+  const auto partsOf = [](bool isJittered) {
+    test::PaintedShot shot;
+    shot.isJittered = isJittered;
+    JitterEvidence evidence;
+    for (int frame = 1; frame < kFrames; ++frame) {
+      DoctorFrame before = test::paintedFrame(shot, frame - 1), now = test::paintedFrame(shot, frame);
+      before.jitterPx = trueJitterAt(frame - 1);
+      now.jitterPx = trueJitterAt(frame);
+      evidence.add({now, before, nullptr});
+    }
+    return std::pair(evidence.parts, evidence.shiftingParts);
+  };
+  const auto [parts, shifting] = partsOf(true);
+  EXPECT_GT(parts, 30u);
+  EXPECT_GT(shifting, parts / 2);
+  EXPECT_EQ(partsOf(false).second, 0u);
 }
 
 // Depth shifts with the jitter where surfaces are drawn with it, whatever is seen on them.

@@ -17,10 +17,10 @@ namespace {
 constexpr int kWidth = 120, kHeight = 96;
 
 DepthForm formOf(const std::function<double(double distance)>& stored,
-                 const std::function<double(int x, int y)>& distance) {
+                 const std::function<double(int x, int y)>& distance, int height = kHeight) {
   DoctorFrame frame;
-  frame.luma = frame.depth = Image(kWidth, kHeight, 1);
-  for (int y = 0; y < kHeight; ++y)
+  frame.luma = frame.depth = Image(kWidth, height, 1);
+  for (int y = 0; y < height; ++y)
     for (int x = 0; x < kWidth; ++x) *frame.depth.at(x, y) = static_cast<float>(stored(distance(x, y)));
   DepthForm out;
   out.add(frame, std::vector<RegionIndex>(frame.depth.pixels.size(), 0));
@@ -39,6 +39,18 @@ TEST(DepthForm, TellsADistanceFromTheDepthOfAProjection) {
   EXPECT_EQ(formOf([](double m) { return kNear / m; }, groundDistance).isDistance(), false);
   EXPECT_EQ(formOf([](double m) { return 1.0 - kNear / m; }, groundDistance).isDistance(), false);
   EXPECT_EQ(formOf([](double m) { return m / 100.0; }, groundDistance).isDistance(), true);
+}
+
+// Rows of two pixels lie beside the middle of three that are an odd number of pixels apart: those on one side
+// of it make the depth of a projection look like a distance.
+TEST(DepthForm, SaysNothingOfTexelsThatPixelsShare) {
+  for (const int shared : {2, 3})
+    for (const int height : {kHeight, 120}) {
+      const auto coarse = [&](int x, int y) { return groundDistance(x, y / shared * shared + 1); };
+      const DepthForm form = formOf([](double m) { return 0.1 / m; }, coarse, height);
+      EXPECT_EQ(form.isDistance(), std::nullopt) << shared << " of " << height;
+      EXPECT_EQ(form.evenReciprocal, 0u) << shared << " of " << height;
+    }
 }
 
 TEST(DepthForm, SaysNothingWhereNothingIsFlatOrAllIsAsFarAway) {
