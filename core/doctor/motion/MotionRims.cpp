@@ -113,6 +113,31 @@ Finding rimFinding(Fault fault, const RimCounts& counts, std::string change) {
   return out;
 }
 
+/// The side of the squares that a plane has one value in; nothing where the picture itself is made of these.
+std::optional<int> coarseSide(const SharedTexels& plane, const RimEvidence& evidence) {
+  const std::optional<int> side = plane.side();
+  if (!side || evidence.lightTexels.side() == side) return {};
+  return side;
+}
+
+std::string coarseDepthChange() {
+  return say<"Write depth in the resolution that color is drawn in, or state the size it has.">();
+}
+
+std::string coarseMotionChange() {
+  return say<"Write motion in the resolution that color is drawn in, or state the size it has.">();
+}
+
+Finding texelFinding(Fault fault, int side, std::string change) {
+  Finding out = faultFinding(fault);
+  out.isWholePicture = true;
+  out.reason =
+      say<"In squares of %1 × %1 pixels, from the first one on, all pixels have the very same value, "
+          "and those beside them another; the picture is not made of such squares.">(side);
+  out.change = std::move(change);
+  return out;
+}
+
 /// What rims would show, and do not: there are too few, or they are wrong in a way that nothing explains.
 void tellOpenRims(RimVerdict depth, RimVerdict motion, Diagnosis& out) {
   const auto isOpen = [](RimVerdict verdict) {
@@ -174,7 +199,12 @@ RimVerdict RimCounts::verdict() const {
 }
 
 void RimEvidence::add(const DoctorFrame& frame) {
-  if (frame.objectId.empty()) return;
+  if (frame.objectId.empty()) {
+    motionTexels.add(frame.motionPx);
+    depthTexels.add(frame.depth);
+    lightTexels.add(frame.luma);
+    return;
+  }
   for (int y = 0; y < frame.luma.height; ++y)
     for (int x = 0; x < frame.luma.width; ++x)
       for (const glm::ivec2& step :
@@ -194,10 +224,11 @@ void RimEvidence::add(const DoctorFrame& frame) {
 void tellRims(const RimEvidence& evidence, bool isMotionRight, Diagnosis& out) {
   const RimVerdict depth = evidence.depth.verdict(),
                    motion = isMotionRight ? evidence.motion.verdict() : RimVerdict::TooFew;
-  if (depth == RimVerdict::Coarse)
-    out.findings.push_back(
-        rimFinding(Fault::DepthCoarse, evidence.depth,
-                   say<"Write depth in the resolution that color is drawn in, or state the size it has.">()));
+  const std::optional<int> depthSide = coarseSide(evidence.depthTexels, evidence),
+                           motionSide = coarseSide(evidence.motionTexels, evidence);
+  if (depth == RimVerdict::Coarse || depthSide)
+    out.findings.push_back(depthSide ? texelFinding(Fault::DepthCoarse, *depthSide, coarseDepthChange())
+                                     : rimFinding(Fault::DepthCoarse, evidence.depth, coarseDepthChange()));
   if (depth == RimVerdict::Unjittered)
     out.findings.push_back(
         rimFinding(Fault::DepthNotJittered, evidence.depth,
@@ -209,13 +240,13 @@ void tellRims(const RimEvidence& evidence, bool isMotionRight, Diagnosis& out) {
     if (shift.x == shift.y) // the only direction that the setting has
       mendBy({"fault.motionShift=" + std::to_string(-shift.x)}, out.findings.back());
   }
-  if (motion == RimVerdict::Coarse)
-    out.findings.push_back(rimFinding(
-        Fault::MotionCoarse, evidence.motion,
-        say<"Write motion in the resolution that color is drawn in, or state the size it has.">()));
+  if (motion == RimVerdict::Coarse || motionSide)
+    out.findings.push_back(motionSide
+                               ? texelFinding(Fault::MotionCoarse, *motionSide, coarseMotionChange())
+                               : rimFinding(Fault::MotionCoarse, evidence.motion, coarseMotionChange()));
   if (depth == RimVerdict::Right && motion == RimVerdict::Right)
     out.healthy.push_back(say<"Motion and depth lie on the objects that they are of.">());
-  tellOpenRims(depth, motion, out);
+  tellOpenRims(depthSide ? RimVerdict::Coarse : depth, motionSide ? RimVerdict::Coarse : motion, out);
 }
 
 } // namespace taa::doctor

@@ -4,6 +4,7 @@
 
 #include "core/doctor/Diagnosis.h"
 #include "core/doctor/frames/DoctorFrame.h"
+#include "core/doctor/frames/SharedTexels.h"
 
 #include <glm/vec2.hpp>
 
@@ -47,9 +48,11 @@ struct RimCounts {
   RimVerdict verdict() const;
 };
 
-/// Over all frames. Rests on object numbers: without them nothing is counted.
+/// Over all frames. Rims rest on object numbers: without them none are counted, and texels alone say what is
+/// coarse.
 struct RimEvidence {
   RimCounts motion, depth;
+  SharedTexels motionTexels, depthTexels, lightTexels;
 
   void add(const DoctorFrame& frame);
 };
