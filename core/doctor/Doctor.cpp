@@ -235,6 +235,22 @@ void blameMatrices(Diagnosis& out) {
           "which depth makes the motion of what rests.">();
 }
 
+/// Without object numbers depth says where parts of the picture end; coarse depth has them end anywhere.
+/// `first`: the finding from which on they are of motion.
+void withholdParts(std::size_t first, Diagnosis& out) {
+  const auto isOfPart = [](const Finding& finding) {
+    return !finding.isWholePicture && !std::ranges::all_of(finding.regions, &RegionPlace::isSky);
+  };
+  const auto parts =
+      std::remove_if(out.findings.begin() + static_cast<std::ptrdiff_t>(first), out.findings.end(), isOfPart);
+  if (parts == out.findings.end()) return;
+  out.findings.erase(parts, out.findings.end());
+  out.undecided.push_back({say<"Motion of parts">(),
+                           say<"depth says which pixels are one part, and it is of a lower resolution">(),
+                           say<"Mend depth first, or capture object numbers, too.">(),
+                           {}});
+}
+
 /// Motion, and depth as far as motion is a witness of it. `mayMend`: motion that one explanation makes right
 /// everywhere is told alone, and returned as what hides the rest.
 Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, ToldOf& told, Diagnosis& out) {
@@ -277,6 +293,7 @@ Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, ToldO
     tellDepth(examiner.depth(), out, patient);
     if (told.isNearWrong) blameMatrices(out);
   }
+  if (examiner.rims().coarseDepth()) withholdParts(static_cast<std::size_t>(before), out);
   tellRims(examiner.rims(), isMotionRight && !told.motion, out);
   if (!tellsDepth || !isMotionWrong) return {};
   Hiding hiding;

@@ -113,10 +113,9 @@ Finding rimFinding(Fault fault, const RimCounts& counts, std::string change) {
   return out;
 }
 
-/// The side of the squares that a plane has one value in; nothing where the picture itself is made of these.
-std::optional<int> coarseSide(const SharedTexels& plane, const RimEvidence& evidence) {
+std::optional<int> coarseSide(const SharedTexels& plane, const SharedTexels& light) {
   const std::optional<int> side = plane.side();
-  if (!side || evidence.lightTexels.side() == side) return {};
+  if (!side || light.side() == side) return {};
   return side;
 }
 
@@ -221,11 +220,18 @@ void RimEvidence::add(const DoctorFrame& frame) {
       }
 }
 
+std::optional<int> RimEvidence::coarseDepth() const {
+  return coarseSide(depthTexels, lightTexels);
+}
+
+std::optional<int> RimEvidence::coarseMotion() const {
+  return coarseSide(motionTexels, lightTexels);
+}
+
 void tellRims(const RimEvidence& evidence, bool isMotionRight, Diagnosis& out) {
   const RimVerdict depth = evidence.depth.verdict(),
                    motion = isMotionRight ? evidence.motion.verdict() : RimVerdict::TooFew;
-  const std::optional<int> depthSide = coarseSide(evidence.depthTexels, evidence),
-                           motionSide = coarseSide(evidence.motionTexels, evidence);
+  const std::optional<int> depthSide = evidence.coarseDepth(), motionSide = evidence.coarseMotion();
   if (depth == RimVerdict::Coarse || depthSide)
     out.findings.push_back(depthSide ? texelFinding(Fault::DepthCoarse, *depthSide, coarseDepthChange())
                                      : rimFinding(Fault::DepthCoarse, evidence.depth, coarseDepthChange()));

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace taa::doctor {
 
@@ -55,6 +56,9 @@ struct RimEvidence {
   SharedTexels motionTexels, depthTexels, lightTexels;
 
   void add(const DoctorFrame& frame);
+  /// px: the side of squares that have one value; nothing where the picture itself is made of these.
+  std::optional<int> coarseDepth() const;
+  std::optional<int> coarseMotion() const;
 };
 
 /// Adds what is wrong or right at rims; `isMotionRight`: no finding tells of motion, which would show here

@@ -83,6 +83,16 @@ TEST_F(DoctorFaults, OfACoarsePlaneAreNotLate) {
     EXPECT_NE(finding.id, "motionLingers");
 }
 
+// Thin leaves shift by the jitter in few places, and an interface that rests has most of the detail.
+TEST_F(DoctorFaults, OfAnInterfaceAreNotThoseOfJitter) {
+  const Fault fault = Fault::InterfaceBefore;
+  const Diagnosis diagnosis = diagnosisWith({"foliage", "still", {}}, &fault);
+  for (const Finding& finding : diagnosis.findings) EXPECT_EQ(finding.id, "interfaceBefore");
+  EXPECT_TRUE(std::ranges::any_of(diagnosis.undecided, [](const Undecided& open) {
+    return std::ranges::count(open.faults, Fault::InterfaceBefore) > 0;
+  }));
+}
+
 // Nothing but rims and what is blended moves: the farthest of nine rests, and so does the pixel's own place.
 TEST_F(DoctorFaults, OfDilationMayLookLikeNoReprojection) {
   const Fault fault = Fault::DilatesFarthest;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <string>
 
 namespace taa::doctor {
 namespace {
@@ -39,7 +40,45 @@ RimEvidence rimsOf(int shift, int coarse, int moved = 0) {
   return out;
 }
 
+/// A ground without numbers, whose depth and motion grow to the right and down, and so does light;
+/// `lightSide`: of the squares that have one light.
+DoctorFrame slopeFrame(int depthSide, int motionSide, int lightSide) {
+  DoctorFrame out;
+  out.luma = out.depth = Image(kWidth, kHeight, 1);
+  out.motionPx = Image(kWidth, kHeight, 2);
+  const auto at = [](int x, int y, int side) {
+    return static_cast<float>(x / side * side + 2 * (y / side * side));
+  };
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      *out.luma.at(x, y) = at(x, y, lightSide);
+      *out.depth.at(x, y) = 0.01f + 1e-4f * at(x, y, depthSide);
+      out.motionPx.at(x, y)[0] = 0.01f * at(x, y, motionSide);
+    }
+  return out;
+}
+
+/// Ids of what is found.
+std::string toldOfSlope(int depthSide, int motionSide, int lightSide) {
+  RimEvidence rims;
+  rims.add(slopeFrame(depthSide, motionSide, lightSide));
+  Diagnosis out;
+  tellRims(rims, true, out);
+  std::string text;
+  for (const Finding& finding : out.findings) text += (text.empty() ? "" : ", ") + finding.id;
+  return text;
+}
+
 } // namespace
+
+TEST(MotionRims, AreNotNeededWherePixelsShareTexels) {
+  EXPECT_EQ(toldOfSlope(1, 1, 1), "");
+  EXPECT_EQ(toldOfSlope(2, 1, 1), "depthCoarse");
+  EXPECT_EQ(toldOfSlope(1, 4, 1), "motionCoarse");
+  EXPECT_EQ(toldOfSlope(3, 2, 1), "depthCoarse, motionCoarse");
+  EXPECT_EQ(toldOfSlope(2, 2, 2), "") << "the picture itself is of such squares";
+  EXPECT_EQ(toldOfSlope(4, 1, 2), "depthCoarse");
+}
 
 TEST(MotionRims, AreThoseOfTheirObjects) {
   const RimEvidence rims = rimsOf(0, 1);
