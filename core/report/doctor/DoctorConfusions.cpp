@@ -84,6 +84,13 @@ bool isSingle(const JudgedCase& one) {
   return one.tried.faults.size() == 1 && !one.tried.isHalf;
 }
 
+/// No frames show it by themselves: what is drawn too sharp looks like more detail.
+bool isOfBias(const JudgedCase& one) {
+  return std::ranges::any_of(one.tried.faults, [](Fault fault) {
+    return fault == Fault::MipBiasMissing || fault == Fault::MipBiasLeftOn;
+  });
+}
+
 void addAllShares(std::ostream& out, const Cases& judged) {
   out << "| one fault | cases | shown | named first | named later | not decided | nothing said | wrong name "
          "| not "
@@ -93,6 +100,9 @@ void addAllShares(std::ostream& out, const Cases& judged) {
     addShares(out, std::string(faultPartLabel(part)), casesWhere(judged, [&](const JudgedCase& one) {
                 return isSingle(one) && !isCaptured(one) && faultInfo(one.tried.faults.front()).part == part;
               }));
+  addShares(out, "All of these, and into captures", casesWhere(judged, isSingle));
+  addShares(out, "The same, but for textures' bias",
+            casesWhere(judged, [](const JudgedCase& one) { return isSingle(one) && !isOfBias(one); }));
   addShares(out, "At half strength",
             casesWhere(judged, [](const JudgedCase& one) { return one.tried.isHalf; }));
   addShares(out, "Into captures",
@@ -237,7 +247,10 @@ std::string doctorConfusions(const std::vector<JudgedCase>& judged) {
          "of this page and writes down what the doctor says; this part is made from that file. A fault is "
          "shown where frames differ from those without it by what one sees, in jitter or in pixels enough to "
          "be "
-         "a region; it is named first, too, where another name stands first that makes the same frames. ";
+         "a region: in depth, in light, in motion where that reads another light in the frame before, and "
+         "where all these are the same in the output; it is named first, too, where another name stands "
+         "first "
+         "that makes the same frames. ";
   addTried(out, casesWhere(judged, [](const JudgedCase& one) { return one.tried.preset.empty(); }));
   addHealthy(out, judged);
   addPairs(out, judged);

@@ -51,6 +51,19 @@ TEST(DoctorConfusions, AreATableWithEveryFault) {
   EXPECT_EQ(text.find("`motionZero` |"), std::string::npos);
 }
 
+// No frames tell it; the share of what can be told is beside the share of all.
+TEST(DoctorConfusions, CountTheBiasOfTexturesApart) {
+  std::vector<JudgedCase> cases = fiveCases();
+  cases.push_back(judgedCase({Fault::MipBiasMissing}, {}));
+  cases.back().isOpen = true;
+  cases.push_back(judgedCase({Fault::MipBiasLeftOn}, {}));
+  cases.back().isOpen = true;
+  const std::string text = doctorConfusions(cases);
+  for (const char* row : {"| All of these, and into captures | 5 | 4 | 25.0 % | 25.0 % | 50.0 % |",
+                          "| The same, but for textures' bias | 3 | 2 | 50.0 % | 50.0 % | 0.0 % |"})
+    EXPECT_NE(text.find(row), std::string::npos) << row << "\n" << text;
+}
+
 TEST(DoctorConfusions, SayWhatIsFoundOfPresets) {
   std::vector<JudgedCase> cases = fiveCases();
   for (const char* preset : {"balanced", "godot", "ue4"}) {
