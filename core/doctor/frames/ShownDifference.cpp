@@ -53,6 +53,12 @@ double depthBetween(float a, float b) {
   return std::min(std::abs(std::log(static_cast<double>(a) / static_cast<double>(b))), kFarthestLog);
 }
 
+/// What is no number in one of them is left to the output, in which it spreads.
+double lightBetween(float a, float b) {
+  const double apart = std::abs(static_cast<double>(a - b));
+  return std::isnan(apart) ? 0.0 : apart;
+}
+
 /// Of outputs as large as what is drawn; what is no number is as far as can be from what is one.
 double outputBetween(const DoctorFrame& a, const DoctorFrame& b, int x, int y) {
   const auto hasIt = [](const DoctorFrame& frame) {
@@ -80,7 +86,7 @@ void ShownDifference::add(const DoctorFrame& a, const DoctorFrame& b, const Doct
       const double moved = usesMotion ? motionBetween(a, b, x, y) : 0.0;
       const double farther =
           a.depthView.empty() ? 0.0 : depthBetween(*a.depthView.at(x, y), *b.depthView.at(x, y));
-      const double lighter = std::abs(static_cast<double>(*a.luma.at(x, y) - *b.luma.at(x, y)));
+      const double lighter = lightBetween(*a.luma.at(x, y), *b.luma.at(x, y));
       const double resolved = outputBetween(a, b, x, y);
       motion += moved;
       depths += farther;

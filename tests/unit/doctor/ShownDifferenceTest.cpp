@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <limits>
 
 namespace taa::doctor {
 namespace {
@@ -67,6 +68,11 @@ TEST(ShownDifference, ShowsTheOutputWhereAllElseIsTheSame) {
   ShownDifference output;
   output.add(frame, other, nullptr);
   EXPECT_TRUE(output.shows());
+  // One NaN that a resolve keeps and spreads.
+  *other.luma.at(80, 48) = std::numeric_limits<float>::quiet_NaN();
+  ShownDifference kept;
+  kept.add(frame, other, nullptr);
+  EXPECT_TRUE(kept.shows());
   *other.motionPx.at(80, 48) += 1.0f;
   ShownDifference motion;
   motion.add(frame, other, nullptr);
