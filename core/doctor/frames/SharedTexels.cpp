@@ -7,7 +7,7 @@ namespace taa::doctor {
 namespace {
 
 constexpr int kPixelsOfAllRows = 400000;
-constexpr std::size_t kEnoughPairs = 1000;
+constexpr std::size_t kEnoughTexelPairs = 1000;
 constexpr double kNearlyAllEqual = 0.97, kMostDiffer = 0.7;
 
 /// Bit for bit but for the sign of 0: what is no number is not equal to itself.
@@ -46,7 +46,7 @@ std::optional<int> SharedTexels::side() const {
   for (std::size_t i = 0; i < bySide_.size(); ++i) {
     const Pairs& pairs = bySide_[i];
     const bool isShared =
-        pairs.within >= kEnoughPairs && pairs.between >= kEnoughPairs &&
+        pairs.within >= kEnoughTexelPairs && pairs.between >= kEnoughTexelPairs &&
         static_cast<double>(pairs.withinEqual) >= kNearlyAllEqual * static_cast<double>(pairs.within) &&
         static_cast<double>(pairs.betweenEqual) <= (1.0 - kMostDiffer) * static_cast<double>(pairs.between);
     if (isShared) out = kLeastSide + static_cast<int>(i);

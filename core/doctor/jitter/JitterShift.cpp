@@ -118,6 +118,7 @@ ShiftSamples shiftSamples(const FrameNeighbors& frames) {
       const glm::vec2 place = glm::vec2(x, y) + 0.5f - *motionPx;
       if (place.x < margin.x || place.y < margin.y || place.x > last.x || place.y > last.y) continue;
       if (frames.before.isCovered(glm::ivec2(place))) continue;
+      out.longestPx = std::max(out.longestPx, static_cast<double>(glm::length(*motionPx)));
       (isSky ? out.sky : out.world).push_back({place, *now.luma.at(x, y)});
     }
   return out;

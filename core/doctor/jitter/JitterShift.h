@@ -18,7 +18,8 @@ namespace taa::doctor {
 /// near the border that a shift of kFarthestShiftPx leads out of the picture.
 struct ShiftSamples {
   std::vector<SearchedPixel> world, sky;
-  double skyShare = 0.0; ///< of the picture, with detail or without
+  double skyShare = 0.0;  ///< of the picture, with detail or without
+  double longestPx = 0.0; ///< of the motions that they are warped by
 };
 inline constexpr float kFarthestShiftPx = 3.5f;
 

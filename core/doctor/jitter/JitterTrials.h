@@ -52,8 +52,8 @@ struct JitterEvidence {
   int pairs = 0;                     ///< that were tried to measure
   std::vector<TrialLuma> world, sky; ///< of pairs that have detail enough there
   double skyShare = 0.0;             ///< of the pictures, summed over pairs
-  /// Sixteenths of the pictures that have detail enough by themselves, summed over pairs; and of these: that
-  /// fit the jitter that is stated clearly better than none.
+  /// Where the world rests: sixteenths of the pictures that have detail enough by themselves, summed over
+  /// pairs; and of these: that fit the jitter that is stated clearly better than none.
   std::size_t parts = 0, shiftingParts = 0;
 
   void add(const FrameNeighbors& frames);

@@ -115,9 +115,10 @@ TEST(JitterCheck, LeavesOpenWhetherWhatRestsHasJitter) {
 }
 
 TEST(JitterCheck, CountsThePartsThatShift) {
-  const auto partsOf = [](bool isJittered) {
+  const auto partsOf = [](bool isJittered, bool isMoving = false) {
     test::PaintedShot shot;
     shot.isJittered = isJittered;
+    if (!isMoving) shot.cameraPx = shot.boardPx = glm::dvec2(0.0);
     JitterEvidence evidence;
     for (int frame = 1; frame < kFrames; ++frame) {
       DoctorFrame before = test::paintedFrame(shot, frame - 1), now = test::paintedFrame(shot, frame);
@@ -131,6 +132,7 @@ TEST(JitterCheck, CountsThePartsThatShift) {
   EXPECT_GT(parts, 30u);
   EXPECT_GT(shifting, parts / 2);
   EXPECT_EQ(partsOf(false).second, 0u);
+  EXPECT_EQ(partsOf(true, true).first, 0u) << "motion says what rests on the screen";
 }
 
 // Depth shifts with the jitter where surfaces are drawn with it, whatever is seen on them.
