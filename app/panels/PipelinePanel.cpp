@@ -382,7 +382,12 @@ void PipelinePanel::setState(const QJsonObject& state) {
       sections_[stage].header->setChecked(open.toArray().contains(qtext(kStages[stage].id)));
   search_->setText(state.value(QLatin1String("search")).toString());
   setShowsThumbnails(state.value(QLatin1String("thumbnails")).toBool(true));
-  scrollTo(scroll_->verticalScrollBar(), state.value(QLatin1String("scroll")).toInt());
+  const QString at = state.value(QLatin1String("at")).toString();
+  const auto stage = std::ranges::find(kStages, at.toStdString(), &StageInfo::id);
+  if (stage != kStages.end())
+    scrollTo(scroll_, sections_[static_cast<std::size_t>(stage - kStages.begin())].header);
+  else
+    scrollTo(scroll_->verticalScrollBar(), state.value(QLatin1String("scroll")).toInt());
 }
 
 } // namespace taa::app

@@ -61,7 +61,8 @@ class PipelinePanel : public QWidget {
   const std::vector<ParameterRow*>& parameterRows() const { return parameterRows_; }
   const std::vector<IntermediateRow*>& intermediateRows() const { return intermediateRows_; }
   SearchField* searchField() const { return search_; }
-  /// Which stages are open, what is searched for, and how far it is scrolled.
+  /// Which stages are open, what is searched for, and how far it is scrolled; a state may name the stage that
+  /// it is scrolled to, "at", in place of that.
   QJsonObject state() const;
   void setState(const QJsonObject& state);
   QSize sizeHint() const override { return {300, 600}; }

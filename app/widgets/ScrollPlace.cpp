@@ -1,5 +1,6 @@
 #include "app/widgets/ScrollPlace.h"
 
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QTimer>
 
@@ -7,17 +8,29 @@ namespace taa::app {
 
 namespace {
 constexpr int kSettled = 500; ///< ms
-} // namespace
 
-void scrollTo(QScrollBar* bar, int value) {
+/// `scroll` is called now, and while what is scrolled is laid out.
+template <typename Scroll>
+void scrollInTheNextMoment(QScrollBar* bar, Scroll scroll) {
   const QString name = QStringLiteral("scrollGoal");
   delete bar->findChild<QObject*>(name, Qt::FindDirectChildrenOnly);
   auto* goal = new QObject(bar);
   goal->setObjectName(name);
-  QObject::connect(bar, &QScrollBar::rangeChanged, goal, [bar, value] { bar->setValue(value); });
+  QObject::connect(bar, &QScrollBar::rangeChanged, goal, scroll);
   QObject::connect(bar, &QScrollBar::actionTriggered, goal, &QObject::deleteLater);
   QTimer::singleShot(kSettled, goal, &QObject::deleteLater);
-  bar->setValue(value);
+  scroll();
+}
+
+} // namespace
+
+void scrollTo(QScrollBar* bar, int value) {
+  scrollInTheNextMoment(bar, [bar, value] { bar->setValue(value); });
+}
+
+void scrollTo(QScrollArea* area, QWidget* part) {
+  QScrollBar* bar = area->verticalScrollBar();
+  scrollInTheNextMoment(bar, [bar, part, area] { bar->setValue(part->mapTo(area->widget(), QPoint()).y()); });
 }
 
 } // namespace taa::app

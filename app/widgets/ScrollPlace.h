@@ -1,11 +1,16 @@
 // A place to scroll to that is there only once what was unfolded has been laid out.
 #pragma once
 
+class QScrollArea;
 class QScrollBar;
+class QWidget;
 
 namespace taa::app {
 
 /// Scrolls there now, and again as its range changes in the next moment, unless the user scrolls.
 void scrollTo(QScrollBar* bar, int value);
+
+/// The same, until `part` of what is scrolled stands at the upper edge.
+void scrollTo(QScrollArea* area, QWidget* part);
 
 } // namespace taa::app

@@ -33,6 +33,8 @@ constexpr std::array<std::string_view, 6> kTeachingKeys{"claim", "rung",     "ta
                                                         "hint",  "solution", "techniques"};
 /// The first line of these in a step takes the place of what the step before said.
 constexpr std::array<std::string_view, 5> kListKeys{"view", "probe", "plots", "hide", "pose"};
+/// And of these in what the pipeline unfolds.
+constexpr std::array<std::string_view, 2> kStageKeys{"set", "stage"};
 
 /// Each once: 24 comes several times.
 std::span<const std::string_view> techniqueRows() {
@@ -92,6 +94,8 @@ class StateWriter {
   void apply(std::string_view key, std::string_view value) {
     const bool isList = std::ranges::find(kListKeys, key) != kListKeys.end();
     if (isList && begun_.insert(std::string(key)).second) clear(key);
+    const bool isOfStages = std::ranges::find(kStageKeys, key) != kStageKeys.end();
+    if (isOfStages && begun_.insert("stages").second) state_.stages.clear();
     applyLessonKey(state_, key, value, folder_);
   }
 

@@ -70,13 +70,22 @@ ordered_json plotsJson(const LessonState& state) {
   return {{"rows", rows}};
 }
 
+ordered_json pipelineJson(const LessonState& state) {
+  ordered_json open = ordered_json::array();
+  for (const Stage stage : state.stages) open.push_back(stageInfo(stage).id);
+  return {{"open", open}, {"at", stageInfo(state.stages.back()).id}};
+}
+
 } // namespace
 
 SessionFile lessonSession(const LessonState& state) {
   ordered_json window;
   window["views"] = viewsJson(state);
   if (!state.plots.empty()) window["plots"] = plotsJson(state);
-  window["probe"] = {{"tab", state.tab}};
+  if (!state.stages.empty()) window["pipeline"] = pipelineJson(state);
+  // The plot has the axes of the box.
+  const bool isRgb = state.shot.settings.settings.space.color == ColorSpace::Rgb;
+  window["probe"] = {{"tab", state.tab}, {"space", isRgb ? "rgb" : "ycocg"}};
   ordered_json probes = ordered_json::array();
   for (const glm::ivec2& pixel : state.probes)
     probes.push_back(

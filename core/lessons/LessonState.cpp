@@ -90,10 +90,30 @@ void setSize(const KeyLine& line) {
 void setPreset(const KeyLine& line) {
   const Preset& preset = lessonPreset(line.value);
   line.state.shot.settings = {preset.id, preset.settings, preset.settings};
+  line.state.stages.clear();
+}
+
+/// The last one that is named is the one that the step speaks of.
+void showStage(LessonState& state, Stage stage) {
+  std::erase(state.stages, stage);
+  state.stages.push_back(stage);
 }
 
 void assignWords(Settings& settings, std::string_view words) {
   for (const std::string_view assignment : wordsOf(words)) applyAssignment(settings, assignment);
+}
+
+void setSettings(const KeyLine& line) {
+  assignWords(line.state.shot.settings.settings, line.value);
+  for (const std::string_view assignment : wordsOf(line.value))
+    showStage(line.state, parameter(assignment.substr(0, assignment.find('='))).stage);
+}
+
+void addStage(const KeyLine& line) {
+  std::vector<std::string_view> known;
+  for (const StageInfo& info : kStages) known.push_back(info.id);
+  requireName(line.value, known, say<"stage">());
+  showStage(line.state, std::ranges::find(kStages, line.value, &StageInfo::id)->stage);
 }
 
 /// "16 like=unreal preset=balanced fault=motionNegated reference=16": in this order, all but the frames may
@@ -245,7 +265,8 @@ constexpr LessonKey kLessonKeys[] = {
      [](const KeyLine& line) { line.state.shot.frame = wholeNumberFrom(line.value, 0, kMaxLessonFrame); }},
     {"size", setSize},
     {"preset", setPreset},
-    {"set", [](const KeyLine& line) { assignWords(line.state.shot.settings.settings, line.value); }},
+    {"set", setSettings},
+    {"stage", addStage},
     {"fault",
      [](const KeyLine& line) { inject(faultInfo(line.value).fault, line.state.shot.settings.settings); }},
     {"hide", [](const KeyLine& line) { line.state.shot.filter.hidden.emplace_back(line.value); }},

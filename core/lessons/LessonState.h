@@ -4,6 +4,7 @@
 #include "core/inspect/Comparison.h"
 #include "core/io/SessionFile.h"
 #include "core/settings/Settings.h"
+#include "core/settings/Stage.h"
 #include "core/taa/rows/Intermediates.h"
 
 #include <glm/vec2.hpp>
@@ -66,6 +67,9 @@ struct LessonState {
   std::string page{};      ///< below the views: "plots", "jitter" …; empty: none
   std::string tab{};       ///< of the probe: "values", "colorSpace", "whatIf"; empty: the first
   std::string highlight{}; ///< one of kLessonParts; empty: none
+  /// Unfolded in the pipeline, which is scrolled to the last one; those of the settings that a step sets,
+  /// where it names none.
+  std::vector<Stage> stages{};
   bool plays = false;
   int samples = kLessonSamples; ///< of references
 };

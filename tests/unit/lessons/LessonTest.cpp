@@ -69,6 +69,21 @@ TEST(Lesson, AStepGoesOnFromTheOneBefore) {
   EXPECT_EQ(state.probes.front(), glm::ivec2(3, 4));
 }
 
+TEST(Lesson, UnfoldsTheStagesOfWhatAStepSets) {
+  const taa::Lesson lesson = taa::lessonFromText(
+      step("preset: minimal\nset: rectify.method=clamp weight.alpha=0.2\nset: rectify.minStrength=0.5\n") +
+          "## Two\n```state\nframe: 3\n```\n## Three\n```state\nstage: output\n```\n"
+          "## Four\n```state\npreset: minimal\n```\n",
+      "some.md");
+  using Stages = std::vector<taa::Stage>;
+  const auto stages = [&](std::size_t at) { return lesson.steps[at].state.stages; };
+  EXPECT_EQ(stages(0), (Stages{taa::Stage::BlendWeight, taa::Stage::RectifyHistory})) << "the last is shown";
+  EXPECT_EQ(stages(1), stages(0));
+  EXPECT_EQ(stages(2), Stages{taa::Stage::Output});
+  EXPECT_EQ(stages(3), Stages{}) << "nothing differs from a preset";
+  EXPECT_NE(refusal(step("stage: rectify\n")).find("there is no stage \"rectify\""), std::string::npos);
+}
+
 TEST(Lesson, ReadsClaimsTasksHintsAndSolutions) {
   const taa::Lesson lesson =
       taa::lessonFromText(step("scene: builtin:fan\npreset: minimal\nlane: off = off\nclaim: metric psnr > "
