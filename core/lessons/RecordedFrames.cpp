@@ -98,6 +98,8 @@ fs::path recorded(Inspector& inspector, const SessionFile& drawn, const LessonRe
   request.last = recording.frames - 1;
   request.capture.like = recording.like;
   request.capture.referenceSamples = recording.referenceSamples;
+  request.capture.conventions = {"color.preExposed=off"}; // nothing here has an exposure to take out
+  request.capture.namesFaults = false;                    // what is wrong is for the reader to find
   exportSequence(inspector, request, progress);
   return kept.manifests.emplace(key, manifest).first->second;
 }

@@ -131,7 +131,8 @@ CaptureExport::Impl::Impl(Inspector& looked, CaptureChoice chosen, int firstFram
   manifest.framesPerSecond = shot.scene().shot.framesPerSecond;
   manifest.objects = namesOfIds(shot);
   if (source) manifest.notes = source->manifest().notes;
-  if (const auto faults = injectedFaults(shot.usedSettings(choice.lane)); !faults.empty())
+  const std::vector<std::string> faults = injectedFaults(shot.usedSettings(choice.lane));
+  if (choice.namesFaults && !faults.empty())
     manifest.notes.push_back(say<"faults are injected: %1">(joined(faults)));
   if (manifest.conventions.jitter.delay != 0)
     manifest.notes.push_back(

@@ -20,6 +20,7 @@ struct CaptureChoice {
   std::vector<std::string> conventions; ///< "path=value" on top of it
   int lane = 0;
   int referenceSamples = 0; ///< of the reference in it; 0: without one
+  bool namesFaults = true;  ///< its notes say which ones were injected
 };
 
 /// Throws Error where they are none, or contradict each other.

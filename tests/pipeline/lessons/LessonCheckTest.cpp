@@ -1,6 +1,8 @@
 // Lessons that say what is not true, and states whose numbers follow from the formulas.
 #include "core/lessons/LessonCheck.h"
+#include "core/capture/source/Capture.h"
 #include "core/inspect/Inspector.h"
+#include "core/lessons/RecordedFrames.h"
 #include "tests/support/GlTest.h"
 
 #include <gtest/gtest.h>
@@ -108,6 +110,18 @@ TEST_F(LessonCheck, OpensFramesThatItRecordsAndTheDoctorFindsWhatIsWrongInThem) 
                      "lane: healed = this fault.motionX=-1 fault.motionY=-1\n"
                      "claim: metric rmse of healed < metric rmse\n"),
             std::vector<std::string>{});
+}
+
+TEST_F(LessonCheck, FramesThatItRecordsDoNotSayWhatIsWrongInThem) {
+  taa::Inspector inspector;
+  const taa::Lesson lesson =
+      taa::lessonFromText("# L\n\n## S\n\n```state\nscene: builtin:lights\nsize: 64x36\n"
+                          "record: 2 like=unreal fault=depthReversed\n```\n",
+                          "l.md");
+  const taa::LessonState opened = taa::onItsFrames(inspector, lesson.steps.front().state, {});
+  EXPECT_EQ(taa::capture::openCapture(opened.shot.source)->manifest().notes, std::vector<std::string>{});
+  inspector.shot().open(opened.shot.source, {}, {});
+  EXPECT_EQ(inspector.shot().scene().warnings, std::vector<std::string>{});
 }
 
 TEST_F(LessonCheck, RungsAreMeasuredEachHoweverManyThereAre) {
