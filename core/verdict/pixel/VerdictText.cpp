@@ -145,7 +145,7 @@ std::string verdictSentence(const PixelVerdict& verdict, int frame, const std::s
 }
 
 std::string verdictMeasures(const PixelVerdict& verdict) {
-  return say<"%1 of 255 steps off the reference, of which %2 are no error; %3 from frame to frame.">(
+  return say<"%1 of 255 steps off the reference, where up to %2 are no error, and %3 from frame to frame.">(
       stepsText(verdict.error), stepsText(kVisibleError), stepsText(verdict.flicker));
 }
 
