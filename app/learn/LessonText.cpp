@@ -9,10 +9,13 @@
 #include <QTextCursor>
 #include <QTextDocument>
 #include <QTextFragment>
+#include <QTextFrame>
 #include <QTextList>
+#include <QTextTable>
 #include <QUrl>
 
 #include <algorithm>
+#include <cmath>
 
 namespace taa::app {
 
@@ -51,6 +54,25 @@ void setCode(const QTextBlock& block, const ThemeColors& colors) {
   }
 }
 
+/// Lines as quiet as those of the window; numbers stand under each other.
+void setTable(QTextTable& table, const ThemeColors& colors) {
+  QTextTableFormat format = table.format();
+  format.setBorderCollapse(true);
+  format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+  format.setBorder(1.0);
+  format.setBorderBrush(colors.line);
+  format.setCellPadding(scaled(kUnit));
+  format.setBottomMargin(scaled(kParagraphSpace));
+  table.setFormat(format);
+  for (int row = 0; row < table.rows(); ++row)
+    for (int column = 0; column < table.columns(); ++column) {
+      QTextBlockFormat cell;
+      cell.setBottomMargin(0.0);
+      if (column > 0) cell.setAlignment(Qt::AlignRight);
+      table.cellAt(row, column).firstCursorPosition().mergeBlockFormat(cell);
+    }
+}
+
 } // namespace
 
 LessonText::LessonText(QWidget* parent) : QTextBrowser(parent) {
@@ -69,6 +91,16 @@ void LessonText::setText(const QString& markdown) {
                                         QTextDocument::MarkdownNoHTML);
   setType();
   moveCursor(QTextCursor::Start);
+  updateGeometry();
+}
+
+QSize LessonText::sizeHint() const {
+  return {QTextBrowser::sizeHint().width(), static_cast<int>(std::ceil(document()->size().height()))};
+}
+
+QSize LessonText::minimumSizeHint() const {
+  const double line = kLineSpacing / 100.0 * QFontMetrics(font()).lineSpacing();
+  return {QTextBrowser::minimumSizeHint().width(), static_cast<int>(std::ceil(line))};
 }
 
 void LessonText::setType() {
@@ -76,6 +108,8 @@ void LessonText::setType() {
     setSpacing(block);
     setCode(block, themeColors(this));
   }
+  for (QTextFrame* frame : document()->rootFrame()->childFrames())
+    if (auto* table = qobject_cast<QTextTable*>(frame)) setTable(*table, themeColors(this));
   document()->setIndentWidth(scaled(7.0 * kUnit));
   fitLines();
 }

@@ -13,6 +13,10 @@ class LessonText : public QTextBrowser {
  public:
   explicit LessonText(QWidget* parent = nullptr);
   void setText(const QString& markdown);
+  /// As high as the text is.
+  QSize sizeHint() const override;
+  /// A line, where the window has room for no more.
+  QSize minimumSizeHint() const override;
 
  protected:
   QVariant loadResource(int, const QUrl&) override { return {}; }
