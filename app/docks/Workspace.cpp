@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace taa::app {
 
@@ -25,8 +26,10 @@ constexpr double kViewsShare = 0.4;    ///< of width and height that a layout le
 constexpr double kLeftShare = 0.22, kProbeShare = 0.33; ///< of the width, at most where texts are large
 constexpr QSize kReachable(120, 40);    ///< logical px of a window that have to be on a screen
 constexpr QSize kFirstWindow(720, 360); ///< of a page that is torn off
-constexpr int kLeastProbe = 70;         ///< logical px of texts of 100 %
-constexpr int kLessonLines = 20;        ///< of text, that a lesson is high where there is room
+constexpr int kLeastProbe = 70;         ///< logical px of texts of 100 %, beside a lesson
+constexpr int kTightProbe = 30;         ///< likewise, where there is no room for that
+constexpr double kLessonShare = 0.6;    ///< of a side, that a lesson beside a probe has at most
+constexpr int kLessonLines = 20;        ///< of text, that it may have in any case
 
 QList<QRect> screenPlaces(const QScreen* first) {
   QList<QRect> places{first->availableGeometry()};
@@ -67,22 +70,37 @@ Workspace::Workspace(const Panels& panels, QWidget* parent) : QMainWindow(parent
   learn_->setPanel(of_.learn);
   probe_ = addDock(QStringLiteral("probe"), tr("Probe"), Qt::RightDockWidgetArea);
   probe_->setHead(of_.probeHead);
-  probe_->setScrolledPanel(of_.probe, kLeastProbe);
+  probe_->setScrolledPanel(of_.probe, kTightProbe);
   lower_ = addDock(QStringLiteral("lower"), tr("Pages below the views"), Qt::BottomDockWidgetArea);
   lower_->setWholeHead(of_.lower->head());
   lower_->setPanel(of_.lower);
   addPages();
-  connect(learn_, &PanelDock::opened, this, &Workspace::halveRight);
+  connect(learn_, &PanelDock::opened, this, &Workspace::shareSide);
+  connect(lower_, &PanelDock::opened, this, &Workspace::shareSide);
   connect(qApp, &QGuiApplication::screenRemoved, this, &Workspace::comeBack, Qt::QueuedConnection);
 }
 
-// A lesson and the probe, where they share a side: half of it, and with large text what a lesson needs.
-void Workspace::halveRight() {
-  if (probe_->isHidden() || learn_->isFloating() || probe_->isFloating() ||
+void Workspace::setProbed(bool isProbed) {
+  if (isProbed != std::exchange(isProbed_, isProbed)) shareSide();
+}
+
+// A step that opens another scene sets its probes and the lower area anew: what is so in the end counts.
+void Workspace::shareSide() {
+  QTimer::singleShot(0, this, &Workspace::shareSideNow);
+}
+
+void Workspace::shareSideNow() {
+  if (learn_->isHidden() || probe_->isHidden() || learn_->isFloating() || probe_->isFloating() ||
       dockWidgetArea(learn_) != dockWidgetArea(probe_))
     return;
-  const int learn = std::max(height() / 2, kLessonLines * fontMetrics().lineSpacing());
-  resizeDocks({learn_, probe_}, {learn, std::max(1, height() - learn)}, Qt::Vertical);
+  layout()->activate();
+  const int column = learn_->height() + probe_->height();
+  const int head = learn_->height() - of_.learn->height();
+  const int most =
+      std::max(static_cast<int>(kLessonShare * column), kLessonLines * fontMetrics().lineSpacing());
+  const int wanted = isProbed_ ? std::min(head + of_.learn->sizeHint().height(), most) : column;
+  const int learn = std::min(wanted, column - head - scaled(kLeastProbe));
+  resizeDocks({learn_, probe_}, {std::max(1, learn), std::max(1, column - learn)}, Qt::Vertical);
 }
 
 PanelDock* Workspace::addDock(const QString& id, const QString& title, Qt::DockWidgetArea area) {

@@ -52,6 +52,11 @@ class Workspace : public QMainWindow {
   /// At a first start: sides as wide as their texts ask for in a window of this width, logical px.
   void setFirstSizes(int windowWidth);
 
+  /// Whether a pixel is probed: the probe needs no room beside a lesson while none is.
+  void setProbed(bool isProbed);
+  /// A lesson and the probe on one side: the lesson has what its text needs, and the probe the rest.
+  void shareSide();
+
   /// Where the panels are; whether they are shown is for others to say.
   QJsonObject state() const;
   /// Windows on a screen that is gone come back; sides that would leave too little for the views are
@@ -65,7 +70,7 @@ class Workspace : public QMainWindow {
  private:
   PanelDock* addDock(const QString& id, const QString& title, Qt::DockWidgetArea area);
   void addPages();
-  void halveRight();
+  void shareSideNow();
   void placeDocks();
   void placeFirst(PanelDock* dock);
   void makeRoomForViews();
@@ -77,6 +82,7 @@ class Workspace : public QMainWindow {
   PanelDock *left_, *learn_, *probe_, *lower_;
   std::array<PanelDock*, kLowerPageCount> pages_{};
   std::vector<PanelDock*> docks_;
+  bool isProbed_ = false;
   QSize savedSize_; ///< of the window whose layout was restored last
 };
 

@@ -128,6 +128,7 @@ void Learning::beginStep() {
   }
   setState();
   show();
+  Q_EMIT stepBegun();
 }
 
 void Learning::setState() {

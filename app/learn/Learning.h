@@ -59,6 +59,7 @@ class Learning : public QObject {
 
  Q_SIGNALS:
   void changed();   ///< opened or closed
+  void stepBegun(); ///< another one
   void stepShown(); ///< another one, or what became of its task
   void said(const QString& sentence);
   void failed(const QString& sentence);

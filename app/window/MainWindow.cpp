@@ -297,6 +297,9 @@ void MainWindow::connectMenus() {
   connect(&session_, &Session::statusChanged, all, &Commands::refresh);
   connect(&session_.presets(), &PresetChoices::settingsChanged, all, &Commands::refresh);
   connect(&session_.probes(), &ProbeChoices::changed, all, &Commands::refresh);
+  connect(&session_.probes(), &ProbeChoices::changed, workspace_,
+          [this] { workspace_->setProbed(session_.probes().pixel().has_value()); });
+  connect(learning_, &Learning::stepBegun, workspace_, &Workspace::shareSide);
   connect(&session_.verdicts(), &VerdictChoices::changed, all, &Commands::refresh);
   connect(&session_.undoStack(), &UndoStack::changed, all, &Commands::refresh);
   connect(doctorCommands_, &DoctorCommands::reportChanged, all, &Commands::refresh);
@@ -353,6 +356,10 @@ void MainWindow::connectMessages() {
   connect(keeper_, &SessionKeeper::failed, messages_, &MessagesBar::showError);
   connect(probeCommands_, &ProbeCommands::foundWorst, statusLine_, &StatusLine::setHover);
   connect(learning_, &Learning::failed, messages_, &MessagesBar::showError);
+  // Lessons say what the hint says, and need its room.
+  connect(learning_, &Learning::changed, messages_, [this] {
+    if (learning_->isOpen()) messages_->hideHint();
+  });
   connect(exports_, &Exports::said, messages_, &MessagesBar::showNote);
   connect(exports_, &Exports::failed, messages_, &MessagesBar::showError);
   connect(figures_, &FigureExport::said, messages_, &MessagesBar::showNote);
@@ -469,6 +476,7 @@ void MainWindow::showOffer(QWidget* bar) {
 }
 
 void MainWindow::showHint() {
+  if (learning_->isOpen()) return;
   if (settings_ && settings_->value(QStringLiteral("hintClosed")).toBool()) return;
   messages_->showHint(tr("Step back with the comma key.  Right-click a pixel to see every value at it.  "
                          "Press ? for all keys."));

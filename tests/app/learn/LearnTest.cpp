@@ -4,6 +4,9 @@
 #include "app/learn/Learning.h"
 #include "app/learn/LessonText.h"
 #include "app/learn/PartFrame.h"
+#include "app/panels/ProbePanel.h"
+#include "app/style/Text.h"
+#include "app/widgets/SectionHeader.h"
 #include "core/lessons/Lesson.h"
 #include "tests/app/WindowFixture.h"
 
@@ -15,6 +18,7 @@
 #include <QTemporaryDir>
 #include <QTextDocumentFragment>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -76,6 +80,32 @@ TEST_F(LearnTest, StepsGoOnAndBackAndSurroundWhatTheySpeakOf) {
   EXPECT_EQ(learning()->step(), 1);
   key(Qt::Key_F12);
   EXPECT_FALSE(frame()->isVisible());
+}
+
+TEST_F(LearnTest, AStepUnfoldsItsStageInThePipelineAndScrollsToIt) {
+  key(Qt::Key_F12);
+  const auto changes = std::ranges::find(tour().steps, "Change one thing", &taa::LessonStep::title);
+  ASSERT_NE(changes, tour().steps.end());
+  const taa::Stage stage = taa::Stage::RectifyHistory;
+  ASSERT_EQ(changes->state.stages, std::vector<taa::Stage>{stage});
+  learning()->openStep(QStringLiteral("first-ghost"), static_cast<int>(changes - tour().steps.begin()) + 1);
+  SectionHeader* header = nullptr;
+  for (SectionHeader* found : window.findChildren<SectionHeader*>())
+    if (found->text() == tableText(taa::stageInfo(stage).label)) header = found;
+  ASSERT_TRUE(header);
+  EXPECT_TRUE(header->isChecked());
+  EXPECT_TRUE(waitFor([&] { return header->visibleRegion().boundingRect() == header->rect(); }));
+}
+
+TEST_F(LearnTest, HasTheRoomOfAProbeThatHasNoPixel) {
+  const QWidget* probe = window.probe()->parentWidget();
+  session.probes().removeAll();
+  key(Qt::Key_F12);
+  EXPECT_TRUE(waitFor([&] { return probe->height() < 100; }));
+  session.probes().setPixel(glm::ivec2(20, 10));
+  EXPECT_TRUE(waitFor([&] { return probe->height() >= 200; }));
+  session.probes().removeAll();
+  EXPECT_TRUE(waitFor([&] { return probe->height() < 100; }));
 }
 
 TEST_F(LearnTest, ReturnBringsBackWhatWasChanged) {
