@@ -19,14 +19,14 @@ constexpr int kDragStart = 5; ///< px that the mouse moves before it is a drag
 constexpr double kMinSpan = 4.0, kZoomStep = 1.25;
 constexpr double kColumnSpace = 56.0, kValueSpace = 28.0; ///< px between ticks at least
 constexpr double kDotRadius = 2.5;                        ///< px
-constexpr int kLowest = 72, kLowestBeside = 40;           ///< px; less where nothing stands above the curves
-constexpr double kTickRoom = 48.0;                        ///< px left of the plot, where values of y stand
+constexpr int kLeastWidth = 180;                          ///< px
+constexpr int kLeastPlot = 16, kLeastBeside = 40; ///< px high; beside: with half a label at either end
+constexpr double kTickRoom = 48.0;                ///< px left of the plot, where values of y stand
 } // namespace
 
 CurveChart::CurveChart(const QString& title, const QString& xTitle, QWidget* parent)
     : QWidget(parent), title_(title), xTitle_(xTitle) {
   setFocusPolicy(Qt::NoFocus);
-  setMinimumSize(180, scaled(kLowest));
   setMouseTracking(true);
   setAccessibleName(title);
   setToolTip(tr("Click to go there; drag or turn the wheel to zoom, double-click to see all."));
@@ -53,7 +53,7 @@ void CurveChart::setPlayhead(std::optional<double> x) {
 void CurveChart::setEdges(const Span& edges) {
   if (edges_ == edges) return;
   edges_ = edges;
-  setMinimumHeight(scaled(kLowestBeside));
+  updateGeometry();
   layOutLegend();
   fitAxes();
 }
@@ -83,7 +83,8 @@ void CurveChart::fitAxes() {
   for (const Curve& curve : curves_)
     if (const auto values = valueSpan(curve.points, shown_))
       span = span ? Span{std::min(span->low, values->low), std::max(span->high, values->high)} : *values;
-  const int fewest = height() < 2 * scaled(kValueSpace) ? 1 : 2;
+  const int besidePlot = edges_ ? 0 : minimumSizeHint().height() - scaled(kLeastPlot);
+  const int fewest = height() - besidePlot < 2 * scaled(kValueSpace) ? 1 : 2;
   const int rows =
       std::max(fewest, static_cast<int>((height() - 2 * legend_.height()) / scaled(kValueSpace)));
   const Span scale = roundedSpan(span.value_or(Span{}), rows);
@@ -124,8 +125,21 @@ QString CurveChart::readout() const {
   return parts.join(QStringLiteral("  "));
 }
 
+// Curves keep some height below the lines of their names and above the labels of x.
+QSize CurveChart::minimumSizeHint() const {
+  if (edges_) return {kLeastWidth, scaled(kLeastBeside)};
+  const double labels = 1.5 * QFontMetricsF(secondaryFont()).height() + 2.0 * kUnit;
+  return {kLeastWidth, static_cast<int>(std::ceil(legend_.height() + labels)) + scaled(kLeastPlot)};
+}
+
 // Room for the legend above the curves: as many lines as their names take.
 void CurveChart::layOutLegend() {
+  const QSize least = minimumSizeHint();
+  layOutNames();
+  if (minimumSizeHint() != least) updateGeometry();
+}
+
+void CurveChart::layOutNames() {
   if (edges_)
     return legend_.layOutBeside(curves_, edges_->low - scaled(kTickRoom), edges_->high + 3.0 * kUnit,
                                 width() - 2.0 * kUnit);

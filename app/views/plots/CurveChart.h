@@ -42,7 +42,8 @@ class CurveChart : public QWidget, public Draggable {
   double xAt(double viewX) const;
   double viewXOf(double x) const;
   void cancelDrag() override;
-  QSize sizeHint() const override { return {400, 120}; }
+  QSize sizeHint() const override { return QSize(400, 120).expandedTo(minimumSizeHint()); }
+  QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
   void xClicked(double x);
@@ -62,6 +63,7 @@ class CurveChart : public QWidget, public Draggable {
  private:
   void fitAxes();
   void layOutLegend();
+  void layOutNames();
   void drawCurves(QPainter& painter) const;
   void drawMarks(QPainter& painter, const QRectF& plot) const;
   std::optional<double> readX() const { return hovered_ ? hovered_ : playhead_; }
