@@ -58,10 +58,22 @@ void CurveLegend::layOut(const QString& title, const std::vector<Curve>& curves,
   const double start = metrics().horizontalAdvance(title) + kTitleGap, firstEnd = width_ - placeWidth;
   for (const bool isShortened : {false, true}) {
     isShortened_ = isShortened;
-    places_ = placeLegend(widthsOf(curves), start, firstEnd, width_);
+    const std::vector<double> widths = widthsOf(curves);
+    places_ = placeLegend(widths, start, firstEnd, width_);
     lines_ = places_.empty() ? 1 : places_.back().line + 1;
+    placeLine_ = lineWithRoom(widths, start, placeWidth);
     if (lines_ == 1) return;
   }
+}
+
+// The first one: where long names take it whole, one below it; 0 where none has room.
+int CurveLegend::lineWithRoom(const std::vector<double>& widths, double start, double wanted) const {
+  std::vector<double> ends(static_cast<std::size_t>(lines_), 0.0);
+  ends[0] = start;
+  for (std::size_t index = 0; index < places_.size(); ++index)
+    ends[static_cast<std::size_t>(places_[index].line)] = places_[index].left + widths[index];
+  const auto found = std::ranges::find_if(ends, [&](double end) { return end + wanted <= width_; });
+  return found == ends.end() ? 0 : static_cast<int>(found - ends.begin());
 }
 
 void CurveLegend::layOutBeside(const std::vector<Curve>& curves, double titleEnd, double left, double right) {
@@ -72,6 +84,7 @@ void CurveLegend::layOutBeside(const std::vector<Curve>& curves, double titleEnd
     isShortened_ = isShortened;
     places_ = placeLegend(widthsOf(curves), 0.0, width_, width_);
     lines_ = places_.empty() ? 0 : places_.back().line + 1;
+    placeLine_ = lines_ == 1 ? 1 : std::max(0, lines_ - 1); // below a single line, else in the last one
     if (lines_ <= 1) return;
   }
 }
@@ -107,17 +120,15 @@ void CurveLegend::paint(QPainter& painter, const ThemeColors& colors, const QStr
     baseline += scaled(kLineHeight);
   }
   const std::vector<double> widths = widthsOf(curves);
-  double lineEnd = titleEnd_ ? 0.0 : metrics().horizontalAdvance(title) + kTitleGap;
-  // `place` stands at the right: below a single line, else in the last one.
-  const int placeLine = !titleEnd_ ? 0 : lines_ == 1 ? 1 : std::max(0, lines_ - 1);
+  double lineEnd = titleEnd_ || placeLine_ > 0 ? 0.0 : metrics().horizontalAdvance(title) + kTitleGap;
   for (std::size_t index = 0; index < std::min(curves.size(), places_.size()); ++index) {
     paintEntry(painter, colors, curves[index], places_[index], x);
-    if (places_[index].line == placeLine) lineEnd = places_[index].left + widths[index];
+    if (places_[index].line == placeLine_) lineEnd = places_[index].left + widths[index];
   }
   const QString shown = metrics().elidedText(place, Qt::ElideRight, width_ - lineEnd);
   painter.setPen(colors.secondary);
   painter.drawText(QPointF(left_ + width_ - metrics().horizontalAdvance(shown),
-                           scaled(kFirstBaseline) + placeLine * scaled(kLineHeight)),
+                           scaled(kFirstBaseline) + placeLine_ * scaled(kLineHeight)),
                    shown);
 }
 

@@ -20,7 +20,7 @@ struct ThemeColors;
 class CurveLegend {
  public:
   /// Places the curves in lines of `width`; `placeWidth` is kept for where the values are from, on the right
-  /// of the first line.
+  /// of the first line, or of another where a long name takes that whole.
   void layOut(const QString& title, const std::vector<Curve>& curves, double width, double placeWidth);
   /// Places them in lines right of the plot, from `left` to `right`; the title stands left of it and ends at
   /// `titleEnd`.
@@ -35,6 +35,7 @@ class CurveLegend {
              const std::vector<Curve>& curves, std::optional<double> x, const QString& place) const;
 
  private:
+  int lineWithRoom(const std::vector<double>& widths, double start, double wanted) const;
   std::vector<double> widthsOf(const std::vector<Curve>& curves) const;
   void paintEntry(QPainter& painter, const ThemeColors& colors, const Curve& curve, const LegendPlace& place,
                   std::optional<double> x) const;
@@ -43,7 +44,7 @@ class CurveLegend {
   std::vector<LegendPlace> places_;
   double left_ = 0.0, width_ = 0.0;
   std::optional<double> titleEnd_; ///< only beside the plot
-  int lines_ = 1;
+  int lines_ = 1, placeLine_ = 0;  ///< of where the values are from
   bool isShortened_ = false;
 };
 
