@@ -66,6 +66,8 @@ JitterPanel::JitterPanel(QWidget* parent)
                       "+ middle of the samples, × with their weights: where the picture's content lies. "
                       "The grid has as many cells as there are samples, or a few less. "
                       "Click a sample to go to the frame that took it last."));
+  // Its columns are whole before the others get their shares.
+  table_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Expanding);
   columns->addWidget(view_, 4);
   columns->addWidget(table_, 4);
   columns->addWidget(scrolled(words), 5);
