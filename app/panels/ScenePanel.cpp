@@ -6,6 +6,7 @@
 #include "app/widgets/Line.h"
 #include "app/widgets/SearchField.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -308,6 +309,13 @@ void ScenePanel::setState(const QJsonObject& state) {
   const auto found = std::ranges::find(nodes, wanted.toStdString(), &OutlineNode::key);
   if (found == nodes.end()) return;
   tree_->setCurrentIndex(shown_->mapFromSource(model_->indexOf(static_cast<int>(found - nodes.begin()))));
+}
+
+// Sections of a header do not grow with texts by themselves.
+void ScenePanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange)
+    tree_->header()->resizeSection(SceneTreeModel::Motion, scaled(kMotionWidth));
 }
 
 void ScenePanel::showEvent(QShowEvent* event) {

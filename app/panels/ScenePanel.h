@@ -71,6 +71,7 @@ class ScenePanel : public QWidget {
   void selectionChanged();
 
  protected:
+  void changeEvent(QEvent*) override;
   void showEvent(QShowEvent*) override;
   void hideEvent(QHideEvent*) override;
 
