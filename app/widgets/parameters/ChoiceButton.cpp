@@ -79,11 +79,14 @@ void ChoiceButton::paintEvent(QPaintEvent*) {
     painter.drawRect(box);
   }
   painter.setPen(dimmed_ ? colors.secondary : colors.text);
-  const QRect inside =
-      box.adjusted(kChoicePadding, 0, -kChoicePadding - (plain_ ? 0 : scaled(kChevron) + kUnit) + 1, 0);
+  // The mark of a list goes before letters do.
+  QRect inside = box.adjusted(kChoicePadding, 0, 1 - kChoicePadding, 0);
+  const int mark = scaled(kChevron) + kUnit;
+  const bool isPlain = plain_ || fontMetrics().horizontalAdvance(caption()) > inside.width() - mark;
+  if (!isPlain) inside.setRight(inside.right() - mark);
   painter.drawText(inside, Qt::AlignVCenter | Qt::AlignLeft,
                    fontMetrics().elidedText(caption(), Qt::ElideRight, inside.width()));
-  if (plain_) return;
+  if (isPlain) return;
   painter.drawPixmap(
       box.right() - kChoicePadding - scaled(kChevron) + 2, box.center().y() - scaled(kChevron) / 2 + 1,
       iconPixmap(QStringLiteral("chevron-down"), colors.secondary, scaled(kChevron), devicePixelRatioF()));
