@@ -9,6 +9,7 @@
 #include "core/requests/RequestKinds.h"
 #include "core/settings/Faults.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QStringList>
@@ -141,12 +142,22 @@ void StatusLine::show(Badge badge, const QString& text) {
   shown_ = badge;
   badge_->setText(text);
   badgeIcon_->setVisible(badge != Badge::None);
+  drawBadge();
+}
+
+void StatusLine::drawBadge() {
   const ThemeColors& colors = themeColors(this);
-  if (badge == Badge::Exact)
+  if (shown_ == Badge::Exact)
     badgeIcon_->setPixmap(iconPixmap(QStringLiteral("right"), colors.right, scaled(14), devicePixelRatioF()));
-  else if (badge == Badge::Caution)
+  else if (shown_ == Badge::Caution)
     badgeIcon_->setPixmap(
         iconPixmap(QStringLiteral("caution"), colors.caution, scaled(14), devicePixelRatioF()));
+}
+
+// A picture grows with the texts beside it.
+void StatusLine::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange) drawBadge();
 }
 
 QString StatusLine::badge() const {

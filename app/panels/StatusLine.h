@@ -27,10 +27,14 @@ class StatusLine : public QWidget {
   /// Whether the badge says that the picture is not what is wished for.
   bool showsBadge() const;
 
+ protected:
+  void changeEvent(QEvent*) override;
+
  private:
   enum class Badge { None, Exact, Caution };
   void refreshBadge();
   void show(Badge badge, const QString& text);
+  void drawBadge();
 
   QLabel *hover_, *driver_, *times_, *badgeIcon_, *badge_;
   Badge shown_ = Badge::None;
