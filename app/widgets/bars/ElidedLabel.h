@@ -1,6 +1,7 @@
 // A line of text in a bar that is cut, with dots, where there is no room for it; the rest of it is its tip.
 #pragma once
 
+#include <QEvent>
 #include <QLabel>
 #include <QResizeEvent>
 
@@ -24,6 +25,10 @@ class ElidedLabel : public QLabel {
   }
 
  protected:
+  void changeEvent(QEvent* event) override {
+    QLabel::changeEvent(event);
+    if (event->type() == QEvent::FontChange && !whole_.isEmpty()) setWhole(whole_);
+  }
   void resizeEvent(QResizeEvent* event) override {
     QLabel::resizeEvent(event);
     elide();

@@ -36,6 +36,12 @@ QSize MenuTitle::sizeHint() const {
   return {std::min(whole.width(), room_), whole.height()};
 }
 
+// A theme that is applied gives first the bar its font, then this.
+void MenuTitle::changeEvent(QEvent* event) {
+  ElidedLabel::changeEvent(event);
+  if (event->type() == QEvent::FontChange) place();
+}
+
 bool MenuTitle::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize || event->type() == QEvent::FontChange) place();
   return ElidedLabel::eventFilter(watched, event);

@@ -19,6 +19,7 @@ class MenuTitle final : public ElidedLabel {
   QSize minimumSizeHint() const override { return {0, ElidedLabel::minimumSizeHint().height()}; }
 
  protected:
+  void changeEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
