@@ -27,6 +27,8 @@ namespace taa::app {
 
 namespace {
 
+constexpr double kTitlesShare = 0.4; ///< of the width, that titles of pages take at most: large ones wrap
+
 /// The reference page tells them in the user's language.
 bool isOfTables(const ManualPage& page) {
   return page.file == "settings.md" || page.file == "intermediates.md";
@@ -61,7 +63,10 @@ ReferenceDialog::ReferenceDialog(QWidget* parent) : QDialog(parent), pages_(manu
   list_->addItem(tr("Settings and intermediates"));
   for (const ManualPage& page : pages_) list_->addItem(QString::fromStdString(page.title));
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  list_->setFixedWidth(list_->sizeHintForColumn(0) + 4 * kUnit); // every title is whole
+  list_->setWordWrap(true);
+  // Every title is whole.
+  list_->setFixedWidth(
+      std::min(list_->sizeHintForColumn(0) + 4 * kUnit, static_cast<int>(kTitlesShare * width())));
   search_ = new QLineEdit;
   search_->setPlaceholderText(tr("Find in this page; Enter goes on"));
   search_->setAccessibleName(tr("Find in this page"));
