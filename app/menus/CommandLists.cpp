@@ -4,6 +4,7 @@
 #include "app/menus/Commands.h"
 #include "app/session/PresetChoices.h"
 #include "app/style/Text.h"
+#include "app/style/Theme.h"
 #include "app/widgets/Chooser.h"
 #include "core/settings/Parameters.h"
 
@@ -17,6 +18,8 @@
 namespace taa::app {
 
 namespace {
+
+constexpr int kListWidth = 480; ///< px, of texts of 100 %
 
 QString withoutMnemonic(QString text) {
   return text.remove(QLatin1Char('&')).remove(QStringLiteral("…"));
@@ -79,8 +82,8 @@ void CommandLists::choose() {
         presets_.setParameter(qtext(chosen.row->path), chosen.value);
       },
       window_);
-  const int left = std::max(0, (window_->width() - 480) / 2);
-  chooser->open({left, 0, 480, 48});
+  const int left = std::max(0, (window_->width() - scaled(kListWidth)) / 2);
+  chooser->open({left, 0, kListWidth, 48});
 }
 
 void CommandLists::showKeys() {

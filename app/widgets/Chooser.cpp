@@ -81,11 +81,12 @@ void Chooser::open(const QRect& anchor, int current) {
   const QPoint corner = parentWidget()->mapTo(window, anchor.bottomLeft() + QPoint(0, 1));
   // As high as its rows; in the window, so that a picture of that has all of it. One of a panel that is torn
   // off has the whole screen.
-  const QPoint place = window->mapToGlobal(corner);
+  QPoint place = window->mapToGlobal(corner);
   const bool isTornOff = window->windowType() == Qt::Tool;
   const QRect room = isTornOff ? window->screen()->availableGeometry()
                                : QRect(window->mapToGlobal(QPoint()), window->size());
-  const int width = std::min(anchor.width(), room.width() - 2 * kUnit);
+  const int width = std::min(scaled(anchor.width()), room.width() - 2 * kUnit); // anchors know no large texts
+  place.setX(std::min(place.x(), room.right() - width - kUnit));
   const int height =
       std::min(list_->count() * rowHeight() + 12 * kUnit, room.bottom() - place.y() - 2 * kUnit);
   setGeometry(QRect(place, QSize(width, height)));
