@@ -1,6 +1,7 @@
 #include "app/views/legend/RangeHistogram.h"
 
 #include "app/style/Numbers.h"
+#include "app/style/TextSize.h"
 #include "app/style/Theme.h"
 
 #include <QFontMetrics>
@@ -20,7 +21,9 @@ constexpr int kFoot = 20, kRoomAbove = 6; // px below and above the columns
 } // namespace
 
 RangeHistogram::RangeHistogram(QWidget* parent) : QWidget(parent) {
-  setFixedSize(scaled(kWidth), scaled(kHeight));
+  setProperty(kKeepsLimits, true);
+  if (parent) parent->installEventFilter(this);
+  fit();
   setFocusPolicy(Qt::StrongFocus);
   setCursor(Qt::SizeHorCursor);
   setAccessibleName(tr("Histogram of the visible values and the range they are drawn in"));
@@ -28,6 +31,17 @@ RangeHistogram::RangeHistogram(QWidget* parent) : QWidget(parent) {
       tr("Visible values; heights are logarithms of how many there are, and so is the axis where values are "
          "spread wide. Drag an end of the range; Left and Right move "
          "the low end, with Shift the high end."));
+}
+
+// A view may be narrower than it would like to be.
+void RangeHistogram::fit() {
+  const int room = parentWidget() ? parentWidget()->width() - 4 * kUnit : QWIDGETSIZE_MAX;
+  setFixedSize(std::clamp(room, kBins + 2 * kSide, scaled(kWidth)), scaled(kHeight));
+}
+
+bool RangeHistogram::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) fit();
+  return QWidget::eventFilter(watched, event);
 }
 
 void RangeHistogram::setDistribution(const Distribution& found) {
@@ -138,9 +152,13 @@ void RangeHistogram::paintRange(QPainter& painter, const ThemeColors& colors) co
   }
   // Below the ends of the axis what they are; the range between them, since its ends may lie close together.
   const QRect texts(kSide, foot + 5, width() - 2 * kSide, scaled(kFoot) - 5);
+  const QString right = shortText(axis_.valueAt(1.0));
+  const auto wide = [&](const QString& text) { return painter.fontMetrics().horizontalAdvance(text); };
   painter.setPen(colors.secondary);
-  painter.drawText(texts, Qt::AlignVCenter | Qt::AlignLeft, leftText());
-  painter.drawText(texts, Qt::AlignVCenter | Qt::AlignRight, shortText(axis_.valueAt(1.0)));
+  if (wide(rangeText()) + 2 * (std::max(wide(leftText()), wide(right)) + kUnit) <= texts.width()) {
+    painter.drawText(texts, Qt::AlignVCenter | Qt::AlignLeft, leftText());
+    painter.drawText(texts, Qt::AlignVCenter | Qt::AlignRight, right);
+  }
   if (axis_.isLogarithmic)
     painter.drawText(rect().adjusted(kSide, 2, -kSide, 0), Qt::AlignTop | Qt::AlignRight, tr("logarithmic"));
   painter.setPen(colors.text);

@@ -47,8 +47,10 @@ class RangeHistogram : public QWidget {
   void mouseMoveEvent(QMouseEvent*) override;
   void mouseReleaseEvent(QMouseEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void fit();
   void moveEnd(bool high, double value);
   double valueAt(double x) const;
   void paintColumns(QPainter& painter, const ThemeColors& colors) const;
