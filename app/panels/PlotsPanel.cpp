@@ -5,6 +5,7 @@
 #include "app/views/plots/CurveChart.h"
 #include "app/widgets/Chooser.h"
 #include "app/widgets/IconButton.h"
+#include "app/widgets/bars/ElidedLabel.h"
 
 #include "core/base/Error.h"
 #include "core/base/Files.h"
@@ -75,7 +76,7 @@ void PlotsPanel::makeTop() {
   chips_ = new QHBoxLayout;
   chips_->setSpacing(0);
   line->addLayout(chips_);
-  summary_ = new QLabel;
+  summary_ = new ElidedLabel;
   summary_->setFont(secondaryFont());
   summary_->setForegroundRole(QPalette::PlaceholderText);
   summary_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -279,11 +280,11 @@ void PlotsPanel::refresh() {
     charts_[row]->setCurves(plotCurves(rows_[row], traces, space_));
   }
   fill_->setVisible(!probes_.empty());
-  summary_->setText(active ? tr("Frames known at probe %3: %1 of %2 · × history rejected there")
-                                 .arg(active->samples().size())
-                                 .arg(frameCount_)
-                                 .arg(active_ + 1)
-                           : QString());
+  summary_->setWhole(active ? tr("Frames known at probe %3: %1 of %2 · × history rejected there")
+                                  .arg(active->samples().size())
+                                  .arg(frameCount_)
+                                  .arg(active_ + 1)
+                            : QString());
 }
 
 QString PlotsPanel::csv() const {
@@ -320,7 +321,7 @@ QString PlotsPanel::saveCsvTo(const QString& path) const {
 }
 
 QString PlotsPanel::summary() const {
-  return summary_->text();
+  return summary_->whole();
 }
 
 QJsonObject PlotsPanel::state() const {

@@ -20,6 +20,7 @@ class QVBoxLayout;
 namespace taa::app {
 
 class CurveChart;
+class ElidedLabel;
 
 class PlotsPanel : public QWidget {
   Q_OBJECT
@@ -97,7 +98,8 @@ class PlotsPanel : public QWidget {
   QTimer refresh_;            ///< while it plays, a few times a second are enough
   QHBoxLayout* chips_ = nullptr;
   QVBoxLayout* column_ = nullptr;
-  QLabel *summary_ = nullptr, *invitation_ = nullptr;
+  ElidedLabel* summary_ = nullptr;
+  QLabel* invitation_ = nullptr;
   QPushButton* fill_ = nullptr;
 };
 
