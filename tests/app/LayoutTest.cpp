@@ -1,4 +1,5 @@
 // No text is cut off and nothing overlaps at the sizes the window is made for.
+#include "app/panels/LeftArea.h"
 #include "app/panels/LowerArea.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ProbePanel.h"
@@ -10,6 +11,7 @@
 
 #include <QAction>
 #include <QDialog>
+#include <QHeaderView>
 #include <QLabel>
 #include <QMenuBar>
 #include <QPushButton>
@@ -52,10 +54,30 @@ void expectWholeTabs(const QTabBar& bar) {
   }
 }
 
+/// Every column has room for its title, and none lies beyond the edge of a table that cannot be scrolled
+/// there.
+void expectWholeColumns(const QHeaderView& header) {
+  const auto* table = qobject_cast<const QAbstractScrollArea*>(header.parentWidget());
+  if (!table || header.orientation() != Qt::Horizontal) return;
+  const QAbstractItemModel& model = *header.model();
+  for (int column = 0; column < header.count(); ++column) {
+    const std::string title =
+        model.headerData(column, Qt::Horizontal).toString().toStdString() + " in " + nameOf(table);
+    if (header.isSectionHidden(column)) continue;
+    EXPECT_GE(header.sectionSize(column),
+              header.fontMetrics().horizontalAdvance(model.headerData(column, Qt::Horizontal).toString()))
+        << title;
+    if (table->horizontalScrollBarPolicy() != Qt::ScrollBarAlwaysOff) continue;
+    EXPECT_LE(header.sectionViewportPosition(column) + header.sectionSize(column), table->viewport()->width())
+        << title;
+  }
+}
+
 void expectNothingIsCut(const QWidget& window) {
   for (const QWidget* widget : window.findChildren<QWidget*>()) {
     if (!widget->isVisible()) continue;
     if (const auto* bar = qobject_cast<const QTabBar*>(widget)) expectWholeTabs(*bar);
+    if (const auto* header = qobject_cast<const QHeaderView*>(widget)) expectWholeColumns(*header);
     EXPECT_GE(widget->width(), neededWidth(widget)) << nameOf(widget);
     if (const auto* label = qobject_cast<const QLabel*>(widget); label && label->wordWrap()) {
       EXPECT_GE(label->height(), label->heightForWidth(label->width())) << nameOf(widget);
@@ -114,6 +136,20 @@ TEST_P(Layout, CutsNoTextAndOverlapsNothingWithTheProfiler) {
   settle();
   expectNothingIsCut(window);
   expectNoOverlap(window);
+}
+
+TEST_P(Layout, CutsNoTextAndOverlapsNothingWithAnyPage) {
+  window.resize(GetParam().first, GetParam().second);
+  window.left()->openPage(LeftPage::Scene);
+  session.probes().setPixel(glm::ivec2(12, 7));
+  for (int page = 0; page < kLowerPageCount; ++page) {
+    SCOPED_TRACE(lowerPageId(static_cast<LowerPage>(page)).toStdString());
+    window.lower()->setShown(static_cast<LowerPage>(page), true);
+    settle();
+    settle();
+    expectNothingIsCut(window);
+    expectNoOverlap(window);
+  }
 }
 
 using SmallScreen = test::FakeWindow;
