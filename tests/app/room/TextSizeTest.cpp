@@ -5,16 +5,23 @@
 #include "app/learn/Learning.h"
 #include "app/learn/LessonText.h"
 #include "app/learn/PartFrame.h"
+#include "app/panels/JitterPanel.h"
+#include "app/panels/LeftArea.h"
 #include "app/panels/LowerArea.h"
 #include "app/panels/ProbePanel.h"
+#include "app/panels/ScenePanel.h"
 #include "app/panels/StatusLine.h"
+#include "app/panels/WeightsPanel.h"
 #include "app/style/Theme.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewHeader.h"
+#include "app/views/plots/CurveChart.h"
+#include "app/widgets/ValueTable.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QAbstractScrollArea>
 #include <QFontMetrics>
+#include <QHeaderView>
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -157,6 +164,41 @@ TEST_F(TextSizeTest, AWindowThatOpensAtTwoHundredPercentHasRoomForCurves) {
     EXPECT_GE(large.lower()->height(), 280) << "its tabs lie above it";
     EXPECT_GE(large.views()->height(), 300) << "the views keep theirs";
   }
+}
+
+TEST_F(TextSizeTest, AtTwoHundredPercentPagesBelowKeepTheirCurvesAndColumns) {
+  session.probes().setPixel(glm::ivec2(20, 10));
+  window.setTextPercent(200);
+  settle();
+  window.lower()->setShown(LowerPage::Weights, true);
+  settle();
+  EXPECT_EQ(window.size(), QSize(1280, 800)) << "it fits";
+  for (const CurveChart* chart : {window.weights()->weights(), window.weights()->samples()}) {
+    EXPECT_GE(chart->height(), chart->minimumSizeHint().height())
+        << "two lines of names and labels, and more";
+    EXPECT_GE(chart->minimumSizeHint().height(), 4 * QFontMetrics(secondaryFont()).height());
+  }
+  window.lower()->setShown(LowerPage::Jitter, true);
+  settle();
+  EXPECT_EQ(window.size(), QSize(1280, 800)) << "it fits";
+  const ValueTable& table = *window.jitter()->table();
+  EXPECT_LE(table.header()->length(), table.viewport()->width());
+  for (int column = 0; column < table.columnCount(); ++column) {
+    const int needed = table.header()->fontMetrics().horizontalAdvance(table.headerItem()->text(column));
+    EXPECT_GE(table.header()->sectionSize(column), needed) << column;
+  }
+}
+
+TEST_F(TextSizeTest, TheMotionOfAnObjectIsReadInLargeText) {
+  window.left()->openPage(LeftPage::Scene);
+  window.setTextPercent(200);
+  settle();
+  const auto* tree = window.scene()->findChild<QTreeView*>(QStringLiteral("sceneTree"));
+  const int column = 1; // what the renderer is told of motion
+  QFont bold = tree->font();
+  bold.setBold(true);
+  EXPECT_GE(tree->header()->sectionSize(column),
+            QFontMetrics(bold).horizontalAdvance(QStringLiteral("Per object")));
 }
 
 TEST_F(TextSizeTest, RowsOfTheProbeAreAsHighAsTheirLines) {
