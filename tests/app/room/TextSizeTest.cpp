@@ -2,6 +2,7 @@
 // back.
 #include "app/style/TextSize.h"
 #include "app/commands/ThemeSetting.h"
+#include "app/dialogs/ReferenceDialog.h"
 #include "app/learn/Learning.h"
 #include "app/learn/LessonText.h"
 #include "app/learn/PartFrame.h"
@@ -15,16 +16,23 @@
 #include "app/style/Theme.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewHeader.h"
+#include "app/views/ViewPanel.h"
+#include "app/views/legend/RangeHistogram.h"
 #include "app/views/plots/CurveChart.h"
+#include "app/widgets/Chooser.h"
 #include "app/widgets/ValueTable.h"
+#include "app/widgets/bars/ElidedLabel.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QAbstractScrollArea>
 #include <QFontMetrics>
 #include <QHeaderView>
+#include <QListWidget>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QTextBrowser>
 #include <QTreeView>
 
 #include <map>
@@ -187,6 +195,48 @@ TEST_F(TextSizeTest, AtTwoHundredPercentPagesBelowKeepTheirCurvesAndColumns) {
     const int needed = table.header()->fontMetrics().horizontalAdvance(table.headerItem()->text(column));
     EXPECT_GE(table.header()->sectionSize(column), needed) << column;
   }
+}
+
+TEST_F(TextSizeTest, AtTwoHundredPercentAHistogramStaysInItsView) {
+  window.views()->setViewCount(4);
+  for (const int percent : {200, 100}) {
+    window.setTextPercent(percent);
+    settle();
+    window.views()->view(0)->setHistogramShown(true);
+    settle();
+    const auto* histogram = window.views()->view(0)->findChild<RangeHistogram*>();
+    ASSERT_TRUE(histogram && histogram->isVisible());
+    EXPECT_LT(histogram->geometry().right(), histogram->parentWidget()->width()) << percent;
+  }
+}
+
+TEST_F(TextSizeTest, AtTwoHundredPercentThePageOfTheManualIsWiderThanTheListOfPages) {
+  window.setTextPercent(200);
+  key(Qt::Key_F1);
+  const auto* dialog = window.findChild<ReferenceDialog*>();
+  ASSERT_TRUE(dialog);
+  EXPECT_GT(dialog->findChild<QTextBrowser*>()->width(), dialog->findChild<QListWidget*>()->width());
+  delete dialog;
+}
+
+TEST_F(TextSizeTest, CommandsGrowWithTheirTextsAndStayInTheWindow) {
+  window.setTextPercent(200);
+  key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+  auto* chooser = window.findChild<Chooser*>();
+  ASSERT_TRUE(chooser);
+  EXPECT_EQ(chooser->width(), 960);
+  EXPECT_LE(chooser->geometry().right(), window.geometry().right());
+  chooser->close();
+}
+
+TEST_F(TextSizeTest, AnotherThemeLeavesTheTitleWhole) {
+  window.setTextPercent(200);
+  window.setTheme(ThemeChoice::Light);
+  settle();
+  const auto* title = static_cast<const ElidedLabel*>(window.menuBar()->cornerWidget());
+  EXPECT_EQ(title->text(), title->whole());
+  EXPECT_GE(title->width(), title->fontMetrics().horizontalAdvance(title->whole()));
+  window.setTheme(ThemeChoice::Dark);
 }
 
 TEST_F(TextSizeTest, TheMotionOfAnObjectIsReadInLargeText) {
