@@ -23,7 +23,7 @@ constexpr int kFoot = 20, kRoomAbove = 6; // px below and above the columns
 RangeHistogram::RangeHistogram(QWidget* parent) : QWidget(parent) {
   setProperty(kKeepsLimits, true);
   if (parent) parent->installEventFilter(this);
-  fit();
+  setFixedSize(scaled(kWidth), scaled(kHeight));
   setFocusPolicy(Qt::StrongFocus);
   setCursor(Qt::SizeHorCursor);
   setAccessibleName(tr("Histogram of the visible values and the range they are drawn in"));
@@ -39,8 +39,13 @@ void RangeHistogram::fit() {
   setFixedSize(std::clamp(room, kBins + 2 * kSide, scaled(kWidth)), scaled(kHeight));
 }
 
+void RangeHistogram::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  fit();
+}
+
 bool RangeHistogram::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize) fit();
+  if (event->type() == QEvent::Resize && isVisible()) fit();
   return QWidget::eventFilter(watched, event);
 }
 

@@ -47,6 +47,7 @@ class RangeHistogram : public QWidget {
   void mouseMoveEvent(QMouseEvent*) override;
   void mouseReleaseEvent(QMouseEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
+  void showEvent(QShowEvent*) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
