@@ -27,6 +27,13 @@ class Pending {
     waits_ = false;
     value_ = value;
   }
+  /// The same, where it says which request it took up last: a value that was sent twice with another one
+  /// between is not taken for the second when the first of them arrives.
+  void arrived(const Value& value, RequestId takenUp) {
+    if (waits_ && takenUp < request_) return;
+    waits_ = false;
+    value_ = value;
+  }
   /// The render thread cannot meet this request: then the next value that arrives counts. True: it was this
   /// one's.
   bool refused(RequestId request) { return waits_ && request == request_ && std::exchange(waits_, false); }

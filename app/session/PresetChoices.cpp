@@ -32,8 +32,8 @@ bool PresetChoices::isPresetChanged() const {
   return !(chosen_.settings == chosen_.presetSettings);
 }
 
-void PresetChoices::arrived(const Settings& inForce) {
-  settings_.arrived(inForce);
+void PresetChoices::arrived(const Settings& inForce, RequestId takenUp) {
+  settings_.arrived(inForce, takenUp);
   if (settings_.waits()) return;
   if (chosen_.settings == settings_.value()) {
     chosenInForce_ = chosen_;

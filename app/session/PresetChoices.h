@@ -61,8 +61,9 @@ class PresetChoices : public QObject {
   void showScene(const std::string& source);
   /// Is no step of undo.
   void use(const PresetChoice& choice);
-  /// The settings of the frame on show. Settings that were refused give way to them.
-  void arrived(const Settings& inForce);
+  /// The settings of the frame on show, and the latest request of settings that was taken up before. Settings
+  /// that were refused give way to them.
+  void arrived(const Settings& inForce, RequestId takenUp);
   void refused(RequestId request) { settings_.refused(request); }
 
  Q_SIGNALS:

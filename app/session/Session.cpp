@@ -97,7 +97,7 @@ void Session::useStatus(Status&& status) {
   }
   if (isNew) probes_.forgetSurfaces();
   status_ = std::move(status);
-  presets_.arrived(status_.settings);
+  presets_.arrived(status_.settings, status_.settingsAsked);
   scene_.takeStatus();
   choice_.arrived(status_.choice);
   // Only now: a file that cannot be opened leaves everything as it is, playing or not.

@@ -210,6 +210,7 @@ void FakeRenderer::take(const request::FindWorst& asked) {
 void FakeRenderer::take(const request::SetSettings& asked) {
   const auto& [settings] = asked;
   ++settingsSent;
+  status.settingsAsked = requests + 1; // as post() is about to say
   if (refuses(RequestKind::Settings)) return;
   ++status.shotVersion;
   status.settings = settings;

@@ -95,6 +95,24 @@ TEST_F(Refusals, OnlyTheRefusedValueIsDroppedAndNotANewerOne) {
   EXPECT_EQ(session.scene().motionModes().size(), 1u);
 }
 
+// A slider that goes there and back while a frame takes long.
+TEST_F(Refusals, AnOlderAnswerOfTheSameValueIsNotTakenForTheNewerOne) {
+  const QString path = QStringLiteral("weight.minimum");
+  holdBack();
+  session.presets().setParameter(path, 0.25);
+  const Status first = renderer->status;
+  session.presets().setParameter(path, 0.5);
+  const Status second = renderer->status;
+  session.presets().setParameter(path, 0.25);
+  for (const Status& older : {first, second}) {
+    renderer->tell(older);
+    settle();
+    EXPECT_EQ(session.presets().settings().weight.minimum, 0.25f);
+  }
+  goOn();
+  EXPECT_EQ(session.presets().settings(), renderer->status.settings);
+}
+
 TEST_F(Refusals, AMissingFileLeavesWhatWasAskedOfTheSceneThatIsOpen) {
   holdBack();
   session.scene().setMotionMode("floor", MotionMode::None);

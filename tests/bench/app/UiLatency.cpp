@@ -15,6 +15,7 @@
 #include "app/widgets/parameters/NumberField.h"
 #include "app/widgets/parameters/ParameterRow.h"
 #include "app/window/MainWindow.h"
+#include "core/requests/RequestQueue.h"
 
 #include <QApplication>
 #include <QLabel>
@@ -73,17 +74,17 @@ class SlowRenderer final : public Renderer {
   RequestId post(Request request) override {
     const std::lock_guard lock(mutex_);
     const bool isSource = std::holds_alternative<request::Open>(request);
-    requests_.push_back(std::move(request));
-    if (isSource) requests_.emplace_back(request::SetSize{1280, 720});
+    requests_.push_back({++last_, std::move(request)});
+    if (isSource) requests_.push_back({last_, request::SetSize{1280, 720}});
     posted_.notify_one();
-    return ++last_;
+    return last_;
   }
 
  private:
   // The last ones are enough: of each kind the real thread takes one.
   void run() {
     for (;;) {
-      std::vector<Request> taken;
+      std::vector<PostedRequest> taken;
       {
         std::unique_lock lock(mutex_);
         posted_.wait_for(lock, kFrame, [this] { return ends_ || !requests_.empty(); });
@@ -93,7 +94,10 @@ class SlowRenderer final : public Renderer {
       const auto until = Clock::now() + kFrame;
       while (Clock::now() < until) continue; // a software renderer keeps a core busy
       const std::size_t first = taken.size() > 8 ? taken.size() - 8 : 0;
-      for (std::size_t i = first; i < taken.size(); ++i) fake_.post(taken[i]);
+      for (std::size_t i = first; i < taken.size(); ++i) {
+        fake_.requests = taken[i].id - 1; // its own number is that which post() gave
+        fake_.post(taken[i].request);
+      }
       fake_.post(request::Seek{(fake_.status.info.frame + 1) % 240});
     }
   }
@@ -101,7 +105,7 @@ class SlowRenderer final : public Renderer {
   app::test::FakeRenderer fake_;
   std::mutex mutex_;
   std::condition_variable posted_;
-  std::vector<Request> requests_;
+  std::vector<PostedRequest> requests_;
   RequestId last_ = 0;
   bool ends_ = false;
   std::thread thread_; // last
