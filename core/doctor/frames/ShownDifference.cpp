@@ -15,7 +15,9 @@ namespace taa::doctor {
 namespace {
 
 // What one sees: px, |log| of a distance, luma of comparedLuma().
-constexpr double kSeenJitterPx = 0.05, kSeenMotionPx = 0.25, kSeenDepth = 0.02, kSeenLuma = 0.01;
+constexpr double kSeenJitterPx = 0.05, kSeenDepth = 0.02, kSeenLuma = 0.01;
+/// A value that a resolve spreads shows in the output.
+constexpr std::size_t kSpeckPixels = 16;
 // A motion that is none, and a distance to nothing, are so far from any other.
 constexpr double kFarthestPx = 16.0, kFarthestLog = 2.0;
 /// Of the other difference, with room for rounding to half floats.
@@ -27,7 +29,8 @@ double motionBetween(const DoctorFrame& a, const DoctorFrame& b, int x, int y) {
   return std::min(static_cast<double>(glm::distance(ofA, ofB)), kFarthestPx);
 }
 
-/// Light of the frame before where a pixel was that moves like this; NaN: beyond the picture, or there was none.
+/// Light of the frame before where a pixel was that moves like this; NaN: beyond the picture, or there was
+/// none.
 double lightRead(const DoctorFrame& frame, const DoctorFrame& before, const glm::ivec2& pixel,
                  const glm::vec2& motionPx) {
   constexpr double kNoLight = std::numeric_limits<double>::quiet_NaN();
@@ -39,13 +42,19 @@ double lightRead(const DoctorFrame& frame, const DoctorFrame& before, const glm:
   return static_cast<double>(capture::betweenPixels(before.luma, place));
 }
 
-/// Whether two motions of a pixel of `b` lead to what one can tell apart.
-bool readsOtherwise(const DoctorFrame& a, const DoctorFrame& b, const DoctorFrame& before,
-                    const glm::ivec2& pixel) {
-  const double ofA = lightRead(b, before, pixel, a.motionAt(pixel.x, pixel.y));
-  const double ofB = lightRead(b, before, pixel, b.motionAt(pixel.x, pixel.y));
-  if (std::isnan(ofA) || std::isnan(ofB)) return std::isnan(ofA) != std::isnan(ofB);
-  return std::abs(ofA - ofB) > kSeenLuma;
+/// How far a pixel is from what was read for it; NaN: nothing was.
+double contradictionAt(const ReadFrame& frame, const glm::ivec2& pixel) {
+  const glm::vec2 motion = frame.now.motionAt(pixel.x, pixel.y);
+  const double read = lightRead(frame.now, *frame.before, pixel, motion);
+  return std::abs(static_cast<double>(*frame.now.luma.at(pixel.x, pixel.y)) - read);
+}
+
+/// Whether a frame contradicts the one before it more than one without the fault does.
+bool isContradicted(const ReadFrame& faulty, const ReadFrame& sound, const glm::ivec2& pixel) {
+  const double ofFaulty = contradictionAt(faulty, pixel), ofSound = contradictionAt(sound, pixel);
+  // Only one of them says that there is something to read.
+  if (std::isnan(ofFaulty) || std::isnan(ofSound)) return std::isnan(ofFaulty) != std::isnan(ofSound);
+  return ofFaulty > ofSound + kSeenLuma;
 }
 
 double depthBetween(float a, float b) {
@@ -76,24 +85,25 @@ double outputBetween(const DoctorFrame& a, const DoctorFrame& b, int x, int y) {
 
 } // namespace
 
-void ShownDifference::add(const DoctorFrame& a, const DoctorFrame& b, const DoctorFrame* before) {
+void ShownDifference::add(const ReadFrame& faulty, const ReadFrame& sound) {
+  const DoctorFrame &a = faulty.now, &b = sound.now;
   // Nothing reads motion where history starts anew.
   const bool usesMotion = !a.motionPx.empty() && !(a.startsHistory && b.startsHistory);
-  std::size_t seen = 0, seenInOutput = 0;
+  const bool isRead = usesMotion && faulty.before && sound.before;
+  std::size_t seen = 0, seenInOutput = 0, lighterPixels = 0;
   double motion = 0.0, depths = 0.0, lumas = 0.0, outputs = 0.0;
   for (int y = 0; y < a.luma.height; ++y)
     for (int x = 0; x < a.luma.width; ++x) {
-      const double moved = usesMotion ? motionBetween(a, b, x, y) : 0.0;
       const double farther =
           a.depthView.empty() ? 0.0 : depthBetween(*a.depthView.at(x, y), *b.depthView.at(x, y));
       const double lighter = lightBetween(*a.luma.at(x, y), *b.luma.at(x, y));
       const double resolved = outputBetween(a, b, x, y);
-      motion += moved;
+      if (usesMotion) motion += motionBetween(a, b, x, y);
       depths += farther;
       lumas += lighter;
       outputs += resolved;
-      const bool isMoved = moved > kSeenMotionPx && before != nullptr && readsOtherwise(a, b, *before, {x, y});
-      if (isMoved || farther > kSeenDepth || lighter > kSeenLuma) ++seen;
+      if (lighter > kSeenLuma) ++lighterPixels;
+      if (farther > kSeenDepth || (isRead && isContradicted(faulty, sound, {x, y}))) ++seen;
       if (resolved > kSeenLuma) ++seenInOutput;
     }
   const double pixels = static_cast<double>(a.luma.width) * a.luma.height;
@@ -106,11 +116,12 @@ void ShownDifference::add(const DoctorFrame& a, const DoctorFrame& b, const Doct
   output += outputs / pixels;
   if (seen >= kLeastPart || jittered > kSeenJitterPx || a.startsHistory != b.startsHistory) ++shown;
   if (seenInOutput >= kLeastPart) ++shownInOutput;
+  if (lighterPixels > kSpeckPixels) ++lit;
 }
 
 bool ShownDifference::shows() const {
   if (shown > 0) return true;
-  const bool isGivenTheSame = jitterPx == 0.0 && motionPx == 0.0 && depth == 0.0 && luma == 0.0;
+  const bool isGivenTheSame = jitterPx == 0.0 && motionPx == 0.0 && depth == 0.0 && lit == 0;
   return isGivenTheSame && shownInOutput > 0;
 }
 

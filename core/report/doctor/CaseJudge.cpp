@@ -58,9 +58,12 @@ bool isOneOf(const std::vector<Fault>& faults, const std::string& id) {
 }
 
 /// Of consecutive frames.
-ShownDifference shownBetween(const std::vector<DoctorFrame>& a, const std::vector<DoctorFrame>& b) {
+ShownDifference shownBetween(const std::vector<DoctorFrame>& faulty, const std::vector<DoctorFrame>& sound) {
   ShownDifference out;
-  for (std::size_t i = 0; i < a.size(); ++i) out.add(a[i], b[i], i == 0 ? nullptr : &b[i - 1]);
+  const auto read = [](const std::vector<DoctorFrame>& frames, std::size_t i) {
+    return doctor::ReadFrame{frames[i], i == 0 ? nullptr : &frames[i - 1]};
+  };
+  for (std::size_t i = 0; i < faulty.size(); ++i) out.add(read(faulty, i), read(sound, i));
   return out;
 }
 

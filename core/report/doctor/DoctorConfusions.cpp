@@ -245,12 +245,11 @@ std::string doctorConfusions(const std::vector<JudgedCase>& judged) {
   out << "\n### How often it is right\n\n`taa-batch confusions resources/doctor/judged.csv` injects the "
          "faults "
          "of this page and writes down what the doctor says; this part is made from that file. A fault is "
-         "shown where frames differ from those without it by what one sees, in jitter or in pixels enough to "
-         "be "
-         "a region: in depth, in light, in motion where that reads another light in the frame before, and "
-         "where all these are the same in the output; it is named first, too, where another name stands "
-         "first "
-         "that makes the same frames. ";
+         "shown where frames differ from those without it by what one sees: in jitter, or in pixels enough "
+         "to "
+         "be a region in depth, or in light that is not that of the frame before, read by motion and jitter, "
+         "where that without the fault is; and in the output, where frames are the same. It is named first, "
+         "too, where another name stands first that makes the same frames. ";
   addTried(out, casesWhere(judged, [](const JudgedCase& one) { return one.tried.preset.empty(); }));
   addHealthy(out, judged);
   addPairs(out, judged);
