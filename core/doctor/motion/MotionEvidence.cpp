@@ -206,6 +206,7 @@ class PairEvidence {
     if (!isInPicture(place, frames_.now.sizePx()) || !hasDetail(frames_.now.luma, inside_, pixel.x, pixel.y))
       return;
     ++out.markedTextured;
+    out.markedPx += static_cast<double>(glm::length(camera.value_or(glm::vec2(0.0f))));
     out.markedError += static_cast<double>(std::abs(*frames_.now.luma.at(pixel.x, pixel.y) -
                                                     capture::betweenPixels(frames_.before.luma, place)));
   }

@@ -92,8 +92,9 @@ struct RegionEvidence {
   glm::vec2 mark{0.0f};           ///< that motion
   std::size_t marked = 0;         ///< likewise: with the mark of no previous position; the rest is of these:
   std::size_t markedTextured = 0; ///< with detail
-  double markedError = 0.0;       ///< sum of |luma − luma of the frame before| there, at rest in the world
-  std::size_t markedPairs = 0;    ///< of frames
+  double markedError = 0.0;    ///< sum of |luma − luma of the frame before| there, at rest in the world …
+  double markedPx = 0.0;       ///< … and of the lengths of motion that this is, where cameras are known
+  std::size_t markedPairs = 0; ///< of frames
   std::vector<TrialEvidence> trials; ///< as motionTrials()
   /// What squares of the region truly move by, by searchMotion(), where motion given is 0 or the camera's.
   TrialEvidence found;

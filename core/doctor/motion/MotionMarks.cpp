@@ -20,6 +20,8 @@ constexpr std::size_t kEnoughMarks = 150, kEnoughMarkedPairs = 3;
 constexpr double kNearlyAllMarks = 0.9;
 /// Of luma, in the mean: what rests fits to so much.
 constexpr double kRestingError = 0.008;
+/// px, in the mean: what moves by more is not marked for a motion of 0.
+constexpr double kMarkedRestsPx = 0.05;
 
 bool isNearlyAll(std::size_t part, std::size_t whole) {
   return static_cast<double>(part) >= kNearlyAllMarks * static_cast<double>(whole);
@@ -32,6 +34,13 @@ Finding markFinding(Fault fault, std::string reason, std::string change) {
   return out;
 }
 
+/// Said to have no previous position, and what was there before, at rest in the world, fits it.
+bool isMarkedAndKept(const RegionEvidence& evidence) {
+  return evidence.markedPairs >= kEnoughMarkedPairs && evidence.markedTextured >= kEnoughMarks &&
+         isNearlyAll(evidence.marked, evidence.seen) &&
+         evidence.markedError <= kRestingError * static_cast<double>(evidence.markedTextured);
+}
+
 } // namespace
 
 bool isUnwrittenMark(const RegionEvidence& evidence) {
@@ -39,9 +48,8 @@ bool isUnwrittenMark(const RegionEvidence& evidence) {
 }
 
 bool isKeptAsMissing(const RegionEvidence& evidence) {
-  return evidence.markedPairs >= kEnoughMarkedPairs && evidence.markedTextured >= kEnoughMarks &&
-         isNearlyAll(evidence.marked, evidence.seen) &&
-         evidence.markedError <= kRestingError * static_cast<double>(evidence.markedTextured);
+  return isMarkedAndKept(evidence) &&
+         evidence.markedPx <= kMarkedRestsPx * static_cast<double>(evidence.markedTextured);
 }
 
 void tellMarks(const MotionEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
@@ -57,6 +65,7 @@ void tellMarks(const MotionEvidence& evidence, const std::vector<Region>& region
       say<"It is said to have no previous position in every frame, and what was there before fits it.">(),
       say<"Take motion of 0 for motion: mark what has no previous position by another value.">());
   bool rests = false;
+  std::size_t moving = 0;
   for (std::size_t i = 0; i < regions.size() && i < evidence.regions().size(); ++i) {
     const RegionEvidence& region = evidence.regions()[i];
     rests = rests || (region.pixels >= kEnoughMarks && region.givenPx == 0.0);
@@ -64,7 +73,17 @@ void tellMarks(const MotionEvidence& evidence, const std::vector<Region>& region
       unwritten.regions.push_back(placeOf(regions[i], patient, allPixels));
     else if (isKeptAsMissing(region))
       missing.regions.push_back(placeOf(regions[i], patient, allPixels));
+    else if (isMarkedAndKept(region))
+      ++moving;
   }
+  if (moving > 0)
+    out.undecided.push_back(
+        {moving == 1 ? say<"Motion of a part without previous position">()
+                     : say<"Motion of %1 parts without previous position">(moving),
+         say<"it is said to have none in every frame, and what was there before fits it, at another place: a "
+             "camera that sees it nowhere, or a mark, makes that">(),
+         say<"Write its motion, and look again.">(),
+         {}});
   if (missing.regions.empty() && !rests)
     out.undecided.push_back({say<"Motion of 0">(),
                              say<"nothing has it: whether it is taken for none does not show">(),

@@ -14,7 +14,7 @@ namespace taa::doctor {
 /// frame: nothing moves so.
 bool isUnwrittenMark(const RegionEvidence& evidence);
 /// Whether nearly all of a region is said to have no previous position, frame after frame, though it fits
-/// what was there before.
+/// what was there before, and rests on the screen as far as cameras tell.
 bool isKeptAsMissing(const RegionEvidence& evidence);
 
 /// Adds a finding for each of the two. `allPixels`: of all frames that were looked at.

@@ -2,6 +2,7 @@
 #include "core/doctor/motion/MotionMarks.h"
 
 #include "core/doctor/Doctor.h"
+#include "core/render/FrameInputs.h"
 #include "tests/support/doctor/PaintedFrames.h"
 
 #include <gtest/gtest.h>
@@ -36,8 +37,40 @@ TEST(MotionMarks, StandWhereWhatWasThereFits) {
   region.markedPairs = 2; // first seen, and once more
   EXPECT_FALSE(isKeptAsMissing(region));
   region.markedPairs = 3;
+  region.markedPx = 500 * 0.04;
+  EXPECT_TRUE(isKeptAsMissing(region));
+  region.markedPx = 500 * 0.06; // its motion is not 0
+  EXPECT_FALSE(isKeptAsMissing(region));
+  region.markedPx = 0.0;
   region.marked = 899;
   EXPECT_FALSE(isKeptAsMissing(region));
+}
+
+// A previous camera that sees nothing marks what moves as well: that is no motion of 0 which is taken for
+// none.
+TEST(MotionMarks, OfWhatMovesAreNotOfZero) {
+  const auto toldOf = [](const glm::dvec2& cameraPx) {
+    test::PaintedShot shot;
+    shot.cameraPx = cameraPx;
+    shot.isJittered = false; // whole pixels, so that what was there before is the same
+    return examine(test::paintedExamination(shot, 12, [](DoctorFrame& frame) {
+      test::changeMotion(frame, test::kGroundId,
+                         [](const glm::vec2&) { return glm::vec2(kNoPreviousPosition); });
+    }));
+  };
+  const auto names = [](const Diagnosis& diagnosis) {
+    return std::ranges::count(diagnosis.findings, "zeroTakenAsMissing", &Finding::id);
+  };
+  const auto isOpen = [](const Diagnosis& diagnosis) {
+    return std::ranges::any_of(diagnosis.undecided, [](const Undecided& open) {
+      return open.question == "Motion of a part without previous position";
+    });
+  };
+  const Diagnosis resting = toldOf({0.0, 0.0}), moving = toldOf({2.0, -1.0});
+  EXPECT_EQ(names(resting), 1);
+  EXPECT_FALSE(isOpen(resting));
+  EXPECT_EQ(names(moving), 0);
+  EXPECT_TRUE(isOpen(moving));
 }
 
 // Whether 0 is taken for none shows where the camera rests, and nowhere else.
