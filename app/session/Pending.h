@@ -21,14 +21,9 @@ class Pending {
     request_ = request;
     waits_ = true;
   }
-  /// The present value on the render thread, which may be from before the request.
-  void arrived(const Value& value) {
-    if (waits_ && !(value == value_)) return;
-    waits_ = false;
-    value_ = value;
-  }
-  /// The same, where it says which request it took up last: a value that was sent twice with another one
-  /// between is not taken for the second when the first of them arrives.
+  /// The present value on the render thread, and the latest request of its kind that was taken up before: a
+  /// value that was sent twice with another one between is not taken for the second when the first of them
+  /// arrives.
   void arrived(const Value& value, RequestId takenUp) {
     if (waits_ && takenUp < request_) return;
     waits_ = false;

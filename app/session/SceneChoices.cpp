@@ -50,13 +50,14 @@ void SceneChoices::giveUpBefore(RequestId opened) {
 }
 
 void SceneChoices::takeStatus() {
-  motionModes_.arrived(status_.motionModes);
-  filter_.arrived(status_.filter);
-  classes_.arrived(status_.objectClasses);
-  restarts_.arrived(status_.restarts);
+  const LatestRequests& taken = status_.taken;
+  motionModes_.arrived(status_.motionModes, taken.of(RequestKind::MotionModes));
+  filter_.arrived(status_.filter, taken.of(RequestKind::Objects));
+  classes_.arrived(status_.objectClasses, taken.of(RequestKind::Classes));
+  restarts_.arrived(status_.restarts, taken.of(RequestKind::Restarts));
   FlownCameras flown{{}, status_.camera};
   for (const CameraTrackHandle& track : status_.tracks) flown.tracks.push_back(*track);
-  flown_.arrived(flown);
+  flown_.arrived(flown, taken.of(RequestKind::FlownCameras));
   const bool isFlown = std::ranges::any_of(
       status_.tracks, [&](const CameraTrackHandle& track) { return track->name == status_.camera; });
   if (!isFlown) sceneCamera_ = status_.camera;

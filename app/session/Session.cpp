@@ -97,9 +97,9 @@ void Session::useStatus(Status&& status) {
   }
   if (isNew) probes_.forgetSurfaces();
   status_ = std::move(status);
-  presets_.arrived(status_.settings, status_.settingsAsked);
+  presets_.arrived(status_.settings, status_.taken.of(RequestKind::Settings));
   scene_.takeStatus();
-  choice_.arrived(status_.choice);
+  choice_.arrived(status_.choice, status_.taken.of(RequestKind::Source));
   // Only now: a file that cannot be opened leaves everything as it is, playing or not.
   if (isNew && std::exchange(playsWhenOpen_, false)) setPlaying(true);
   Q_EMIT statusChanged();

@@ -235,20 +235,42 @@ void blameMatrices(Diagnosis& out) {
           "which depth makes the motion of what rests.">();
 }
 
+/// Takes findings of motion back that are not sure, for `reason`. `first`: the one from which on they are of
+/// motion.
+void withhold(std::size_t first, const std::function<bool(const Finding&)>& isUnsure, Undecided reason,
+              Diagnosis& out) {
+  const auto unsure =
+      std::remove_if(out.findings.begin() + static_cast<std::ptrdiff_t>(first), out.findings.end(), isUnsure);
+  if (unsure == out.findings.end()) return;
+  out.findings.erase(unsure, out.findings.end());
+  out.undecided.push_back(std::move(reason));
+}
+
 /// Without object numbers depth says where parts of the picture end; coarse depth has them end anywhere.
-/// `first`: the finding from which on they are of motion.
 void withholdParts(std::size_t first, Diagnosis& out) {
   const auto isOfPart = [](const Finding& finding) {
     return !finding.isWholePicture && !std::ranges::all_of(finding.regions, &RegionPlace::isSky);
   };
-  const auto parts =
-      std::remove_if(out.findings.begin() + static_cast<std::ptrdiff_t>(first), out.findings.end(), isOfPart);
-  if (parts == out.findings.end()) return;
-  out.findings.erase(parts, out.findings.end());
-  out.undecided.push_back({say<"Motion of parts">(),
-                           say<"depth says which pixels are one part, and it is of a lower resolution">(),
-                           say<"Mend depth first, or capture object numbers, too.">(),
-                           {}});
+  withhold(first, isOfPart,
+           {say<"Motion of parts">(),
+            say<"depth says which pixels are one part, and it is of a lower resolution">(),
+            say<"Mend depth first, or capture object numbers, too.">(),
+            {}},
+           out);
+}
+
+/// Jitter that nobody knows makes the motion of single regions look wrong by parts of a pixel, and says
+/// nothing of jitter in motion.
+void withholdMotion(const JitterOutcome& jitter, std::size_t first, Diagnosis& out) {
+  const auto isUnsure = [&](const Finding& finding) {
+    return (jitter.isContradicted && !finding.isWholePicture) || finding.id.starts_with("motionJitter");
+  };
+  withhold(first, isUnsure,
+           {say<"Motion">(),
+            say<"it does not fit, but pictures do not shift as the jitter that is stated either">(),
+            say<"Mend jitter first.">(),
+            {}},
+           out);
 }
 
 /// Motion, and depth as far as motion is a witness of it. `mayMend`: motion that one explanation makes right
@@ -300,22 +322,6 @@ Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, ToldO
   hiding.motion = all ? all->trial : MotionTrial{};
   leaveOpen(hiding, out);
   return {};
-}
-
-/// Jitter that nobody knows makes the motion of single regions look wrong by parts of a pixel, and says
-/// nothing of jitter in motion. `first`: the finding from which on they rest on pictures.
-void withholdMotion(const JitterOutcome& jitter, std::size_t first, Diagnosis& out) {
-  const auto isUnsure = [&](const Finding& finding) {
-    return (jitter.isContradicted && !finding.isWholePicture) || finding.id.starts_with("motionJitter");
-  };
-  const auto unsure =
-      std::remove_if(out.findings.begin() + static_cast<std::ptrdiff_t>(first), out.findings.end(), isUnsure);
-  if (unsure == out.findings.end()) return;
-  out.findings.erase(unsure, out.findings.end());
-  out.undecided.push_back(
-      {say<"Motion">(),
-       say<"it does not fit, but pictures do not shift as the jitter that is stated either">(),
-       say<"Mend jitter first.">()});
 }
 
 /// Depth that all else is examined by, jitter, and where these are right the planes. Returns what hides the

@@ -56,6 +56,7 @@ class Desk {
   const WaitingRequests& waiting() const { return waiting_; }
   void noteTaken(RequestKind kind, RequestId id) { latest_.note(kind, id); }
   RequestId latest(RequestKind kind) const { return latest_.of(kind); }
+  const LatestRequests& taken() const { return latest_; }
 
   // Answers
   void tell(RequestKind kind, Result result) const;

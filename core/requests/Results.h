@@ -84,9 +84,9 @@ struct Status {
   std::vector<CameraTrackHandle> tracks;       ///< flown cameras, which are among `cameras`
   CameraPose pose;                             ///< of the camera at this frame
   bool recording = false;
-  int recordedFrames = 0;      ///< poses of the recording so far
-  RequestId opened = 0;        ///< the request that opened the scene
-  RequestId settingsAsked = 0; ///< the latest request of settings that was taken up before this
+  int recordedFrames = 0; ///< poses of the recording so far
+  RequestId opened = 0;   ///< the request that opened the scene
+  LatestRequests taken;   ///< that were taken up before this
   /// Kinds of requests since which what is on show is not exact; empty: it is.
   std::vector<RequestKind> inexactSince;
   /// Counts the changes of what frames are a function of: what was known of frames is no longer true then.

@@ -49,6 +49,7 @@ std::shared_ptr<const CaptureFacts> fakeCapture() {
 } // namespace
 
 RequestId FakeRenderer::post(Request request) {
+  status.taken.note(ruleOf(request).kind, requests + 1);
   std::visit([this](const auto& asked) { take(asked); }, request);
   return ++requests;
 }
@@ -210,7 +211,6 @@ void FakeRenderer::take(const request::FindWorst& asked) {
 void FakeRenderer::take(const request::SetSettings& asked) {
   const auto& [settings] = asked;
   ++settingsSent;
-  status.settingsAsked = requests + 1; // as post() is about to say
   if (refuses(RequestKind::Settings)) return;
   ++status.shotVersion;
   status.settings = settings;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kPixelsOfAllRows = 400000;
 constexpr std::size_t kEnoughTexelPairs = 1000;
-constexpr double kNearlyAllEqual = 0.97, kMostDiffer = 0.7;
+constexpr double kNearlyAllEqual = 0.97, kFewEqual = 0.3;
 
 /// Bit for bit but for the sign of 0: what is no number is not equal to itself.
 bool areEqual(const float* a, const float* b, int channels) {
@@ -48,7 +48,7 @@ std::optional<int> SharedTexels::side() const {
     const bool isShared =
         pairs.within >= kEnoughTexelPairs && pairs.between >= kEnoughTexelPairs &&
         static_cast<double>(pairs.withinEqual) >= kNearlyAllEqual * static_cast<double>(pairs.within) &&
-        static_cast<double>(pairs.betweenEqual) <= (1.0 - kMostDiffer) * static_cast<double>(pairs.between);
+        static_cast<double>(pairs.betweenEqual) <= kFewEqual * static_cast<double>(pairs.between);
     if (isShared) out = kLeastSide + static_cast<int>(i);
   }
   return out;

@@ -16,7 +16,7 @@ namespace {
 
 // What one sees: px, |log| of a distance, luma of comparedLuma().
 constexpr double kSeenJitterPx = 0.05, kSeenDepth = 0.02, kSeenLuma = 0.01;
-/// A value that a resolve spreads shows in the output.
+/// So few may hold a value that is none: what a resolve makes of that shows in the output.
 constexpr std::size_t kSpeckPixels = 16;
 // A motion that is none, and a distance to nothing, are so far from any other.
 constexpr double kFarthestPx = 16.0, kFarthestLog = 2.0;

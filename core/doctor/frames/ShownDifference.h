@@ -19,7 +19,7 @@ struct ShownDifference {
   /// not …
   int shown = 0;
   int shownInOutput = 0; ///< … and those whose output does
-  int lit = 0;           ///< … and those of which more than a speck has another light
+  int lit = 0;           ///< … and those of which more than some pixels have another light
   // Sums over frames, of planes of their means over pixels.
   double jitterPx = 0.0;
   double motionPx = 0.0;

@@ -79,8 +79,6 @@ bool isSkyApart(const ShiftSamples& samples, const FrameNeighbors& frames) {
          left(samples.world, step) < left(samples.world, glm::vec2(0.0f));
 }
 
-constexpr double kRestingPx = 0.05;
-
 /// Adds the parts of a pair, see JitterEvidence::parts.
 void addParts(const std::vector<SearchedPixel>& samples, const FrameNeighbors& frames, JitterEvidence& out) {
   constexpr int kPartsAcross = 4;
@@ -118,6 +116,7 @@ void JitterEvidence::add(const FrameNeighbors& frames) {
   const bool isMixed = !areEnough(samples.world) && !(areEnough(samples.sky) && isSkyApart(samples, frames));
   if (isMixed) samples.world.insert(samples.world.end(), samples.sky.begin(), samples.sky.end());
   if (isMixed && !areEnough(samples.world)) return;
+  constexpr double kRestingPx = 0.05;
   if (samples.longestPx <= kRestingPx) addParts(samples.world, frames, *this);
   world.push_back(trialLuma(samples.world, frames, around));
   if (const auto shift = measureShift(samples.world, frames)) shifts.push_back({now.frame, *shift});

@@ -19,7 +19,7 @@ void ShownStatus::deliver() {
   status.width = shot.width();
   status.height = shot.height();
   status.settings = shot.settings();
-  status.settingsAsked = desk_.latest(RequestKind::Settings);
+  status.taken = desk_.taken();
   status.capture = shot.capture();
   status.jitterPeriod = status.capture ? status.capture->jitterPeriod : jitterPeriod(status.settings.jitter);
   status.playing = transport_.isPlaying();

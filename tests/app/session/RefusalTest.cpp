@@ -113,6 +113,24 @@ TEST_F(Refusals, AnOlderAnswerOfTheSameValueIsNotTakenForTheNewerOne) {
   EXPECT_EQ(session.presets().settings(), renderer->status.settings);
 }
 
+TEST_F(Refusals, AnObjectThatIsHiddenAndShownAgainStaysShown) {
+  session.scene().setHidden("floor", true);
+  settle();
+  holdBack();
+  session.scene().setHidden("floor", false);
+  const Status shown = renderer->status;
+  session.scene().setHidden("floor", true);
+  const Status hidden = renderer->status;
+  session.scene().setHidden("floor", false);
+  for (const Status& older : {shown, hidden}) {
+    renderer->tell(older);
+    settle();
+    EXPECT_TRUE(session.scene().objectFilter().hidden.empty());
+  }
+  goOn();
+  EXPECT_TRUE(session.scene().objectFilter().hidden.empty());
+}
+
 TEST_F(Refusals, AMissingFileLeavesWhatWasAskedOfTheSceneThatIsOpen) {
   holdBack();
   session.scene().setMotionMode("floor", MotionMode::None);
