@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -185,23 +186,35 @@ Finding otherJitterFinding(const JitterTrial& one, const JitterTrial& best, cons
   return out;
 }
 
-/// Pictures shift as something else than what is stated makes them: a finding for each thing that is wrong.
-std::vector<Finding> otherJitter(const JitterFit& fit, const std::vector<JitterTrial>& trials,
-                                 const JitterEvidence& evidence, bool isCameraKnown, const Patient& patient) {
-  const JitterTrial& best = trials[fit.best];
+/// By which the best trial of a fit is told.
+enum class JitterWitness : std::uint8_t { Pairs, Rest };
+
+std::string witnessText(JitterWitness witness, const JitterFit& fit, const JitterTrial& best) {
   const TrialFit& won = fit.trials[fit.best];
+  const std::string text = jitterTrialText(best);
+  if (witness == JitterWitness::Rest)
+    return say<
+        "The camera rests: by the slopes of the mean of all pictures each of them is displaced as jitter "
+        "like this makes it, and as nothing else that was tried: %1.">(text);
+  return say<"In %1 of %2 pairs of frames pictures fit the one before better if jitter is like this: %3. "
+             "What is left then is %4 % of what is left as stated.">(won.won, won.pairs, text,
+                                                                     std::lround(100.0 * won.share()));
+}
+
+/// Pictures shift as something else than what is stated makes them: a finding for each thing that is wrong.
+std::vector<Finding> otherJitter(JitterWitness witness, const JitterFit& fit,
+                                 const std::vector<JitterTrial>& trials, const JitterEvidence& evidence,
+                                 bool isCameraKnown, const Patient& patient) {
+  const JitterTrial& best = trials[fit.best];
   std::vector<Finding> findings{otherJitterFinding({best.kind, best.factor}, best, evidence, patient)};
   if (best.isTwofold()) findings.push_back(otherJitterFinding({best.also}, best, evidence, patient));
   for (Finding& out : findings) {
-    out.reason =
-        say<"In %1 of %2 pairs of frames pictures fit the one before better if jitter is like this: %3. "
-            "What is left then is %4 % of what is left as stated. Shifts that are measured are %5 px from "
-            "it, and %6 px from what is stated.">(
-            won.won, won.pairs, jitterTrialText(best), std::lround(100.0 * won.share()),
-            shortNumber(fit.missPx[fit.best]), shortNumber(fit.missPx.front()));
+    out.reason = witnessText(witness, fit, best) + " " +
+                 say<"Shifts that are measured from frame to frame are %1 px from it, and %2 px from what is "
+                     "stated.">(shortNumber(fit.missPx[fit.best]), shortNumber(fit.missPx.front()));
     out.measure = say<"median difference of luma where pictures are shifted so, × 1000">();
     out.residuals = jitterResiduals(fit, trials);
-    tellRivals(fit, trials, out);
+    if (witness == JitterWitness::Pairs) tellRivals(fit, trials, out);
     if (isCameraKnown) continue;
     out.reason += " " + say<"Without depth and matrices it may also be motion that holds jitter.">();
     out.sureness = Sureness::Likely;
@@ -398,9 +411,12 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
   }
   if (isConstant(evidence)) return {tellUnstated(evidence, patient.isCameraKnown, patient.patient, out)};
   const std::vector<JitterTrial> trials = jitterTrials(patient.patient.sizePx);
-  const JitterFit fit = jitterFit(evidence, trials);
+  JitterFit fit = jitterFit(evidence, trials);
   const double missPx = fit.missPx.front();
-  if ((fit.isConfirmed() || fit.isMeasured()) && missPx <= kMissingPx) {
+  const bool isContradicted = fit.isContradicted();
+  const std::optional<std::size_t> atRest = trialAtRest(evidence, trials);
+  const bool isConfirmed = fit.isConfirmed() || fit.isMeasured() || (atRest == 0u && !isContradicted);
+  if (isConfirmed && missPx <= kMissingPx) {
     out.healthy.push_back(say<"Jitter is in the pictures as it is stated, to %1 px.">(shortNumber(missPx)));
     tellLength(fit, trials, out);
     tellTrial(trials, 0, evidence, patient.sky, out);
@@ -409,7 +425,11 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
   const auto menderOf = [&](const JitterTrial& trial) -> JitterMender {
     return [trial, all = evidence.stated](int frame) { return trueJitter(trial, all, frame); };
   };
-  if (!fit.isContradicted()) {
+  JitterWitness witness = JitterWitness::Pairs;
+  if (!isContradicted && atRest && fit.missPx[*atRest] < missPx) {
+    witness = JitterWitness::Rest;
+    fit.best = *atRest;
+  } else if (!isContradicted) {
     tellNoFit(missPx, out);
     tellShort(evidence.stated, out);
     return {{}, missPx > kMissingPx, true};
@@ -426,7 +446,7 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
     tellSomeShifting(evidence, out);
     return {{}, false, true};
   }
-  for (Finding& finding : otherJitter(fit, trials, evidence, patient.isCameraKnown, patient.patient))
+  for (Finding& finding : otherJitter(witness, fit, trials, evidence, patient.isCameraKnown, patient.patient))
     out.findings.push_back(std::move(finding));
   tellTrial(trials, fit.best, evidence, patient.sky, out);
   return {menderOf(trials[fit.best])};

@@ -2,10 +2,13 @@
 
 #include "core/base/Median.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace taa::doctor {
@@ -23,8 +26,32 @@ constexpr double kMeasuredPx = 0.02, kFromOthersPx = 0.1, kMeasuredFactor = 5.0;
 constexpr double kNearlyAllPairs = 0.8; ///< of the pairs
 constexpr double kAsGoodShare = 1.05;
 
+/// How well a trial makes what is measured, both less their means.
+struct AtRestFit {
+  double factor = 0.0; ///< by which it is measured too long
+  double left = 1.0;   ///< of the length of what is measured; 1: all of it
+};
+
 bool isWon(const TrialFit& fit) {
   return fit.pairs >= kEnoughFits && fit.won >= kNearlyAllPairs * fit.pairs;
+}
+
+AtRestFit fitAtRest(const std::vector<glm::dvec2>& measured, const std::vector<glm::dvec2>& made) {
+  glm::dvec2 measuredMean(0.0), madeMean(0.0);
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    measuredMean += measured[i] / static_cast<double>(made.size());
+    madeMean += made[i] / static_cast<double>(made.size());
+  }
+  double both = 0.0, ofMade = 0.0, ofMeasured = 0.0;
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    const glm::dvec2 a = measured[i] - measuredMean, b = made[i] - madeMean;
+    both += glm::dot(a, b);
+    ofMade += glm::dot(b, b);
+    ofMeasured += glm::dot(a, a);
+  }
+  if (!(ofMade > 0.0) || !(ofMeasured > 0.0)) return {};
+  const double explained = both * both / (ofMade * ofMeasured);
+  return {both / ofMade, std::sqrt(std::max(0.0, 1.0 - explained))};
 }
 
 } // namespace
@@ -103,6 +130,34 @@ JitterFit jitterFit(const JitterEvidence& evidence, const std::vector<JitterTria
   JitterFit twice = out;
   twice.best = leastOf(singles, trials.size());
   return twice.isContradictedTwice() ? twice : out;
+}
+
+std::optional<std::size_t> trialAtRest(const JitterEvidence& evidence,
+                                       const std::vector<JitterTrial>& trials) {
+  constexpr double kFits = 0.4, kFitsNot = 0.65, kLeastFactor = 0.6, kMostFactor = 2.5, kLeastPx = 0.1;
+  const std::map<int, glm::vec2> shown = evidence.resting.displacementsPx();
+  double lengths = 0.0;
+  for (const auto& [frame, px] : shown) lengths += static_cast<double>(glm::dot(px, px));
+  if (!(lengths > kLeastPx * kLeastPx * static_cast<double>(shown.size()))) return {};
+  std::optional<std::size_t> fitting;
+  for (std::size_t t = 0; t < trials.size(); ++t) {
+    const bool isOfLength = trials[t].kind == JitterKind::NotApplied ||
+                            trials[t].kind == JitterKind::Scaled || trials[t].kind == JitterKind::OtherUnit;
+    if (isOfLength) continue;
+    std::vector<glm::dvec2> measured, made;
+    for (const auto& [frame, px] : shown)
+      if (const auto jitter = trueJitter(trials[t], evidence.stated, frame)) {
+        measured.emplace_back(px);
+        made.emplace_back(*jitter);
+      }
+    const AtRestFit fit = fitAtRest(measured, made);
+    // The sign of a factor is that of a trial of its own.
+    const bool fits = fit.factor >= kLeastFactor && fit.factor <= kMostFactor && fit.left <= kFits;
+    if (!fits && (fit.factor <= 0.0 || fit.left >= kFitsNot)) continue;
+    if (!fits || fitting) return {};
+    fitting = t;
+  }
+  return fitting;
 }
 
 std::optional<bool> isSkyResting(const JitterEvidence& evidence, std::size_t trial) {

@@ -46,6 +46,12 @@ struct JitterFit {
 /// Of the world. Expects pairs of these trials.
 JitterFit jitterFit(const JitterEvidence& evidence, const std::vector<JitterTrial>& trials);
 
+/// The one that makes what pictures of a camera at rest are displaced by, where all that would displace them
+/// otherwise is clearly worse; trials of another length do not count, see RestingPictures. A witness that
+/// aliasing does not mislead. Nothing: it does not say.
+std::optional<std::size_t> trialAtRest(const JitterEvidence& evidence,
+                                       const std::vector<JitterTrial>& trials);
+
 /// Whether the sky rests while the world shifts as a trial has it; nothing where it does not say.
 std::optional<bool> isSkyResting(const JitterEvidence& evidence, std::size_t trial);
 

@@ -104,7 +104,10 @@ void addParts(const std::vector<SearchedPixel>& samples, const FrameNeighbors& f
 void JitterEvidence::add(const FrameNeighbors& frames) {
   ++pairs;
   const DoctorFrame& now = frames.now;
+  constexpr double kRestingPx = 0.05;
   ShiftSamples samples = shiftSamples(frames);
+  const bool isResting = samples.longestPx <= kRestingPx;
+  resting.add(frames.before, now, isResting);
   skyShare += samples.skyShare;
   std::map<int, glm::vec2> around = stated;
   if (frames.after) around[now.frame + 1] = frames.after->jitterPx;
@@ -116,8 +119,7 @@ void JitterEvidence::add(const FrameNeighbors& frames) {
   const bool isMixed = !areEnough(samples.world) && !(areEnough(samples.sky) && isSkyApart(samples, frames));
   if (isMixed) samples.world.insert(samples.world.end(), samples.sky.begin(), samples.sky.end());
   if (isMixed && !areEnough(samples.world)) return;
-  constexpr double kRestingPx = 0.05;
-  if (samples.longestPx <= kRestingPx) addParts(samples.world, frames, *this);
+  if (isResting) addParts(samples.world, frames, *this);
   world.push_back(trialLuma(samples.world, frames, around));
   if (const auto shift = measureShift(samples.world, frames)) shifts.push_back({now.frame, *shift});
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/doctor/jitter/JitterShift.h"
+#include "core/doctor/jitter/RestingPictures.h"
 #include "core/doctor/motion/MotionTrials.h"
 
 #include <glm/vec2.hpp>
@@ -55,6 +56,7 @@ struct JitterEvidence {
   /// Where the world rests: sixteenths of the pictures that have detail enough by themselves, summed over
   /// pairs; and of these: that fit the jitter that is stated clearly better than none.
   std::size_t parts = 0, shiftingParts = 0;
+  RestingPictures resting;
 
   void add(const FrameNeighbors& frames);
 };

@@ -114,6 +114,37 @@ TEST(JitterCheck, LeavesOpenWhetherWhatRestsHasJitter) {
   EXPECT_EQ(toldBeside(4), "");
 }
 
+// Frame against frame nothing is clear where pictures alias; their mean is.
+TEST(JitterCheck, AsksTheMeanOfPicturesThatRest) {
+  test::PaintedShot shot;
+  shot.cameraPx = shot.boardPx = glm::dvec2(0.0);
+  const auto toldOf = [&](float stated) {
+    JitterEvidence evidence;
+    std::optional<DoctorFrame> before;
+    for (int frame = 0; frame < 2 * kFrames; ++frame) {
+      DoctorFrame now = test::paintedFrame(shot, frame);
+      now.jitterPx.x *= stated;
+      evidence.stated[frame] = now.jitterPx;
+      if (before) evidence.add({now, *before, nullptr});
+      before = std::move(now);
+    }
+    // What fits a little better is no explanation.
+    for (TrialLuma& pair : evidence.world) {
+      std::ranges::fill(pair, 1.0);
+      pair.back() = 0.9;
+    }
+    for (JitterEvidence::Shift& shift : evidence.shifts) shift.px += glm::vec2(0.1f, -0.1f);
+    Patient patient;
+    patient.sizePx = test::kPaintedPx;
+    Diagnosis out;
+    const JitterOutcome outcome = tellJitter(evidence, {patient}, out);
+    EXPECT_FALSE(outcome.isOpen);
+    return told(out);
+  };
+  EXPECT_EQ(toldOf(1.0f), "");
+  EXPECT_EQ(toldOf(-1.0f), "jitterNegatedX");
+}
+
 TEST(JitterCheck, CountsThePartsThatShift) {
   const auto partsOf = [](bool isJittered, bool isMoving = false) {
     test::PaintedShot shot;
