@@ -22,6 +22,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -273,6 +274,22 @@ void withholdMotion(const JitterOutcome& jitter, std::size_t first, Diagnosis& o
            out);
 }
 
+/// A sky that is drawn without the jitter that it is examined by looks as if its motion held jitter, and that
+/// of plain and thin things before it.
+void withholdSky(std::size_t first, Diagnosis& out) {
+  const auto isOfPart = [](const Finding& finding) {
+    return finding.id.starts_with("motionJitter") && !finding.isWholePicture;
+  };
+  const std::string_view found = faultInfo(Fault::SkyNotJittered).id;
+  if (std::ranges::find(out.findings, found, &Finding::id) == out.findings.end()) return;
+  withhold(first, isOfPart,
+           {say<"Jitter in motion">(),
+            say<"the sky is drawn without the jitter that it is examined by">(),
+            say<"Mend the sky first.">(),
+            {}},
+           out);
+}
+
 /// Motion, and depth as far as motion is a witness of it. `mayMend`: motion that one explanation makes right
 /// everywhere is told alone, and returned as what hides the rest.
 Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, ToldOf& told, Diagnosis& out) {
@@ -364,6 +381,7 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
   hiding.jitter = jitter.mender;
   if (hiding.jitter) return hiding;
   hiding = tellPlanes(examiner, hasCamera && !told.depth, !jitter.isOpen, told, out);
+  withholdSky(examination.contradicted.size(), out);
   if (!jitter.isOpen) return hiding;
   leaveOpen(hiding, out);
   withholdMotion(jitter, examination.contradicted.size(), out);

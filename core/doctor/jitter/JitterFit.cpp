@@ -75,8 +75,11 @@ TrialFit fitOf(const std::vector<TrialLuma>& pairs, std::size_t tried, std::size
 }
 
 bool JitterFit::isConfirmed() const {
-  const auto end = trials.end() - static_cast<std::ptrdiff_t>(twofold);
-  return std::none_of(trials.begin(), end, [](const TrialFit& fit) { return fit.share() < kDoubtShare; });
+  for (std::size_t i = 0; i + twofold < trials.size(); ++i) {
+    const bool isNearer = isWon(trials[i]) || missPx[i] <= kNearerShare * missPx.front();
+    if (trials[i].share() < kDoubtShare && (!isOfLength[i] || isNearer)) return false;
+  }
+  return true;
 }
 
 bool JitterFit::isMeasured() const {
@@ -114,6 +117,7 @@ JitterFit jitterFit(const JitterEvidence& evidence, const std::vector<JitterTria
   for (std::size_t trial = 0; trial < trials.size(); ++trial) {
     out.trials.push_back(fitOf(evidence.world, trial, 0));
     out.missPx.push_back(shiftResidual(trials[trial], evidence));
+    out.isOfLength.push_back(trials[trial].kind == JitterKind::Scaled);
   }
   out.twofold = static_cast<std::size_t>(std::ranges::count(trials, true, &JitterTrial::isTwofold));
   const std::size_t singles = trials.size() - out.twofold;

@@ -24,11 +24,13 @@ TrialFit fitOf(const std::vector<TrialLuma>& pairs, std::size_t tried, std::size
 struct JitterFit {
   std::vector<TrialFit> trials; ///< as jitterTrials(), against what is stated
   std::vector<double> missPx;   ///< as trials: shiftResidual()
+  std::vector<bool> isOfLength; ///< as trials: it is what is stated, longer or shorter
   std::size_t best = 0;    ///< of trials: the one that leaves least; a twofold one where no other contradicts
   std::size_t twofold = 0; ///< of trials, the last ones: those that say two things
   double statedLuma = 0.0; ///< mean of what is left as stated
 
-  /// Nothing fits better than what is stated.
+  /// Nothing fits better than what is stated, but for another length in some pairs by chance: what is swayed
+  /// by wind is read softer, and shorter jitter is.
   bool isConfirmed() const;
   /// Shifts that are measured are those of what is stated, nearly exactly, and of nothing else: whatever fits
   /// better because pictures alias is chance.

@@ -100,13 +100,11 @@ std::optional<glm::vec2> refinedShift(const std::vector<SearchedPixel>& samples,
   return shift;
 }
 
-} // namespace
-
-ShiftSamples shiftSamples(const FrameNeighbors& frames) {
+/// In a grid of so many pixels apart.
+ShiftSamples samplesEvery(int step, const FrameNeighbors& frames) {
   const DoctorFrame& now = frames.now;
   const glm::ivec2 size = now.sizePx();
   const double pixels = static_cast<double>(size.x) * size.y;
-  const int step = std::max(1, static_cast<int>(std::sqrt(pixels / kShiftSamples)));
   const glm::vec2 margin(kFarthestShiftPx + 0.5f), last = glm::vec2(size) - margin;
   ShiftSamples out;
   for (int y = step / 2; y < size.y; y += step)
@@ -121,6 +119,23 @@ ShiftSamples shiftSamples(const FrameNeighbors& frames) {
       out.longestPx = std::max(out.longestPx, static_cast<double>(glm::length(*motionPx)));
       (isSky ? out.sky : out.world).push_back({place, *now.luma.at(x, y)});
     }
+  return out;
+}
+
+} // namespace
+
+ShiftSamples shiftSamples(const FrameNeighbors& frames) {
+  const glm::ivec2 size = frames.now.sizePx();
+  const double pixels = static_cast<double>(size.x) * size.y;
+  int step = std::max(1, static_cast<int>(std::sqrt(pixels / kShiftSamples)));
+  ShiftSamples out = samplesEvery(step, frames);
+  const bool isSparse = !areEnough(out.world);
+  // Where little has detail all of it is looked at.
+  while (step > 1 && !areEnough(out.world)) {
+    step = (step + 1) / 2;
+    out = samplesEvery(step, frames);
+  }
+  out.isSparse = isSparse;
   return out;
 }
 

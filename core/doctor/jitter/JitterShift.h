@@ -20,6 +20,7 @@ struct ShiftSamples {
   std::vector<SearchedPixel> world, sky;
   double skyShare = 0.0;  ///< of the picture, with detail or without
   double longestPx = 0.0; ///< of the motions that they are warped by
+  bool isSparse = false;  ///< little of the world has detail
 };
 inline constexpr float kFarthestShiftPx = 3.5f;
 

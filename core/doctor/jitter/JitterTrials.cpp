@@ -65,8 +65,8 @@ TrialLuma trialLuma(const std::vector<SearchedPixel>& samples, const FrameNeighb
   return out;
 }
 
-/// Whether the sky fits clearly better without the jitter that is stated, and what little else there is with
-/// it.
+/// Whether the sky fits clearly better without the jitter that is stated, and what little else there is says
+/// enough by itself or fits better with it.
 bool isSkyApart(const ShiftSamples& samples, const FrameNeighbors& frames) {
   constexpr std::size_t kLeastBesideSky = 40;
   constexpr double kClearly = 1.0 / 3.0;
@@ -76,7 +76,7 @@ bool isSkyApart(const ShiftSamples& samples, const FrameNeighbors& frames) {
     return lumaLeft(of, frames.before.luma, shiftPx);
   };
   return left(samples.sky, glm::vec2(0.0f)) < kClearly * left(samples.sky, step) &&
-         left(samples.world, step) < left(samples.world, glm::vec2(0.0f));
+         (areEnough(samples.world) || left(samples.world, step) < left(samples.world, glm::vec2(0.0f)));
 }
 
 /// Adds the parts of a pair, see JitterEvidence::parts.
@@ -116,9 +116,9 @@ void JitterEvidence::add(const FrameNeighbors& frames) {
     if (const auto share = measureShare(samples.sky, frames)) skyShares.push_back(*share);
   }
   // A picture of little else is measured by its sky, but for one that rests while the rest shifts.
-  const bool isMixed = !areEnough(samples.world) && !(areEnough(samples.sky) && isSkyApart(samples, frames));
+  const bool isMixed = samples.isSparse && !(areEnough(samples.sky) && isSkyApart(samples, frames));
   if (isMixed) samples.world.insert(samples.world.end(), samples.sky.begin(), samples.sky.end());
-  if (isMixed && !areEnough(samples.world)) return;
+  if (!areEnough(samples.world)) return;
   if (isResting) addParts(samples.world, frames, *this);
   world.push_back(trialLuma(samples.world, frames, around));
   if (const auto shift = measureShift(samples.world, frames)) shifts.push_back({now.frame, *shift});

@@ -52,6 +52,19 @@ TEST(JitterFit, ConfirmsWhatIsStatedWhereNothingFitsBetter) {
   EXPECT_FALSE(fitOfEight({1.0, 1.5, 0.9}).isContradicted()); // nor is anything clear
 }
 
+// What sways is read softer, and shorter jitter is: by chance that fits a little better in some pairs.
+TEST(JitterFit, ConfirmsWhereAnotherLengthFitsBetterInSomePairs) {
+  const auto fitOfHalves = [](double best, double other, float shiftPx) {
+    std::vector<TrialLuma> pairs(4, {1.0, 1.5, best});
+    pairs.insert(pairs.end(), 4, {1.0, 1.5, other});
+    return fitOf(pairs, shiftPx);
+  };
+  EXPECT_LT(fitOfHalves(0.9, 1.02, 0.25f).trials[2].share(), 0.98);
+  EXPECT_TRUE(fitOfHalves(0.9, 1.02, 0.25f).isConfirmed());
+  EXPECT_FALSE(fitOfHalves(0.9, 0.99, 0.25f).isConfirmed()) << "in all pairs";
+  EXPECT_FALSE(fitOfHalves(0.9, 1.02, 0.75f).isConfirmed()) << "shifts are those of the other length";
+}
+
 TEST(JitterFit, IsMeasuredWhereShiftsAreThoseStatedAndNoOthers) {
   JitterFit fit;
   fit.missPx = {0.01, 0.3, 0.1};

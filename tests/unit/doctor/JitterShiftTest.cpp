@@ -42,6 +42,24 @@ TEST(JitterShift, TakesMotionVectorsWhereCamerasAreNotKnown) {
   EXPECT_LT(missOf(test::paintedFrame({}, 2), now), kMeasuredTo);
 }
 
+TEST(JitterShift, LooksAtAllPixelsWhereFewHaveDetail) {
+  // Twice as wide and as high: a grid of every other pixel, of which a stripe has detail.
+  DoctorFrame wide;
+  wide.luma = Image(2 * test::kPaintedPx.x, 2 * test::kPaintedPx.y, 1);
+  wide.motionPx = Image(wide.luma.width, wide.luma.height, 2);
+  const auto stripe = [&](int rows) {
+    DoctorFrame out = wide;
+    for (int y = 20; y < 20 + rows; ++y)
+      for (int x = 0; x < out.luma.width; ++x) *out.luma.at(x, y) = (x / 3 + y / 2) % 2 == 0 ? 0.25f : 0.75f;
+    return shiftSamples({out, out, nullptr});
+  };
+  const ShiftSamples few = stripe(2), many = stripe(40);
+  EXPECT_TRUE(few.isSparse);
+  EXPECT_TRUE(areEnough(few.world));
+  EXPECT_FALSE(many.isSparse);
+  EXPECT_TRUE(areEnough(many.world));
+}
+
 TEST(JitterShift, IsNotKnownWithoutDetail) {
   DoctorFrame now = test::paintedFrame({}, 3);
   for (float& value : now.luma.pixels) value = 0.5f;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -16,8 +17,8 @@ constexpr int kFrames = 8;
 constexpr double kDown = 4.0; // px a frame: the sky grows
 
 /// Clouds in the painted sky, which move with the camera and with a share of the jitter.
-void paintClouds(DoctorFrame& frame, float jittered) {
-  const glm::vec2 moved = static_cast<float>(frame.frame) * glm::vec2(0.0f, static_cast<float>(kDown));
+void paintClouds(DoctorFrame& frame, float jittered, double downPx = kDown) {
+  const glm::vec2 moved = static_cast<float>(frame.frame) * glm::vec2(0.0f, static_cast<float>(downPx));
   for (int y = 0; y < frame.luma.height; ++y)
     for (int x = 0; x < frame.luma.width; ++x) {
       if (*frame.depth.at(x, y) > 0.0f) continue;
@@ -28,9 +29,9 @@ void paintClouds(DoctorFrame& frame, float jittered) {
     }
 }
 
-Diagnosis diagnosisOf(const test::FrameFault& fault) {
+Diagnosis diagnosisOf(const test::FrameFault& fault, double downPx = kDown) {
   test::PaintedShot shot;
-  shot.cameraPx = {0.0, kDown};
+  shot.cameraPx = {0.0, downPx};
   return examine(test::paintedExamination(shot, kFrames, fault));
 }
 
@@ -47,6 +48,15 @@ TEST(JitterSky, IsToldWhereItRests) {
   EXPECT_EQ(diagnosis.findings[0].id, "skyNotJittered");
   ASSERT_EQ(diagnosis.findings[0].regions.size(), 1u);
   EXPECT_EQ(diagnosis.findings[0].regions[0].name, "the sky");
+}
+
+// What is read with the jitter, and has none, looks as if both jitters were left in its motion.
+TEST(JitterSky, IsAllThatIsToldWhereTheCameraRests) {
+  const Diagnosis diagnosis = diagnosisOf([](DoctorFrame& frame) { paintClouds(frame, 0.0f, 0.0); }, 0.0);
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  EXPECT_EQ(diagnosis.findings[0].id, "skyNotJittered");
+  EXPECT_NE(std::ranges::find(diagnosis.undecided, std::string("Jitter in motion"), &Undecided::question),
+            diagnosis.undecided.end());
 }
 
 TEST(JitterSky, WithoutDetailIsNotDecided) {
