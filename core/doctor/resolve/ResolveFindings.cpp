@@ -15,7 +15,8 @@ namespace taa::doctor {
 
 namespace {
 
-constexpr std::size_t kEnoughPixels = 150, kEnoughApart = 60;
+/// Of pixels that lie apart fewer are enough where a mistake explains them exactly.
+constexpr std::size_t kEnoughPixels = 150, kEnoughApart = 60, kEnoughExactApart = 12;
 /// A mistake is told where it leaves at most so much of what the best sound model leaves, and so much less.
 constexpr double kMistakeShare = 0.5, kMistakeLess = 8e-4;
 /// Likewise where hardly anything is left, which rounding alone leaves.
@@ -356,20 +357,23 @@ void tellNearest(const ResolveFit& sound, Diagnosis& out) {
 
 /// Mistakes at pixels that lie apart; rests on models that fit all others.
 void tellApart(const ResolveEvidence& evidence, Diagnosis& out) {
-  if (evidence.pixels(PixelSet::Rims) < kEnoughApart)
+  const auto isTold = [&](PixelSet set) {
+    const auto fit = mistakeOf(evidence, set);
+    const bool isExact = fit && fit->error <= kExactLess;
+    if (evidence.pixels(set) < (isExact ? kEnoughExactApart : kEnoughApart)) return false;
+    if (fit) tellMistake(evidence, *fit, out);
+    return true;
+  };
+  if (!isTold(PixelSet::Rims))
     out.undecided.push_back({say<"Dilation">(),
                              say<"too few rims move otherwise than what is behind them">(),
                              say<"Let something move before a background that rests.">(),
                              {Fault::DilatesFarthest}});
-  if (evidence.pixels(PixelSet::Border) < kEnoughApart)
+  if (!isTold(PixelSet::Border))
     out.undecided.push_back({say<"History beyond the picture">(),
                              say<"too little comes in from its border">(),
                              say<"Let the camera turn by some pixels a frame.">(),
                              {Fault::OffScreenClamped}});
-  for (const PixelSet set : {PixelSet::Rims, PixelSet::Border}) {
-    if (evidence.pixels(set) < kEnoughApart) continue;
-    if (const auto fit = mistakeOf(evidence, set)) tellMistake(evidence, *fit, out);
-  }
 }
 
 } // namespace

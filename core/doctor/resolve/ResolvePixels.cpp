@@ -13,9 +13,10 @@ namespace taa::doctor {
 namespace {
 
 constexpr float kMostDistance = 0.05f;
-constexpr float kRimMotionPx = 0.25f; ///< motions of the nearest and the farthest of nine differ by more
+constexpr float kRimMotionPx = 0.1f; ///< motions of the nearest and the farthest of nine differ by more
 constexpr float kLeastBlended = 0.05f;
-constexpr std::size_t kMostTries = 12000;
+/// Places that are looked at for the pixels of a set: rims are few.
+constexpr std::size_t kMostTries = 12000, kMostTriesOfRims = 60000;
 
 bool isPlain(const DoctorFrame& frame, const glm::ivec2& pixel) {
   for (int y = pixel.y - 1; y <= pixel.y + 1; ++y)
@@ -154,14 +155,19 @@ std::vector<glm::ivec2> resolvePixels(const ResolveFrames& frames, PixelSet set,
   const glm::ivec2 size = frames.now.sizePx();
   std::vector<glm::ivec2> out;
   if (size.x < 3 || size.y < 3) return out;
+  const std::size_t tries = set == PixelSet::Rims ? kMostTriesOfRims : kMostTries;
+  std::vector<bool> isTaken(static_cast<std::size_t>(size.x) * size.y, false);
   double x = 0.5, y = 0.5;
-  for (std::size_t i = 0; i < kMostTries && out.size() < most; ++i) {
+  for (std::size_t i = 0; i < tries && out.size() < most; ++i) {
     x += kPlaceStepX;
     y += kPlaceStepY;
     x -= std::floor(x);
     y -= std::floor(y);
     const glm::ivec2 pixel(1 + static_cast<int>(x * (size.x - 2)), 1 + static_cast<int>(y * (size.y - 2)));
-    if (isOfSet(frames.now, set, pixel) && isPlain(frames.now, pixel)) out.push_back(pixel);
+    const std::size_t index = static_cast<std::size_t>(pixel.y) * size.x + pixel.x;
+    if (isTaken[index] || !isOfSet(frames.now, set, pixel) || !isPlain(frames.now, pixel)) continue;
+    isTaken[index] = true;
+    out.push_back(pixel);
   }
   return out;
 }
