@@ -84,10 +84,12 @@ bool isSingle(const JudgedCase& one) {
   return one.tried.faults.size() == 1 && !one.tried.isHalf;
 }
 
-/// No frames show it by themselves: what is drawn too sharp looks like more detail.
-bool isOfBias(const JudgedCase& one) {
-  return std::ranges::any_of(one.tried.faults, [](Fault fault) {
-    return fault == Fault::MipBiasMissing || fault == Fault::MipBiasLeftOn;
+/// Sound frames of other content are the same: a texture that is drawn too sharp is one with more detail, and
+/// an interface with jitter, where nothing moves, is a sign that stands in the world.
+bool isOfOtherContent(const JudgedCase& one) {
+  return std::ranges::any_of(one.tried.faults, [&](Fault fault) {
+    return fault == Fault::MipBiasMissing || fault == Fault::MipBiasLeftOn ||
+           (fault == Fault::InterfaceJittered && one.tried.camera == "still");
   });
 }
 
@@ -101,8 +103,9 @@ void addAllShares(std::ostream& out, const Cases& judged) {
                 return isSingle(one) && !isCaptured(one) && faultInfo(one.tried.faults.front()).part == part;
               }));
   addShares(out, "All of these, and into captures", casesWhere(judged, isSingle));
-  addShares(out, "The same, but for textures' bias",
-            casesWhere(judged, [](const JudgedCase& one) { return isSingle(one) && !isOfBias(one); }));
+  addShares(
+      out, "The same, but for what other content shows as well",
+      casesWhere(judged, [](const JudgedCase& one) { return isSingle(one) && !isOfOtherContent(one); }));
   addShares(out, "At half strength",
             casesWhere(judged, [](const JudgedCase& one) { return one.tried.isHalf; }));
   addShares(out, "Into captures",
@@ -157,10 +160,11 @@ ToldAlone toldAlone(const Cases& judged) {
 /// What does not show by itself cannot show beside something else: such pairs are counted apart.
 void addPairs(std::ostream& out, const Cases& judged) {
   const ToldAlone alone = toldAlone(judged);
-  PairCounts all, told;
+  PairCounts all, showing, told;
   for (const JudgedCase& one : judged) {
     if (one.tried.faults.size() != 2 || !one.shows) continue;
     all.add(one);
+    if (!isOfOtherContent(one)) showing.add(one);
     if (std::ranges::all_of(one.tried.faults, [&](Fault fault) {
           return alone.contains({one.tried.source, one.tried.camera, fault});
         }))
@@ -168,6 +172,9 @@ void addPairs(std::ostream& out, const Cases& judged) {
   }
   if (all.pairs == 0) return;
   out << "Of " << all.pairs << " pairs of faults of two parts " << all.text() << ". ";
+  if (showing.pairs < all.pairs)
+    out << "Of the " << showing.pairs << " of them without what other content shows as well "
+        << showing.text() << ". ";
   if (told.pairs > 0)
     out << "Of the " << told.pairs
         << " of them whose faults are each named first by themselves in the same frames " << told.text()
@@ -249,7 +256,10 @@ std::string doctorConfusions(const std::vector<JudgedCase>& judged) {
          "to "
          "be a region in depth, or in light that is not that of the frame before, read by motion and jitter, "
          "where that without the fault is; and in the output, where frames are the same. It is named first, "
-         "too, where another name stands first that makes the same frames. ";
+         "too, where another name stands first that makes the same frames. Some faults sound frames of other "
+         "content show as well: a texture with a bias is one of more or less detail, and an interface with "
+         "jitter, before a camera that rests, is a sign in the world. Shares are given with them and "
+         "without. ";
   addTried(out, casesWhere(judged, [](const JudgedCase& one) { return one.tried.preset.empty(); }));
   addHealthy(out, judged);
   addPairs(out, judged);

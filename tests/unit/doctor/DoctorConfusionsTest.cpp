@@ -52,16 +52,25 @@ TEST(DoctorConfusions, AreATableWithEveryFault) {
 }
 
 // No frames tell it; the share of what can be told is beside the share of all.
-TEST(DoctorConfusions, CountTheBiasOfTexturesApart) {
+TEST(DoctorConfusions, CountWhatOtherContentShowsApart) {
   std::vector<JudgedCase> cases = fiveCases();
-  cases.push_back(judgedCase({Fault::MipBiasMissing}, {}));
-  cases.back().isOpen = true;
-  cases.push_back(judgedCase({Fault::MipBiasLeftOn}, {}));
-  cases.back().isOpen = true;
+  const auto add = [&](const std::vector<Fault>& faults, const std::vector<std::string>& named) {
+    cases.push_back(judgedCase(faults, named));
+    cases.back().isOpen = true;
+  };
+  add({Fault::MipBiasMissing}, {});
+  add({Fault::MipBiasLeftOn}, {});
+  add({Fault::JitterLate, Fault::MipBiasLeftOn}, {"jitterLate"});
+  add({Fault::InterfaceJittered}, {}); // with a camera that pans
+  add({Fault::InterfaceJittered}, {});
+  cases.back().tried.camera = "still";
   const std::string text = doctorConfusions(cases);
-  for (const char* row : {"| All of these, and into captures | 5 | 4 | 25.0 % | 25.0 % | 50.0 % |",
-                          "| The same, but for textures' bias | 3 | 2 | 50.0 % | 50.0 % | 0.0 % |"})
-    EXPECT_NE(text.find(row), std::string::npos) << row << "\n" << text;
+  for (const char* part :
+       {"| All of these, and into captures | 7 | 6 | 16.7 % | 16.7 % | 66.7 % |",
+        "| The same, but for what other content shows as well | 4 | 3 | 33.3 % | 33.3 % | 33.3 % |",
+        "Of the 1 of them without what other content shows as well both are named in 0.0 %, one of them in "
+        "100.0 %"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
 TEST(DoctorConfusions, SayWhatIsFoundOfPresets) {
