@@ -153,18 +153,22 @@ LegendSide ViewSides::legendSide(bool other, Showing showing) const {
   return side;
 }
 
-LegendFlow ViewSides::legend(Showing showing, bool isFolded, const ViewTransform& transform,
+LegendFlow ViewSides::legend(Showing showing, LegendFold fold, const ViewTransform& transform,
                              const ThemeColors& colors) const {
   const LegendSide main = legendSide(showing == Showing::Other, showing);
   LegendFlow flow;
   const ReasonCounts* beside = nullptr;
   if (showing == Showing::Wipe) beside = legendSide(true, showing).reasons;
   if (beside && main.reasons && *beside == *main.reasons) beside = nullptr;
-  if (!isFolded) addOverlayLegend(flow, main, beside, transform, colors);
+  if (fold == LegendFold::AllButName) {
+    flow.text(QStringLiteral("⋯ ") + rowName(main), secondaryFont(), colors.accent);
+    return flow;
+  }
+  if (fold == LegendFold::Nothing) addOverlayLegend(flow, main, beside, transform, colors);
   if (showing == Showing::Wipe && other_->row.id != main.row.id)
     addRowLegend(flow, legendSide(true, showing), colors);
   addRowLegend(flow, main, colors);
-  if (isFolded) flow.text(tr("⋯ overlays"), secondaryFont(), colors.accent);
+  if (fold == LegendFold::Overlays) flow.text(tr("⋯ overlays"), secondaryFont(), colors.accent);
   return flow;
 }
 

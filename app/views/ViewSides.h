@@ -60,7 +60,7 @@ class ViewSides {
   Picture picture(int dividerColumn) const;
   /// From the top: what lies over the picture, the other side where it is another row, this side. Folded: a
   /// sign for the first.
-  LegendFlow legend(Showing showing, bool isFolded, const ViewTransform& transform,
+  LegendFlow legend(Showing showing, LegendFold fold, const ViewTransform& transform,
                     const ThemeColors& colors) const;
 
  private:

@@ -347,8 +347,8 @@ void Viewport::paintOver(QPainter& painter, Showing showing, const QRect& area) 
   for (const ProbeMark& mark : marks_) overlay.paintProbe(painter, mark);
 }
 
-LegendFlow Viewport::legend(Showing showing, bool isFolded) const {
-  return sides_.legend(showing, isFolded, transform(), themeColors(this));
+LegendFlow Viewport::legend(Showing showing, LegendFold fold) const {
+  return sides_.legend(showing, fold, transform(), themeColors(this));
 }
 
 // At the lower edge; it gives way to the probed pixel.
@@ -363,11 +363,14 @@ int Viewport::legendTop(int height) const {
 
 // Unfolded it stays at the edge where it was folded, under the mouse.
 ShownLegend Viewport::shownLegend() const {
-  constexpr int kShare = 6; // of the height is what a legend of more than a line may cover
+  constexpr int kShare = 6;       // of the height is what a legend of more than a line may cover
+  constexpr double kMostOf = 0.4; // of the height, that one without overlays may cover
   LegendFlow whole = legend(shown());
   const int height = whole.lines(width()) * legendHeight();
   if (!isLegendWhole_ && height * kShare > this->height()) {
-    LegendFlow folded = legend(shown(), true);
+    LegendFlow folded = legend(shown(), LegendFold::Overlays);
+    if (folded.lines(width()) * legendHeight() > kMostOf * this->height())
+      folded = legend(shown(), LegendFold::AllButName);
     const int least = folded.lines(width()) * legendHeight(), top = legendTop(least);
     const QRect sign = folded.lastPlace(width()).translated(0, top);
     if (least < height && !isLegendOpen_) return {std::move(folded), {0, top, width(), least}, sign};

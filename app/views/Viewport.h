@@ -145,7 +145,7 @@ class Viewport : public QWidget, public Draggable {
   /// All that lies over the pictures but the legend.
   void paintOver(QPainter& painter, Showing showing, const QRect& area) const;
   void dragRegion(glm::ivec2 pixel);
-  LegendFlow legend(Showing showing, bool isFolded = false) const;
+  LegendFlow legend(Showing showing, LegendFold fold = LegendFold::Nothing) const;
   int legendTop(int height) const;
   void paintLegend(QPainter& painter) const;
   void openLegend(bool mayOpen);

@@ -129,8 +129,10 @@ void addCategories(Writer& writer, const Intermediate& row) {
   for (int number = 0; number <= last; ++number) {
     writer.swatch(number);
     writer.digits(QString::number(number));
-    if (const std::string_view text = categoryText(row.id, number); !text.empty())
+    if (const std::string_view text = categoryText(row.id, number); !text.empty()) {
+      writer.flow().glue();
       writer.plain(tableText(text));
+    }
   }
 }
 
@@ -180,13 +182,17 @@ void addAbsence(Writer& writer, const QString& meaning) {
 
 } // namespace
 
+QString rowName(const LegendSide& side) {
+  const QString label = tableText(side.row.label);
+  return side.isDifference ? QObject::tr("%1, difference").arg(label) : label;
+}
+
 void addRowLegend(LegendFlow& flow, const LegendSide& side, const ThemeColors& colors) {
   const Intermediate& row = side.row;
   const ViewStyle& style = side.style;
   Writer writer(flow, colors);
   flow.startLine();
-  writer.plain(side.isDifference ? QObject::tr("%1, difference").arg(tableText(row.label))
-                                 : tableText(row.label));
+  writer.plain(rowName(side));
   addScale(writer, side);
   writer.quiet(tableText(row.unit));
   if (row.visual == Visual::Depth) writer.quiet(QObject::tr("logarithmic"));

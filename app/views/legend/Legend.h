@@ -31,12 +31,17 @@ struct ViewContent {
 
 /// What it shows, in which range and colors.
 void addRowLegend(LegendFlow& flow, const LegendSide& side, const ThemeColors& colors);
+/// What its legend begins with.
+QString rowName(const LegendSide& side);
 /// What lies over it, as `transform` draws it. `other`: of the side beside it, null without one.
 void addOverlayLegend(LegendFlow& flow, const LegendSide& side, const ReasonCounts* other,
                       const ViewTransform& transform, const ThemeColors& colors);
 
-/// On the screen. Where it would cover much of the pictures what it says of overlays is folded away, until
-/// the mouse is on the sign that stands for it.
+/// Where a legend would cover much of the pictures what it says of overlays is folded away, and where that is
+/// not enough all but the name.
+enum class LegendFold { Nothing, Overlays, AllButName };
+
+/// On the screen. What is folded comes back while the mouse is on the sign that stands for it.
 struct ShownLegend {
   LegendFlow flow;
   QRect place;

@@ -212,6 +212,21 @@ TEST_F(ViewOverlays, ALegendFoldsWhereItWouldCoverALowPicture) {
   EXPECT_GT(viewport()->shownLegend().place.height(), 2 * legendHeight()) << "also where the picture is low";
 }
 
+TEST_F(ViewOverlays, ALegendOfManyCategoriesLeavesALowPictureItsPlace) {
+  view()->setIntermediate(IntermediateId::geometryVerdict);
+  viewport()->resize(220, 120);
+  const ShownLegend folded = viewport()->shownLegend();
+  EXPECT_EQ(folded.place.height(), legendHeight());
+  EXPECT_EQ(folded.flow.plainText(), QStringLiteral("⋯ Geometry verdict"));
+  QTest::mouseMove(viewport(), folded.sign.center());
+  const ShownLegend open = viewport()->shownLegend();
+  EXPECT_TRUE(open.flow.plainText().contains("wrong history let through"));
+  EXPECT_TRUE(open.place.contains(folded.place));
+  QTest::mouseMove(viewport(), {1, 1});
+  viewport()->resize(900, 700);
+  EXPECT_TRUE(viewport()->shownLegend().sign.isEmpty()) << "there is room";
+}
+
 TEST_F(ViewOverlays, ALegendWrapsInsteadOfLeavingOut) {
   LegendFlow flow;
   LegendSide side{intermediate(IntermediateId::reference), {}};
