@@ -3,6 +3,7 @@
 #include "app/style/Icons.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
+#include "app/widgets/bars/ElidedLabel.h"
 
 #include "core/render/CaptureFacts.h"
 #include "core/render/SceneRenderer.h"
@@ -56,31 +57,32 @@ QString historyText(const Status& status) {
 }
 
 /// What is wrong on purpose; empty: nothing.
-QString faultsText(const Status& status) {
+QString faultsText(const Status& status, bool areNamed) {
   const std::vector<std::string> faults = injectedFaults(status.settings);
   if (faults.empty()) return {};
   const QString first = qtext(faults.front());
   const int more = static_cast<int>(faults.size()) - 1;
+  if (!areNamed) return StatusLine::tr("fault injected: find it");
   return more == 0 ? StatusLine::tr("fault injected: %1").arg(first)
                    : StatusLine::tr("faults injected: %1 and %2 more").arg(first).arg(more);
 }
 
 /// Why the picture is not what is wished for; empty when it is.
-QString cautionText(const Status& status) {
+QString cautionText(const Status& status, bool areFaultsNamed) {
   QStringList texts;
   if (status.goal)
     texts << StatusLine::tr("frame %1 until %2 is there").arg(status.info.frame).arg(*status.goal);
   else if (!status.exact)
     texts << historyText(status);
-  if (const QString faults = faultsText(status); !faults.isEmpty()) texts << faults;
+  if (const QString faults = faultsText(status, areFaultsNamed); !faults.isEmpty()) texts << faults;
   return texts.join(QStringLiteral(" · "));
 }
 
 } // namespace
 
 StatusLine::StatusLine(QWidget* parent)
-    : QWidget(parent), hover_(new QLabel), driver_(new QLabel), times_(new QLabel), badgeIcon_(new QLabel),
-      badge_(new QLabel) {
+    : QWidget(parent), hover_(new QLabel), driver_(new ElidedLabel), times_(new ElidedLabel),
+      badgeIcon_(new QLabel), badge_(new ElidedLabel) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(2 * kUnit, 0, 2 * kUnit, 0);
   layout->setSpacing(3 * kUnit);
@@ -89,7 +91,7 @@ StatusLine::StatusLine(QWidget* parent)
   times_->setFont(numberFont());
   driver_->setFont(secondaryFont());
   badge_->setFont(secondaryFont());
-  for (QLabel* label : {hover_, driver_, times_, badge_}) label->setMinimumWidth(0);
+  hover_->setMinimumWidth(0);
   hover_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   layout->addWidget(hover_, 1);
   layout->addWidget(driver_);
@@ -100,11 +102,15 @@ StatusLine::StatusLine(QWidget* parent)
   pair->addWidget(badge_);
   layout->addLayout(pair);
   setFixedHeight(scaled(24));
-  times_->setToolTip(tr("Time of the last frame: drawing the scene, and the resolve"));
-  badge_->setToolTip(
-      tr("Whether the picture is exactly what these settings give from frame 0 on. "
-         "After a change the old history is used until it has been made anew, and on the way to a "
-         "frame the nearest one that was kept is shown."));
+  times_->setTip(tr("Time of the last frame: drawing the scene, and the resolve"));
+  badge_->setTip(tr("Whether the picture is exactly what these settings give from frame 0 on. "
+                    "After a change the old history is used until it has been made anew, and on the way to a "
+                    "frame the nearest one that was kept is shown."));
+  refreshBadge();
+}
+
+void StatusLine::setFaultsNamed(bool areNamed) {
+  areFaultsNamed_ = areNamed;
   refreshBadge();
 }
 
@@ -113,12 +119,12 @@ void StatusLine::setHover(const QString& text) {
 }
 
 void StatusLine::setStatus(const Status& status) {
-  driver_->setText(status.driver.isSoftware ? tr("software renderer") : QString());
-  driver_->setToolTip(QString::fromStdString(status.driver.renderer));
+  driver_->setWhole(status.driver.isSoftware ? tr("software renderer") : QString());
+  driver_->setTip(QString::fromStdString(status.driver.renderer));
   if (status.frameCount > 0)
-    times_->setText(drawnText(status) + tr("scene %1 ms · resolve %2 ms")
-                                            .arg(status.times.scene, 0, 'f', 1)
-                                            .arg(status.times.resolve, 0, 'f', 1));
+    times_->setWhole(drawnText(status) + tr("scene %1 ms · resolve %2 ms")
+                                             .arg(status.times.scene, 0, 'f', 1)
+                                             .arg(status.times.resolve, 0, 'f', 1));
   status_ = status;
   refreshBadge();
 }
@@ -132,15 +138,16 @@ void StatusLine::setPicture(std::uint64_t shotVersion) {
 // A picture may be here before its status, but only where it is exact.
 void StatusLine::refreshBadge() {
   if (status_.frameCount == 0) return show(Badge::None, {});
-  if (const QString caution = cautionText(status_); !caution.isEmpty()) return show(Badge::Caution, caution);
+  if (const QString caution = cautionText(status_, areFaultsNamed_); !caution.isEmpty())
+    return show(Badge::Caution, caution);
   if (shotVersion_ < status_.shotVersion) return show(Badge::None, tr("no picture yet"));
   show(Badge::Exact, tr("history from these settings"));
 }
 
 void StatusLine::show(Badge badge, const QString& text) {
-  if (badge == shown_ && text == badge_->text()) return;
+  if (badge == shown_ && text == badge_->whole()) return;
   shown_ = badge;
-  badge_->setText(text);
+  badge_->setWhole(text);
   badgeIcon_->setVisible(badge != Badge::None);
   drawBadge();
 }
@@ -161,7 +168,7 @@ void StatusLine::changeEvent(QEvent* event) {
 }
 
 QString StatusLine::badge() const {
-  return badge_->text();
+  return badge_->whole();
 }
 
 QString StatusLine::hover() const {

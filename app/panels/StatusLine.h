@@ -12,6 +12,8 @@ class QLabel;
 
 namespace taa::app {
 
+class ElidedLabel;
+
 class StatusLine : public QWidget {
   Q_OBJECT
  public:
@@ -19,6 +21,8 @@ class StatusLine : public QWidget {
 
   /// Position and value under the mouse; empty: nothing there.
   void setHover(const QString& text);
+  /// Whether injected faults are named; else it is said that there is one to be found.
+  void setFaultsNamed(bool areNamed);
   void setStatus(const Status& status);
   /// Of which shot version there is a picture; see Status.
   void setPicture(std::uint64_t shotVersion);
@@ -36,7 +40,11 @@ class StatusLine : public QWidget {
   void show(Badge badge, const QString& text);
   void drawBadge();
 
-  QLabel *hover_, *driver_, *times_, *badgeIcon_, *badge_;
+  QLabel* hover_;
+  ElidedLabel *driver_, *times_;
+  QLabel* badgeIcon_;
+  ElidedLabel* badge_;
+  bool areFaultsNamed_ = true;
   Badge shown_ = Badge::None;
   Status status_;
   std::uint64_t shotVersion_ = 0; ///< of the newest picture

@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QLabel>
 #include <QResizeEvent>
+#include <QStringList>
 
 namespace taa::app {
 
@@ -18,6 +19,12 @@ class ElidedLabel : public QLabel {
   }
 
   const QString& whole() const { return whole_; }
+
+  /// What its tip says beside what is cut.
+  void setTip(const QString& tip) {
+    tip_ = tip;
+    elide();
+  }
 
   QSize sizeHint() const override { return {widthOf(whole_), QLabel::sizeHint().height()}; }
   QSize minimumSizeHint() const override {
@@ -44,10 +51,13 @@ class ElidedLabel : public QLabel {
   void elide() {
     const QString shown = fontMetrics().elidedText(whole_, Qt::ElideRight, contentsRect().width());
     setText(shown);
-    setToolTip(shown == whole_ ? QString() : whole_);
+    QStringList tip;
+    if (shown != whole_) tip << whole_;
+    if (!tip_.isEmpty()) tip << tip_;
+    setToolTip(tip.join(QLatin1Char('\n')));
   }
 
-  QString whole_;
+  QString whole_, tip_;
 };
 
 } // namespace taa::app
