@@ -28,8 +28,10 @@ constexpr QSize kReachable(120, 40);    ///< logical px of a window that have to
 constexpr QSize kFirstWindow(720, 360); ///< of a page that is torn off
 constexpr int kLeastProbe = 70;         ///< logical px of texts of 100 %, beside a lesson
 constexpr int kTightProbe = 30;         ///< likewise, where there is no room for that
+constexpr int kNoProbe = 40;            ///< likewise, while no pixel is probed
 constexpr double kLessonShare = 0.6;    ///< of a side, that a lesson beside a probe has at most
 constexpr int kLessonLines = 20;        ///< of text, that it may have in any case
+constexpr int kFewLines = 5;            ///< of text, for which the probe gives what it can
 
 QList<QRect> screenPlaces(const QScreen* first) {
   QList<QRect> places{first->availableGeometry()};
@@ -66,7 +68,7 @@ Workspace::Workspace(const Panels& panels, QWidget* parent) : QMainWindow(parent
   left_->setHead(of_.left->tabs());
   left_->setPanel(of_.left);
   learn_ = addDock(QStringLiteral("learn"), tr("Learn"), Qt::RightDockWidgetArea);
-  learn_->setHead(nullptr);
+  learn_->setHead(of_.learnHead);
   learn_->setPanel(of_.learn);
   probe_ = addDock(QStringLiteral("probe"), tr("Probe"), Qt::RightDockWidgetArea);
   probe_->setHead(of_.probeHead);
@@ -98,8 +100,12 @@ void Workspace::shareSideNow() {
   const int head = learn_->height() - of_.learn->height();
   const int most =
       std::max(static_cast<int>(kLessonShare * column), kLessonLines * fontMetrics().lineSpacing());
-  const int wanted = isProbed_ ? std::min(head + of_.learn->sizeHint().height(), most) : column;
-  const int learn = std::min(wanted, column - head - scaled(kLeastProbe));
+  const int room = column - probe_->titleBarWidget()->height();
+  const int wanted = std::min(head + of_.learn->sizeHint().height(), most);
+  const int few = head + of_.learn->minimumSizeHint().height() + kFewLines * fontMetrics().lineSpacing();
+  const int learn =
+      isProbed_ ? std::min({wanted, room - scaled(kTightProbe), std::max(few, room - scaled(kLeastProbe))})
+                : room - scaled(kNoProbe);
   resizeDocks({learn_, probe_}, {std::max(1, learn), std::max(1, column - learn)}, Qt::Vertical);
 }
 

@@ -29,6 +29,7 @@ class Workspace : public QMainWindow {
     QWidget* views;
     LeftArea* left;
     QWidget* learn;
+    QWidget* learnHead;
     QWidget* probe;
     QWidget* probeHead;
     LowerArea* lower;

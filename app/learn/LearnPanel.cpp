@@ -4,15 +4,12 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/widgets/IconButton.h"
-#include "app/widgets/Line.h"
+#include "app/widgets/parameters/ChoiceButton.h"
 #include "core/lessons/LessonHtml.h"
 
-#include <QAbstractItemView>
-#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -41,47 +38,57 @@ LearnPanel::LearnPanel(QWidget* parent) : QWidget(parent) {
   layout->setContentsMargins(2 * kUnit, 2 * kUnit, 2 * kUnit, 2 * kUnit);
   layout->setSpacing(kUnit);
   makeHead();
+  makeWay();
   text_ = new LessonText;
   text_->setAccessibleName(tr("Text of the step"));
   layout->addWidget(text_, 1);
-  makeFoot();
+  makeTask();
   hide();
 }
 
 void LearnPanel::makeHead() {
-  lessons_ = new QComboBox;
+  head_ = new QWidget;
+  lessons_ = new ChoiceButton;
+  lessons_->setObjectName(QStringLiteral("lessons"));
   lessons_->setAccessibleName(tr("Lesson"));
-  lessons_->view()->setAccessibleName(lessons_->accessibleName());
-  lessons_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  close_ = new IconButton(QStringLiteral("close"), tr("Close the page Learn; Help, Learn opens it again"));
-  title_ = new QLabel;
-  title_->setFont(titleFont());
-  title_->setWordWrap(true);
+  lessons_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   place_ = new QLabel;
   place_->setFont(secondaryFont());
   place_->setForegroundRole(QPalette::PlaceholderText);
-  auto* first = new QHBoxLayout;
-  first->addWidget(lessons_, 1);
-  first->addWidget(close_);
-  auto* second = new QHBoxLayout;
-  second->addWidget(title_, 1);
-  second->addWidget(place_, 0, Qt::AlignTop);
-  auto* rows = qobject_cast<QVBoxLayout*>(layout());
-  rows->addLayout(first);
-  rows->addLayout(second);
-  connect(lessons_, &QComboBox::activated, this, &LearnPanel::lessonChosen);
+  close_ = new IconButton(QStringLiteral("close"), tr("Close the page Learn; Help, Learn opens it again"));
+  auto* row = new QHBoxLayout(head_);
+  row->setContentsMargins(2 * kUnit, kUnit, kUnit, kUnit);
+  row->setSpacing(2 * kUnit);
+  row->addWidget(new QLabel(tr("Learn")));
+  row->addWidget(lessons_, 1);
+  row->addWidget(place_);
+  row->addWidget(close_);
+  connect(lessons_, &ChoiceButton::chosen, this, &LearnPanel::lessonChosen);
   connect(close_, &QToolButton::clicked, this, &LearnPanel::closeRequested);
 }
 
-void LearnPanel::makeFoot() {
+// Above the text, which is longer in one step than in the next: so nobody has to look for it.
+void LearnPanel::makeWay() {
+  back_ = new QPushButton(tr("Back"));
+  next_ = new QPushButton(tr("Next"));
+  return_ = new QPushButton(tr("Reset"));
+  return_->setToolTip(tr("Sets scene, frame, settings and views as the step has them"));
+  auto* way = new QHBoxLayout;
+  way->addWidget(back_);
+  way->addWidget(next_);
+  way->addStretch(1);
+  way->addWidget(return_);
+  qobject_cast<QVBoxLayout*>(layout())->addLayout(way);
+  connect(back_, &QPushButton::clicked, this, [this] { Q_EMIT stepChosen(step_ - 1); });
+  connect(next_, &QPushButton::clicked, this, [this] { Q_EMIT stepChosen(step_ + 1); });
+  connect(return_, &QPushButton::clicked, this, &LearnPanel::returnRequested);
+}
+
+void LearnPanel::makeTask() {
   answer_ = new QLabel;
   answer_->setWordWrap(true);
   answer_->setTextFormat(Qt::RichText);
   answer_->setAccessibleName(tr("What became of the task"));
-  back_ = new QPushButton(tr("Back"));
-  next_ = new QPushButton(tr("Next"));
-  return_ = new QPushButton(tr("Return to the step"));
-  return_->setToolTip(tr("Sets scene, frame, settings and views as the step has them"));
   check_ = new QPushButton(tr("Check"));
   check_->setToolTip(tr("Whether what is open now is what the step asks for"));
   hint_ = new QPushButton(tr("Hint"));
@@ -89,41 +96,34 @@ void LearnPanel::makeFoot() {
   task->addWidget(check_);
   task->addWidget(hint_);
   task->addStretch(1);
-  auto* way = new QHBoxLayout;
-  way->addWidget(back_);
-  way->addWidget(next_);
-  way->addStretch(1);
-  way->addWidget(return_);
   auto* rows = qobject_cast<QVBoxLayout*>(layout());
   rows->addWidget(answer_);
   rows->addLayout(task);
-  rows->addWidget(new Line);
-  rows->addLayout(way);
-  connect(back_, &QPushButton::clicked, this, [this] { Q_EMIT stepChosen(step_ - 1); });
-  connect(next_, &QPushButton::clicked, this, [this] { Q_EMIT stepChosen(step_ + 1); });
-  connect(return_, &QPushButton::clicked, this, &LearnPanel::returnRequested);
   connect(check_, &QPushButton::clicked, this, &LearnPanel::checkRequested);
   connect(hint_, &QPushButton::clicked, this, &LearnPanel::hintRequested);
 }
 
 void LearnPanel::setLessons(const QStringList& titles, int current) {
-  const QSignalBlocker quiet(lessons_);
-  lessons_->clear();
-  lessons_->addItems(titles);
-  lessons_->setCurrentIndex(current);
+  lessons_->setChoices(titles);
+  lessons_->setCurrent(current);
+  lessons_->setCaption(titles.value(current)); // chosen again it begins again
+  lessonCount_ = static_cast<int>(titles.size());
 }
 
 void LearnPanel::setStep(const Lesson& lesson, int step, const StepNotes& notes) {
   step_ = step;
   const LessonStep& shown = lesson.steps.at(static_cast<std::size_t>(step));
-  title_->setText(qtext(shown.title));
   place_->setText(tr("%1 of %2").arg(step + 1).arg(lesson.steps.size()));
-  text_->setText(qtext(step == 0 ? lesson.summary + "\n" + shown.text : shown.text));
+  // Its title goes with the text, which may have room for few lines.
+  const std::string title = "## " + shown.title + "\n\n";
+  const QString text = qtext(title + (step == 0 ? lesson.summary + "\n" : "") + shown.text);
+  if (text != shownText_) text_->setText(text);
+  shownText_ = text;
   back_->setEnabled(step > 0);
   // After the last step the next lesson comes, where there is one.
   const bool isLast = step + 1 == static_cast<int>(lesson.steps.size());
   next_->setText(isLast ? tr("Next lesson") : tr("Next"));
-  next_->setEnabled(!isLast || lessons_->currentIndex() + 1 < lessons_->count());
+  next_->setEnabled(!isLast || lessons_->current() + 1 < lessonCount_);
   showTask(shown, notes);
 }
 
@@ -146,6 +146,7 @@ void LearnPanel::showTask(const LessonStep& step, const StepNotes& notes) {
     lines << plainLine(tr("Solved."));
   answer_->setText(lines.join(QString()));
   answer_->setVisible(!lines.isEmpty());
+  text_->setKeepsEnd(notes.isAsked);
 }
 
 } // namespace taa::app

@@ -7,12 +7,12 @@
 #include <QStringList>
 #include <QWidget>
 
-class QComboBox;
 class QLabel;
 class QPushButton;
 
 namespace taa::app {
 
+class ChoiceButton;
 class IconButton;
 class LessonText;
 
@@ -22,9 +22,13 @@ class LearnPanel : public QWidget {
  public:
   explicit LearnPanel(QWidget* parent = nullptr);
 
+  /// Above the page, where the room is given to it: which lesson it is, and a way to close it.
+  QWidget* head() const { return head_; }
+
   /// What may be said of a step besides its text.
   struct StepNotes {
     bool isDone = false;     ///< its task was solved
+    bool isAsked = false;    ///< for a check or a hint: its task, which ends the text, has to be seen
     bool isChecking = false; ///< its task
     QString answer{};        ///< of the last check, in the reader's language
     int hints = 0;           ///< so many of them are shown
@@ -44,14 +48,17 @@ class LearnPanel : public QWidget {
 
  private:
   void makeHead();
-  void makeFoot();
+  void makeWay();
+  void makeTask();
   void showTask(const LessonStep& step, const StepNotes& notes);
 
-  int step_ = 0;
-  QComboBox* lessons_ = nullptr;
+  int step_ = 0, lessonCount_ = 0;
+  QWidget* head_ = nullptr;
+  ChoiceButton* lessons_ = nullptr;
   IconButton* close_ = nullptr;
-  QLabel *title_ = nullptr, *place_ = nullptr, *answer_ = nullptr;
+  QLabel *place_ = nullptr, *answer_ = nullptr;
   LessonText* text_ = nullptr;
+  QString shownText_; ///< Markdown
   QPushButton *back_ = nullptr, *next_ = nullptr, *return_ = nullptr, *check_ = nullptr, *hint_ = nullptr;
 };
 

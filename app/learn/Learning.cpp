@@ -5,6 +5,7 @@
 #include "app/session/Session.h"
 #include "app/session/keeping/SessionKeeper.h"
 #include "app/style/Text.h"
+#include "core/settings/Faults.h"
 
 #include <QFileDialog>
 #include <QSettings>
@@ -120,8 +121,8 @@ void Learning::chooseStep(int step) {
 }
 
 void Learning::beginStep() {
+  notes_ = {.isDone = isDone(shown(), step_)}; // before what still works says that it has ended
   work_->cancel();
-  notes_ = {.isDone = isDone(shown(), step_)};
   if (of_.settings) {
     of_.settings->setValue(lessonKey(), qtext(shown().id));
     of_.settings->setValue(stepKey(), step_);
@@ -154,6 +155,11 @@ void Learning::openOnItsFrames(const LessonState& state) {
 void Learning::show() {
   of_.panel.setStep(shown(), step_, notes_);
   Q_EMIT stepShown();
+}
+
+bool Learning::hidesFault() const {
+  return isOpen() && shownStep().task && isFaulty(shownStep().state.shot.settings.settings) &&
+         !notes_.isDone && !notes_.isSolutionShown;
 }
 
 QString Learning::place() const {
@@ -199,11 +205,12 @@ bool Learning::isDone(const Lesson& lesson, int step) const {
 
 /// Of what is open now, by the step's own lanes and samples.
 void Learning::check() {
+  notes_.isAsked = true;
   LessonState now = shownStep().state;
   const SessionFile file = of_.session.file();
   now.recording.reset();
   if (file.source != opened_.source || file.size != opened_.size) {
-    notes_.answer = tr("Another scene or size is open: return to the step first.");
+    notes_.answer = tr("Another scene or size is open: reset the step first.");
     return show();
   }
   now.shot = file;
@@ -232,6 +239,7 @@ void Learning::takeChecked(const std::vector<CheckedCondition>& conditions) {
 }
 
 void Learning::giveHint() {
+  notes_.isAsked = true;
   const Task& task = *shownStep().task;
   if (notes_.hints < static_cast<int>(task.hints.size())) {
     ++notes_.hints;

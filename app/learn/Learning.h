@@ -51,6 +51,8 @@ class Learning : public QObject {
 
   /// So many steps on, or back; beyond a lesson's end the next one begins. Expects an open page.
   void stepBy(int steps);
+  /// The task on show is to find a fault of the settings, and has not been solved.
+  bool hidesFault() const;
   /// "Your first ghost, step 2 of 5"; expects an open page.
   QString place() const;
   int lesson() const { return lesson_; }

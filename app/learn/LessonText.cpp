@@ -5,6 +5,7 @@
 #include <QDesktopServices>
 #include <QEvent>
 #include <QFontMetrics>
+#include <QScrollBar>
 #include <QTextBlock>
 #include <QTextCursor>
 #include <QTextDocument>
@@ -54,6 +55,22 @@ void setCode(const QTextBlock& block, const ThemeColors& colors) {
   }
 }
 
+/// A title is as large as those of panels.
+void setTitle(const QTextBlock& block) {
+  if (block.blockFormat().headingLevel() == 0) return;
+  QTextCursor cursor(block);
+  cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+  QTextCharFormat title = cursor.charFormat();
+  title.clearProperty(QTextFormat::FontSizeAdjustment); // which would count for more than a size
+  title.setFontPointSize(titleFont().pointSizeF());
+  title.setFontWeight(titleFont().weight());
+  cursor.setCharFormat(title);
+  QTextBlockFormat format;
+  format.setLineHeight(100.0, QTextBlockFormat::ProportionalHeight);
+  format.setBottomMargin(scaled(kItemSpace));
+  cursor.mergeBlockFormat(format);
+}
+
 /// Lines as quiet as those of the window; numbers stand under each other.
 void setTable(QTextTable& table, const ThemeColors& colors) {
   QTextTableFormat format = table.format();
@@ -94,6 +111,15 @@ void LessonText::setText(const QString& markdown) {
   updateGeometry();
 }
 
+void LessonText::setKeepsEnd(bool keepsEnd) {
+  keepsEnd_ = keepsEnd;
+  showEnd();
+}
+
+void LessonText::showEnd() {
+  if (keepsEnd_) verticalScrollBar()->setValue(verticalScrollBar()->maximum());
+}
+
 QSize LessonText::sizeHint() const {
   return {QTextBrowser::sizeHint().width(), static_cast<int>(std::ceil(document()->size().height()))};
 }
@@ -106,6 +132,7 @@ QSize LessonText::minimumSizeHint() const {
 void LessonText::setType() {
   for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
     setSpacing(block);
+    setTitle(block);
     setCode(block, themeColors(this));
   }
   for (QTextFrame* frame : document()->rootFrame()->childFrames())
@@ -127,6 +154,7 @@ void LessonText::changeEvent(QEvent* event) {
 void LessonText::resizeEvent(QResizeEvent* event) {
   QTextBrowser::resizeEvent(event);
   fitLines();
+  showEnd();
 }
 
 } // namespace taa::app

@@ -13,6 +13,8 @@ class LessonText : public QTextBrowser {
  public:
   explicit LessonText(QWidget* parent = nullptr);
   void setText(const QString& markdown);
+  /// Shows its end rather than its beginning, also when it gets less room.
+  void setKeepsEnd(bool keepsEnd);
   /// As high as the text is.
   QSize sizeHint() const override;
   /// A line, where the window has room for no more.
@@ -26,6 +28,9 @@ class LessonText : public QTextBrowser {
  private:
   void setType();
   void fitLines();
+  void showEnd();
+
+  bool keepsEnd_ = false;
 };
 
 } // namespace taa::app

@@ -19,6 +19,7 @@
 #include "app/widgets/verdict/VerdictDetails.h"
 #include "app/widgets/verdict/VerdictLine.h"
 
+#include "core/settings/Faults.h"
 #include "core/story/ProbeHeadline.h"
 #include "core/taa/twin/Known.h"
 
@@ -86,17 +87,28 @@ ProbePanel::ProbePanel(QWidget* parent) : QWidget(parent), model_(new ProbeModel
   connect(bar_, &ProbeBar::followChosen, this, &ProbePanel::followChosen);
   layout->addWidget(bar_);
 
-  invitation_ = new QLabel(tr("Right-click a pixel to see every value at it."));
-  invitation_->setWordWrap(true);
-  invitation_->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
-  invitation_->setContentsMargins(3 * kUnit, 8 * kUnit, 3 * kUnit, 0);
-  invitation_->setForegroundRole(QPalette::PlaceholderText);
-  layout->addWidget(invitation_, 1);
+  layout->addWidget(makeInvitation(), 1);
 
   makePages();
   layout->addWidget(content_, 1);
   setMinimumWidth(300);
   setPixel({});
+}
+
+// What is above the sentence goes before the sentence does.
+QWidget* ProbePanel::makeInvitation() {
+  auto* text = new QLabel(tr("Right-click a pixel to see every value at it."));
+  text->setWordWrap(true);
+  text->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
+  text->setContentsMargins(3 * kUnit, 0, 3 * kUnit, 0);
+  text->setForegroundRole(QPalette::PlaceholderText);
+  invitation_ = new QWidget;
+  auto* column = new QVBoxLayout(invitation_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addSpacerItem(new QSpacerItem(0, 8 * kUnit, QSizePolicy::Minimum, QSizePolicy::Maximum));
+  column->addWidget(text, 1);
+  return invitation_;
 }
 
 void ProbePanel::makePages() {
@@ -348,13 +360,8 @@ void ProbePanel::setResult(const ProbeResult& result) {
   if (!isPlaying_) conclusions_->setMinimumHeight(0);
   if (result.around.size() <= kProbedMiddle) return showLost(result);
   result_ = result;
-  const PixelRecord& record = result.around[kProbedMiddle];
   place_->setWhole(placeText(result));
-  QStringList lines;
-  for (const std::string& line : probeHeadline(record, result.settings, result.info)) lines << qtext(line);
-  if (result.spot.state == ProbeState::Hidden)
-    lines.prepend(tr("The surface is behind something here: these are the values of what hides it"));
-  summary_->setText(lines.join(QLatin1Char('\n')));
+  showSummary(result);
   model_->setPixel(result);
   showColors();
   colorSpace_->setResult(result);
@@ -362,6 +369,22 @@ void ProbePanel::setResult(const ProbeResult& result) {
   describeCurrentRow();
   if (isPlaying_)
     conclusions_->setMinimumHeight(std::max(conclusions_->minimumHeight(), conclusionsHeight()));
+}
+
+void ProbePanel::showSummary(const ProbeResult& result) {
+  Settings told = result.settings;
+  if (!areFaultsNamed_) clearFaults(told);
+  QStringList lines;
+  for (const std::string& line : probeHeadline(result.around[kProbedMiddle], told, result.info))
+    lines << qtext(line);
+  if (result.spot.state == ProbeState::Hidden)
+    lines.prepend(tr("The surface is behind something here: these are the values of what hides it"));
+  summary_->setText(lines.join(QLatin1Char('\n')));
+}
+
+void ProbePanel::setFaultsNamed(bool areNamed) {
+  areFaultsNamed_ = areNamed;
+  if (result_) showSummary(*result_);
 }
 
 void ProbePanel::setGlimpse(const Glimpse& known) {

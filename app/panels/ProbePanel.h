@@ -51,6 +51,8 @@ class ProbePanel : public QWidget {
   void setOutline(const std::shared_ptr<const SceneOutline>& outline);
   /// While time goes on nothing moves: what is said above the values takes the room that it took at most.
   void setPlaying(bool playing);
+  /// Whether injected faults are named (see StatusLine).
+  void setFaultsNamed(bool areNamed);
   /// What the results' other sides are of.
   void setComparison(const Comparison& comparison) { comparison_ = comparison; }
   const Comparison& comparison() const { return comparison_; }
@@ -97,6 +99,7 @@ class ProbePanel : public QWidget {
   int conclusionsHeight() const; ///< what is said above the values, px
   void toggleFold(const QModelIndex& line);
   QWidget* makeTop();
+  QWidget* makeInvitation();
   void makePages();
   QWidget* makeValues();
   /// What is said above the values: in a low window it scrolls.
@@ -106,6 +109,7 @@ class ProbePanel : public QWidget {
   void makeTable();
   void describeCurrentRow();
   void showLost(const ProbeResult& result);
+  void showSummary(const ProbeResult& result);
   void fitColumns();
 
   std::optional<ProbeResult> result_;
@@ -115,9 +119,9 @@ class ProbePanel : public QWidget {
   VerdictLine* verdict_ = nullptr;
   VerdictDetails* verdictDetails_ = nullptr;
   ElidedLabel* place_ = nullptr;
-  QLabel *summary_ = nullptr, *invitation_ = nullptr, *description_ = nullptr;
-  QWidget *content_ = nullptr, *conclusions_ = nullptr, *head_ = nullptr;
-  bool isPlaying_ = false;
+  QLabel *summary_ = nullptr, *description_ = nullptr;
+  QWidget *content_ = nullptr, *invitation_ = nullptr, *conclusions_ = nullptr, *head_ = nullptr;
+  bool isPlaying_ = false, areFaultsNamed_ = true;
   QTabBar* tabs_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   ColorSpacePage* colorSpace_ = nullptr;

@@ -166,7 +166,7 @@ void MainWindow::makePanels() {
 }
 
 void MainWindow::layOut() {
-  workspace_ = new Workspace({views_, left_, learn_, probe_, probe_->head(), lower_});
+  workspace_ = new Workspace({views_, left_, learn_, learn_->head(), probe_, probe_->head(), lower_});
   auto* content = new QWidget;
   auto* rows = new QVBoxLayout(content);
   rows->setContentsMargins(0, 0, 0, 0);
@@ -357,6 +357,12 @@ void MainWindow::connectMessages() {
   connect(probeCommands_, &ProbeCommands::foundWorst, statusLine_, &StatusLine::setHover);
   connect(learning_, &Learning::failed, messages_, &MessagesBar::showError);
   // Lessons say what the hint says, and need its room.
+  const auto nameFaults = [this] {
+    statusLine_->setFaultsNamed(!learning_->hidesFault());
+    probe_->setFaultsNamed(!learning_->hidesFault());
+  };
+  connect(learning_, &Learning::stepShown, statusLine_, nameFaults);
+  connect(learning_, &Learning::changed, statusLine_, nameFaults);
   connect(learning_, &Learning::changed, messages_, [this] {
     if (learning_->isOpen()) messages_->hideHint();
   });

@@ -5,17 +5,22 @@
 #include "app/learn/LessonText.h"
 #include "app/learn/PartFrame.h"
 #include "app/panels/ProbePanel.h"
+#include "app/panels/StatusLine.h"
 #include "app/style/Text.h"
 #include "app/widgets/SectionHeader.h"
+#include "app/widgets/parameters/ChoiceButton.h"
 #include "core/lessons/Lesson.h"
+#include "core/settings/Faults.h"
 #include "tests/app/WindowFixture.h"
 
-#include <QComboBox>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSettings>
 #include <QStringList>
 #include <QTemporaryDir>
+#include <QTextBlock>
 #include <QTextDocumentFragment>
 
 #include <algorithm>
@@ -43,6 +48,14 @@ class LearnTest : public FakeWindow {
   void press(const QString& text) {
     for (QPushButton* button : panel()->findChildren<QPushButton*>())
       if (button->text() == text && button->isVisible()) return button->click();
+    ADD_FAILURE() << "there is no button " << text.toStdString();
+  }
+  void click(const QString& text) {
+    for (QPushButton* button : panel()->findChildren<QPushButton*>())
+      if (button->text() == text && button->isVisible()) {
+        QTest::mouseClick(button, Qt::LeftButton);
+        return settle();
+      }
     ADD_FAILURE() << "there is no button " << text.toStdString();
   }
   bool says(const QString& text) {
@@ -113,7 +126,7 @@ TEST_F(LearnTest, ReturnBringsBackWhatWasChanged) {
   settle();
   session.presets().setParameter("weight.alpha", 0.5);
   EXPECT_EQ(session.presets().settings().weight.alpha, 0.5f);
-  press(QStringLiteral("Return to the step"));
+  press(QStringLiteral("Reset"));
   EXPECT_TRUE(session.presets().settings() == tour().steps.front().state.shot.settings.settings);
 }
 
@@ -131,6 +144,82 @@ TEST_F(LearnTest, HintsComeOneByOneAndTheSolutionLast) {
   press(QStringLiteral("Show the solution"));
   ASSERT_TRUE(waitFor([&] { return session.probes().pixel().has_value(); }));
   EXPECT_EQ(*session.probes().pixel(), task.solution.probes.front());
+}
+
+TEST_F(LearnTest, ATaskIsStillReadWhenItHasBeenAnswered) {
+  window.setTextPercent(200);
+  settle();
+  learning()->openStep(QStringLiteral("first-ghost"), 6);
+  settle();
+  const auto* text = panel()->findChild<LessonText*>();
+  const QScrollBar* bar = text->verticalScrollBar();
+  ASSERT_GT(bar->maximum(), 0) << "it does not fit";
+  EXPECT_EQ(bar->value(), 0) << "who begins reads from the top";
+  for (const QString& name : {QStringLiteral("Hint"), QStringLiteral("Check")}) {
+    click(name);
+    EXPECT_EQ(bar->value(), bar->maximum()) << name.toStdString();
+  }
+  Q_EMIT learning()->work()->checked({{tour().steps[5].task->conditions.front(), 0.0, 1.0, true}});
+  settle();
+  EXPECT_TRUE(says(QStringLiteral("Solved.")));
+  EXPECT_EQ(bar->value(), bar->maximum());
+  EXPECT_TRUE(text->document()->lastBlock().text().startsWith(QStringLiteral("Try it:")));
+  click(QStringLiteral("Next"));
+  EXPECT_EQ(learning()->step(), 6);
+  EXPECT_EQ(bar->value(), 0);
+}
+
+TEST_F(LearnTest, WhoClicksOnFindsNextWhereItWas) {
+  key(Qt::Key_F12);
+  settle();
+  const QWidget* next = nullptr;
+  for (const QPushButton* button : panel()->findChildren<QPushButton*>())
+    if (button->text() == QStringLiteral("Next")) next = button;
+  ASSERT_TRUE(next);
+  const QPoint place = next->mapTo(&window, QPoint());
+  for (int step = 1; step < 4; ++step) {
+    click(QStringLiteral("Next"));
+    EXPECT_EQ(next->mapTo(&window, QPoint()), place) << "in step " << step + 1;
+  }
+  EXPECT_EQ(learning()->step(), 3);
+}
+
+TEST_F(LearnTest, AnotherLessonIsChosenWithTheMouse) {
+  key(Qt::Key_F12);
+  auto* const lessons = panel()->head()->findChild<ChoiceButton*>();
+  ASSERT_TRUE(lessons && lessons->isVisible());
+  QTest::mouseClick(lessons, Qt::LeftButton);
+  auto* const menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+  ASSERT_TRUE(menu);
+  ASSERT_EQ(menu->actions().size(), static_cast<qsizetype>(taa::builtinLessons().size()));
+  QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(menu->actions()[2]).center());
+  settle();
+  EXPECT_EQ(learning()->lesson(), 2);
+  EXPECT_EQ(learning()->step(), 0);
+}
+
+TEST_F(LearnTest, AFaultThatATaskAsksForIsNotNamed) {
+  const auto* line = window.findChild<StatusLine*>();
+  const auto hunt = std::ranges::find(taa::builtinLessons(), "bughunt", &taa::Lesson::id);
+  ASSERT_NE(hunt, taa::builtinLessons().end());
+  for (std::size_t step = 0; step < hunt->steps.size(); ++step) {
+    const taa::LessonState& state = hunt->steps[step].state;
+    if (!taa::isFaulty(state.shot.settings.settings)) continue;
+    ASSERT_TRUE(hunt->steps[step].task) << step;
+    learning()->openStep(QStringLiteral("bughunt"), static_cast<int>(step) + 1);
+    const auto badgeHas = [&](const char* words) {
+      return waitFor([&] { return line->badge().contains(QLatin1String(words)); }, 2000);
+    };
+    EXPECT_TRUE(badgeHas("fault injected: find it")) << line->badge().toStdString();
+    EXPECT_FALSE(line->badge().contains(QLatin1String("fault.")));
+    session.probes().setPixel(glm::ivec2(20, 10));
+    settle();
+    for (const QLabel* label : window.probe()->findChildren<QLabel*>())
+      EXPECT_FALSE(label->text().contains(QLatin1String("fault."))) << label->text().toStdString();
+  }
+  // Where it is the lesson that names it, the line names it, too.
+  learning()->openStep(QStringLiteral("reprojection"), 6);
+  EXPECT_TRUE(waitFor([&] { return line->badge().contains(QLatin1String("fault.motionJitter")); }, 2000));
 }
 
 TEST_F(LearnTest, SaysWhatATaskLacksAndThatItIsSolved) {

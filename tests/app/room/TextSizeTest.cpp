@@ -3,6 +3,7 @@
 #include "app/style/TextSize.h"
 #include "app/commands/ThemeSetting.h"
 #include "app/dialogs/ReferenceDialog.h"
+#include "app/docks/Workspace.h"
 #include "app/learn/Learning.h"
 #include "app/learn/LessonText.h"
 #include "app/learn/PartFrame.h"
@@ -154,6 +155,34 @@ TEST_F(TextSizeTest, AtTwoHundredPercentALessonIsReadBesideTheProbeInAWindowOf12
   const QWidget* area = window.probe()->parentWidget();
   ASSERT_LT(area->height(), window.probe()->height());
   EXPECT_EQ(frame->geometry(), QRect(area->mapTo(&window, QPoint()), area->size()));
+}
+
+TEST_F(TextSizeTest, AtTwoHundredPercentNoStepMakesTheWindowWider) {
+  window.setTextPercent(200);
+  settle();
+  auto* const learning = window.findChild<Learning*>();
+  // The last one of a lesson, whose button has two words; one whose fault the last line names.
+  for (const auto& [lesson, step] : {std::pair("first-ghost", 8), std::pair("reprojection", 6)}) {
+    learning->openStep(QLatin1String(lesson), step);
+    settle();
+    EXPECT_EQ(window.size(), QSize(1280, 800)) << lesson;
+  }
+}
+
+TEST_F(TextSizeTest, AtTwoHundredPercentALessonHasTheRoomOfAnEmptyProbe) {
+  window.setTextPercent(200);
+  settle();
+  session.probes().removeAll();
+  key(Qt::Key_F12);
+  settle();
+  const auto* text = window.findChild<LessonText*>();
+  ASSERT_TRUE(text && text->isVisible());
+  const double line = 1.35 * text->fontMetrics().lineSpacing();
+  EXPECT_GE(text->viewport()->height(), 7 * line);
+  window.findChild<LowerArea*>()->setShown(LowerPage::Jitter, true);
+  window.findChild<Workspace*>()->shareSide();
+  settle();
+  EXPECT_GE(text->viewport()->height(), 2 * text->fontMetrics().lineSpacing());
 }
 
 TEST_F(TextSizeTest, AWindowThatOpensAtTwoHundredPercentHasRoomForCurves) {
