@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 #include <utility>
 
 namespace taa::app {
@@ -50,12 +52,23 @@ class EntryDelegate : public QStyledItemDelegate {
   }
 };
 
+/// Groups in the order of their first entries, and in a group the order that its entries have.
+std::vector<std::size_t> orderByGroups(const std::vector<ChooserEntry>& entries) {
+  std::map<QString, std::size_t> first;
+  std::vector<std::size_t> order(entries.size());
+  std::iota(order.begin(), order.end(), 0u);
+  for (const std::size_t index : order) first.try_emplace(entries[index].group, index);
+  std::ranges::stable_sort(order, {}, [&](std::size_t index) { return first.at(entries[index].group); });
+  return order;
+}
+
 } // namespace
 
 Chooser::Chooser(const QString& placeholder, std::vector<ChooserEntry> entries,
                  std::function<void(int)> choose, QWidget* parent)
     : QFrame(parent, Qt::Popup), entries_(std::move(entries)), choose_(std::move(choose)),
       field_(new QLineEdit), list_(new QListWidget) {
+  order_ = orderByGroups(entries_);
   setAttribute(Qt::WA_DeleteOnClose);
   setObjectName(QStringLiteral("popup"));
   auto* layout = new QVBoxLayout(this);
@@ -103,7 +116,7 @@ void Chooser::fill(const QString& wanted, int current) {
   QString group;
   QListWidgetItem* chosen = nullptr;
   const QStringList words = wanted.split(QLatin1Char(' '), Qt::SkipEmptyParts);
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
+  for (const std::size_t i : order_) {
     const ChooserEntry& entry = entries_[i];
     const QString known = entry.text + QLatin1Char(' ') + entry.group + QLatin1Char(' ') + entry.keywords;
     const bool found = std::ranges::all_of(

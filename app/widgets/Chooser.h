@@ -4,6 +4,7 @@
 #include <QFrame>
 #include <QString>
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace taa::app {
 struct ChooserEntry {
   QString text;
   QString detail;   ///< at the right, in secondary text
-  QString group;    ///< a heading before the first of a group
+  QString group;    ///< a heading before those of a group, which need not follow each other
   QString keywords; ///< found too, not shown
   bool enabled = true;
 };
@@ -41,6 +42,7 @@ class Chooser : public QFrame {
   void moveCurrent(int rows);
 
   std::vector<ChooserEntry> entries_;
+  std::vector<std::size_t> order_; ///< of entries as they are listed: those of a group together
   std::function<void(int)> choose_;
   QLineEdit* field_;
   QListWidget* list_;

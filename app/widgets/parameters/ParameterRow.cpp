@@ -142,8 +142,19 @@ bool ParameterRow::matches(const QString& wanted) const {
   const auto holds = [&](std::string_view field) {
     return tableText(field).contains(wanted, Qt::CaseInsensitive);
   };
-  return holds(row_.label) || holds(row_.path) || holds(row_.tooltip) ||
+  return holds(row_.label) || holds(row_.path) || holds(row_.tooltip) || isAssigned(wanted) ||
          std::ranges::any_of(row_.choices, [&](const Choice& choice) { return holds(choice.label); });
+}
+
+// As presets, lessons and taa-batch write it, "rectify.method=clipToFiltered", also while it is being typed.
+bool ParameterRow::isAssigned(const QString& wanted) const {
+  const qsizetype sign = wanted.indexOf(QLatin1Char('='));
+  if (sign < 0 || wanted.left(sign).trimmed().compare(qtext(row_.path), Qt::CaseInsensitive) != 0)
+    return false;
+  const QString value = wanted.mid(sign + 1).trimmed();
+  return row_.choices.empty() || std::ranges::any_of(row_.choices, [&](const Choice& choice) {
+           return qtext(choice.id).startsWith(value, Qt::CaseInsensitive);
+         });
 }
 
 void ParameterRow::edit(double value) {

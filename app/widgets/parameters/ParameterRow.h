@@ -47,6 +47,7 @@ class ParameterRow : public QWidget {
 
  private:
   void makeEditor();
+  bool isAssigned(const QString& wanted) const;
   void edit(double value);
   /// Whether label and editor fit side by side.
   bool fitsInOneLine(int width) const;

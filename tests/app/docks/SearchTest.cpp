@@ -13,6 +13,7 @@
 #include "app/widgets/SearchField.h"
 #include "app/widgets/bars/OfferBar.h"
 #include "app/widgets/bars/Strip.h"
+#include "app/widgets/parameters/ParameterRow.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QLabel>
@@ -57,6 +58,48 @@ TEST_F(Search, OfSettingsSaysThatNothingWasFound) {
   QTest::keyClick(field, Qt::Key_Escape);
   settle();
   EXPECT_EQ(missed(window.pipeline()), "");
+}
+
+// What presets, lessons and taa-batch write.
+TEST_F(Search, OfSettingsKnowsAssignments) {
+  const auto shown = [&] {
+    std::set<QString> paths;
+    for (const auto* row : window.pipeline()->findChildren<ParameterRow*>())
+      if (row->isVisible()) paths.insert(row->path());
+    return paths;
+  };
+  SearchField* field = window.pipeline()->searchField();
+  for (const char* wanted : {"rectify.method=clipToFiltered", "rectify.method=", "rectify.method = clipTo"}) {
+    field->setText(wanted);
+    EXPECT_EQ(shown(), std::set<QString>{"rectify.method"}) << wanted;
+    EXPECT_EQ(missed(window.pipeline()), "") << wanted;
+  }
+  field->setText("weight.minimum=0.25");
+  EXPECT_EQ(shown(), std::set<QString>{"weight.minimum"});
+  field->setText("rectify.method=nobody");
+  EXPECT_TRUE(shown().empty());
+  EXPECT_TRUE(missed(window.pipeline()).contains(QStringLiteral("“rectify.method=nobody”")));
+  field->clear();
+}
+
+// Commands of the menu File stand before and after those of its menu Export.
+TEST_F(Search, OfCommandsNamesEachGroupOnce) {
+  key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+  auto* chooser = qobject_cast<Chooser*>(QApplication::activePopupWidget());
+  ASSERT_TRUE(chooser);
+  const auto* list = chooser->findChild<QListWidget*>();
+  const auto headings = [&] {
+    std::multiset<QString> texts;
+    for (int row = 0; row < list->count(); ++row)
+      if (!list->item(row)->data(Qt::UserRole).isValid()) texts.insert(list->item(row)->text());
+    return texts;
+  };
+  ASSERT_EQ(headings().count("File"), 1u);
+  for (const QString& heading : headings()) EXPECT_EQ(headings().count(heading), 1u) << heading.toStdString();
+  chooser->search("quit");
+  ASSERT_EQ(list->currentItem()->text(), "Quit") << "the order leaves its entry what it is";
+  chooser->close();
+  settle();
 }
 
 TEST_F(Search, OfObjectsSaysThatNothingWasFound) {
