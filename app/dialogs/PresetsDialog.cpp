@@ -2,6 +2,7 @@
 
 #include "app/session/Session.h"
 #include "app/session/UserPresets.h"
+#include "app/style/DialogSize.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/widgets/ConfirmReplace.h"
@@ -82,6 +83,7 @@ PresetsDialog::PresetsDialog(Session& session, QString folder, QWidget* parent)
     error_->setVisible(true);
   });
   readPresets();
+  resize(sizeOver(parent, {scaled(190 * kUnit), scaled(170 * kUnit)}));
 }
 
 QWidget* PresetsDialog::makeButtons() {

@@ -26,7 +26,6 @@ class PresetsDialog : public QDialog {
 
   QListWidget* list() const { return list_; }
   QTreeWidget* table() const { return table_; }
-  QSize sizeHint() const override { return {760, 460}; }
 
  Q_SIGNALS:
   void userPresetsChanged();

@@ -161,6 +161,18 @@ TEST_F(UserPresetsTest, RowsBeginAtTheSamePlaceChosenOrNot) {
   for (const int row : {0, 2, 3}) EXPECT_NEAR(textBegin(row), textBegin(1), 2) << "letters begin unlike";
 }
 
+TEST_F(UserPresetsTest, AreComparedInAsMuchRoomAsTheWindowHas) {
+  for (const QSize& size : {QSize(1024, 600), QSize(1280, 800)}) {
+    own.resize(size);
+    QTest::keyClick(&own, Qt::Key_D, Qt::ControlModifier);
+    auto* dialog = own.findChild<PresetsDialog*>();
+    ASSERT_TRUE(dialog);
+    EXPECT_LE(dialog->height(), size.height());
+    EXPECT_GE(dialog->height(), std::min(680, size.height() - 16)) << size.height();
+    delete dialog;
+  }
+}
+
 TEST_F(UserPresetsTest, AreComparedRenamedAndDeleted) {
   saveAs("Mine");
   session.presets().setParameter("weight.minimum", 0.25);
