@@ -1,5 +1,6 @@
 #include "app/panels/ProfilerPanel.h"
 
+#include "app/style/CurveColor.h"
 #include "app/style/Icons.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
@@ -148,7 +149,7 @@ void ProfilerPanel::showPasses() {
   std::vector<ValueTable::Row> rows;
   for (const ProfileSeries::Row& row : series_.rows())
     rows.push_back({{tableText(row.name), ms(row.last), ms(row.median), percentNumber(row.share)},
-                    ProfileChart::colorOf(rows.size())});
+                    onPanel(ProfileChart::colorOf(rows.size()), themeColors(this))});
   rows.push_back({{tr("All"), ms(series_.last().totalMs), ms(series_.medianTotal()), {}}, {}, true});
   passes_->setRows(rows);
   passesTitle_->setText(
@@ -207,6 +208,12 @@ void ProfilerPanel::copy(bool asCsv) const {
 void ProfilerPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   if (!event->spontaneous()) Q_EMIT shownChanged(true);
+}
+
+// Another theme.
+void ProfilerPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && !series_.isEmpty()) showPasses();
 }
 
 void ProfilerPanel::hideEvent(QHideEvent* event) {

@@ -49,6 +49,7 @@ class ProfilerPanel : public QWidget {
 
  protected:
   void showEvent(QShowEvent*) override;
+  void changeEvent(QEvent*) override;
   void hideEvent(QHideEvent*) override;
 
  private:

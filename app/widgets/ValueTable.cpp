@@ -17,7 +17,7 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kWidestName = 200; ///< px, of what a table asks to have room for
+constexpr int kWidestName = 240; ///< px, of what a table asks to have room for
 
 QString quoted(QString field) {
   if (!field.contains(QLatin1Char(',')) && !field.contains(QLatin1Char('"'))) return field;

@@ -1,5 +1,6 @@
 #include "app/views/plots/CurveChart.h"
 
+#include "app/style/CurveColor.h"
 #include "app/style/Numbers.h"
 #include "app/style/Theme.h"
 
@@ -149,22 +150,25 @@ void CurveChart::layOutNames() {
 
 // A run of one point between gaps is a dot.
 void CurveChart::drawCurves(QPainter& painter) const {
+  const ThemeColors& colors = themeColors(this);
   painter.save();
   painter.setClipRect(axes_.plot().adjusted(-1.0, -1.0, 1.0, 1.0));
-  for (const Curve& curve : curves_)
+  for (const Curve& curve : curves_) {
+    const QColor color = onPanel(curve.color, colors);
     for (const std::vector<QPointF>& run : runsOf(curve.points)) {
       QPolygonF line;
       for (const QPointF& point : run) line << axes_.pointOf(point);
-      painter.setPen(QPen(curve.color, 1.5, curve.dash, Qt::FlatCap));
+      painter.setPen(QPen(color, 1.5, curve.dash, Qt::FlatCap));
       painter.setBrush(Qt::NoBrush);
       if (run.size() > 1) {
         painter.drawPolyline(line);
         continue;
       }
       painter.setPen(Qt::NoPen);
-      painter.setBrush(curve.color);
+      painter.setBrush(color);
       painter.drawEllipse(line.first(), kDotRadius, kDotRadius);
     }
+  }
   painter.restore();
 }
 

@@ -1,5 +1,6 @@
 #include "app/views/plots/CurveLegend.h"
 
+#include "app/style/CurveColor.h"
 #include "app/style/Numbers.h"
 #include "app/style/Theme.h"
 
@@ -98,7 +99,7 @@ void CurveLegend::paintEntry(QPainter& painter, const ThemeColors& colors, const
   const double sample = isShortened_ ? scaled(kShortSample) : scaled(kLongSample);
   const double baseline = scaled(kFirstBaseline) + place.line * scaled(kLineHeight);
   double left = left_ + place.left;
-  painter.setPen(QPen(curve.color, 1.5, curve.dash, Qt::FlatCap));
+  painter.setPen(QPen(onPanel(curve.color, colors), 1.5, curve.dash, Qt::FlatCap));
   painter.drawLine(QPointF(left, baseline - 4.0), QPointF(left + sample, baseline - 4.0));
   left += sample + kUnit;
   painter.setPen(colors.secondary);

@@ -1,5 +1,6 @@
 #include "app/views/plots/ProfileChart.h"
 
+#include "app/style/CurveColor.h"
 #include "app/style/Theme.h"
 
 #include "core/picture/ColorMap.h"
@@ -88,8 +89,9 @@ void ProfileChart::paintEvent(QPaintEvent*) {
     for (const QPointF& point : edges_[place]) area << axes_.pointOf(point);
     for (auto point = edges_[place + 1].rbegin(); point != edges_[place + 1].rend(); ++point)
       area << axes_.pointOf(*point);
-    painter.setPen(QPen(colorOf(place), 1.0)); // closes the seams that smooth edges leave
-    painter.setBrush(colorOf(place));
+    const QColor color = onPanel(colorOf(place), colors);
+    painter.setPen(QPen(color, 1.0)); // closes the seams that smooth edges leave
+    painter.setBrush(color);
     painter.drawPolygon(area);
   }
 }

@@ -1,5 +1,6 @@
 #include "app/views/plots/ScatterChart.h"
 
+#include "app/style/CurveColor.h"
 #include "app/style/Numbers.h"
 #include "app/style/Theme.h"
 
@@ -159,8 +160,9 @@ void ScatterChart::paintEvent(QPaintEvent*) {
   for (const ScatterPoint& point : points_) ofScenes.insert(point.scene);
   for (const std::size_t scene : ofScenes) paintFront(painter, scene);
   for (const ScatterPoint& point : points_) {
-    painter.setPen(QPen(point.color, 1.5));
-    painter.setBrush(point.isOnFront ? QBrush(point.color) : QBrush(Qt::NoBrush));
+    const QColor color = onPanel(point.color, colors);
+    painter.setPen(QPen(color, 1.5));
+    painter.setBrush(point.isOnFront ? QBrush(color) : QBrush(Qt::NoBrush));
     drawSign(painter, placeOf(point), point.scene);
     if (point.index != chosen_) continue;
     painter.setPen(QPen(colors.accent, 2.0));
