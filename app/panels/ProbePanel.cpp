@@ -64,8 +64,28 @@ double finite(const QJsonValue& value, double otherwise) {
 constexpr IntermediateId kNeighbors[] = {IntermediateId::color, IntermediateId::historyRectified,
                                          IntermediateId::resolved};
 constexpr int kValueColumn = 15;  ///< characters
+constexpr int kLeastWidth = 300;  ///< px, of texts of 100 %; with larger ones half as much more
 constexpr int kEnoughRows = 6;    ///< of values, before what is said of them is cut
 constexpr int kValueMargins = 14; ///< beside the text of a cell: 4 a side by the style sheet, 3 by Fusion
+
+/// px that the columns take so that none of their texts is cut.
+struct ValueColumns {
+  int name, value, unit;
+};
+
+ValueColumns neededColumns(int indentation) {
+  // A text that is a part of a pixel too long loses its last letters.
+  const auto widthOf = [exact = QFontMetricsF(secondaryFont())](const QString& text) {
+    return static_cast<int>(std::ceil(exact.horizontalAdvance(text)));
+  };
+  int name = 0, unit = 0;
+  for (const Intermediate& row : kIntermediates) {
+    name = std::max(name, widthOf(tableText(row.label)));
+    unit = std::max(unit, widthOf(tableText(row.unit)));
+  }
+  const int value = QFontMetrics(numberFont()).horizontalAdvance(QString(kValueColumn, QLatin1Char('0')));
+  return {name + indentation + kValueMargins, value + kValueMargins, unit + kValueMargins};
+}
 
 class ValuesTree : public QTreeView {
  public:
@@ -91,7 +111,6 @@ ProbePanel::ProbePanel(QWidget* parent) : QWidget(parent), model_(new ProbeModel
 
   makePages();
   layout->addWidget(content_, 1);
-  setMinimumWidth(300);
   setPixel({});
 }
 
@@ -304,29 +323,28 @@ QString ProbePanel::placeText(const ProbeResult& result) const {
   return object.isEmpty() ? place : QStringLiteral("%1  %2").arg(place, object);
 }
 
+// As wide as names, values and units of texts of 100 %; larger ones leave the views their room.
+QSize ProbePanel::minimumSizeHint() const {
+  const ValueColumns needed = neededColumns(table_->indentation());
+  const double columns = (needed.name + needed.value + needed.unit) / textScale();
+  const int bar = table_->verticalScrollBar()->sizeHint().width();
+  const double ofLarge = kLeastWidth * 0.5 * (1.0 + textScale());
+  return {static_cast<int>(std::ceil(std::max(columns + bar, ofLarge))), QWidget::minimumSizeHint().height()};
+}
+
 void ProbePanel::fitColumns() {
-  const QFontMetrics digits(numberFont());
-  // A text that is a part of a pixel too long loses its last letters.
-  const auto widthOf = [exact = QFontMetricsF(secondaryFont())](const QString& text) {
-    return static_cast<int>(std::ceil(exact.horizontalAdvance(text)));
-  };
-  int name = 0, unit = 0;
-  for (const Intermediate& row : kIntermediates) {
-    name = std::max(name, widthOf(tableText(row.label)));
-    unit = std::max(unit, widthOf(tableText(row.unit)));
-  }
-  const int valueWidth = digits.horizontalAdvance(QString(kValueColumn, QLatin1Char('0'))) + kValueMargins;
-  const int unitWidth = unit + kValueMargins;
+  const ValueColumns needed = neededColumns(table_->indentation());
   const int whole = width() - table_->verticalScrollBar()->sizeHint().width();
-  const int room = whole - valueWidth - unitWidth;
+  const int room = whole - needed.value - needed.unit;
   // Names are whole before units are: with letters that are large these are scrolled to.
-  const int nameWidth = std::min(whole - valueWidth, name + table_->indentation() + kValueMargins);
-  table_->setHorizontalScrollBarPolicy(nameWidth > room ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
-  table_->setColumnWidth(ProbeModel::Name, nameWidth);
-  table_->setColumnWidth(ProbeModel::Value, valueWidth);
-  table_->setColumnWidth(ProbeModel::Unit, unitWidth);
-  table_->setColumnHidden(ProbeModel::Meaning,
-                          room - nameWidth < widthOf(QObject::tr("the pixel itself")) + kValueMargins);
+  const int name = std::min(whole - needed.value, needed.name);
+  table_->setHorizontalScrollBarPolicy(name > room ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
+  table_->setColumnWidth(ProbeModel::Name, name);
+  table_->setColumnWidth(ProbeModel::Value, needed.value);
+  table_->setColumnWidth(ProbeModel::Unit, needed.unit);
+  const int meaning =
+      QFontMetrics(secondaryFont()).horizontalAdvance(QObject::tr("the pixel itself")) + kValueMargins;
+  table_->setColumnHidden(ProbeModel::Meaning, room - name < meaning);
 }
 
 void ProbePanel::resizeEvent(QResizeEvent*) {

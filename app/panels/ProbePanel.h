@@ -79,6 +79,7 @@ class ProbePanel : public QWidget {
   QJsonObject state() const;
   void setState(const QJsonObject& state);
   QSize sizeHint() const override { return {380, 600}; }
+  QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
   void removeRequested();

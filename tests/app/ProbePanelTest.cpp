@@ -1,5 +1,6 @@
 // The probe table: every intermediate, exact values, words.
 #include "app/panels/ProbePanel.h"
+#include "app/docks/Workspace.h"
 #include "app/models/ProbeModel.h"
 #include "app/panels/StatusLine.h"
 #include "app/style/Numbers.h"
@@ -10,6 +11,7 @@
 #include "tests/app/WindowFixture.h"
 
 #include <QClipboard>
+#include <QDockWidget>
 #include <QStyle>
 #include <QStyleOptionViewItem>
 #include <QTreeView>
@@ -30,6 +32,23 @@ QString cell(const ProbeModel* model, IntermediateId id, int column) {
 }
 
 } // namespace
+
+// As a session of a smaller window may have left it.
+TEST_F(ProbeTable, AtItsNarrowestShowsUnitsWhole) {
+  session.probes().setPixel(glm::ivec2(12, 7));
+  auto* dock = window.findChild<QDockWidget*>("probe");
+  ASSERT_TRUE(dock);
+  window.workspace()->resizeDocks({dock}, {1}, Qt::Horizontal);
+  settle();
+  const QTreeView* table = nullptr;
+  for (const auto* each : window.probe()->findChildren<QTreeView*>())
+    if (each->isVisible()) table = each;
+  ASSERT_TRUE(table && table->model()->inherits("taa::app::ProbeModel"));
+  EXPECT_LT(table->width(), 380) << "it was made narrower";
+  EXPECT_EQ(table->horizontalScrollBarPolicy(), Qt::ScrollBarAlwaysOff);
+  const int unit = table->columnViewportPosition(ProbeModel::Unit) + table->columnWidth(ProbeModel::Unit);
+  EXPECT_LE(unit, table->viewport()->width());
+}
 
 TEST(ProbeModel, HasEveryIntermediateOnceBelowItsStage) {
   ProbeModel model;
