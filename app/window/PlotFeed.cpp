@@ -33,7 +33,7 @@ void PlotFeed::connectTraces() {
   connect(&to_.plots, &PlotsPanel::shownChanged, this, &PlotFeed::showTraces);
   connect(&session_, &Session::traceArrived, &to_.plots, &PlotsPanel::addSample);
   connect(&session_, &Session::traceArrived, this, [this](const TraceDelivery& trace) {
-    if (trace.frame == session_.status().info.frame) showAlphas();
+    if (trace.frame <= session_.status().info.frame) showAlphas(); // also one that was filled in
   });
   connect(&session_.probes(), &ProbeChoices::changed, this, &PlotFeed::showTraces);
   connect(&session_, &Session::workChanged, this,

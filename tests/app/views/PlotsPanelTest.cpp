@@ -269,6 +269,29 @@ TEST_F(Plots, TheirStateComesBack) {
   EXPECT_TRUE(plots()->rows().empty());
 }
 
+// They were those of the frame on show alone until another was shown.
+TEST_F(Plots, WeightsFollowFramesBeforeThatAreFilledIn) {
+  goTo(9);
+  key(Qt::Key_F7, Qt::ShiftModifier);
+  const auto tellOf = [&](int frame) {
+    const Probe& probe = session.probes().all().at(0);
+    TraceDelivery trace{.probe = probe,
+                        .frame = frame,
+                        .sample = {probe.pixel, {}},
+                        .shotVersion = session.status().shotVersion};
+    trace.sample.record.fill(glm::vec4(0.1f)); // α with the rest
+    renderer->tell(trace);
+  };
+  const std::vector<Curve>& curves = window.weights()->weights()->curves();
+  const auto measures = [&](std::size_t frames) {
+    return test::waitFor([&] { return curves.size() == 2 && curves[1].points.size() == frames; }, 5000);
+  };
+  tellOf(9);
+  EXPECT_TRUE(measures(1));
+  for (int frame = 0; frame < 9; ++frame) tellOf(frame);
+  EXPECT_TRUE(measures(10));
+}
+
 TEST_F(Plots, WeightsAreMeasuredAtTheProbe) {
   for (const int frame : {1, 2, 3}) goTo(frame);
   key(Qt::Key_F7, Qt::ShiftModifier);
