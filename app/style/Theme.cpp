@@ -37,10 +37,14 @@ QLineEdit#valueEditor { padding: 0 3px; min-height: 0; border-color: @accent; }
 QPushButton { background: @panel; color: @text; border: 1px solid @line; padding: 4px 12px; min-height: 14px; }
 QPushButton:hover { background: @hover; }
 QPushButton:focus, QPushButton:default { border-color: @accent; }
+QPushButton:disabled { color: @secondary; background: transparent; }
 QToolButton { background: transparent; border: none; padding: 3px; color: @text; }
 QToolButton:hover { background: @hover; }
 QToolButton:checked { background: @hover; }
 QToolButton:focus { border: 1px solid @accent; padding: 2px; }
+QToolButton[popupMode="2"] { padding-right: 16px; }
+QToolButton[popupMode="2"]:focus { padding-right: 15px; }
+QToolButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: center right; right: 4px; }
 QTextBrowser#lessonText { background: @panel; border: none; }
 QScrollArea { border: none; background: transparent; }
 QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
