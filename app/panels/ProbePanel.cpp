@@ -64,7 +64,7 @@ double finite(const QJsonValue& value, double otherwise) {
 constexpr IntermediateId kNeighbors[] = {IntermediateId::color, IntermediateId::historyRectified,
                                          IntermediateId::resolved};
 constexpr int kValueColumn = 15;  ///< characters
-constexpr int kLeastWidth = 300;  ///< px, of texts of 100 %; with larger ones half as much more
+constexpr int kNarrowProbe = 300; ///< px, of texts of 100 %; with larger ones half as much more
 constexpr int kEnoughRows = 6;    ///< of values, before what is said of them is cut
 constexpr int kValueMargins = 14; ///< beside the text of a cell: 4 a side by the style sheet, 3 by Fusion
 
@@ -328,7 +328,7 @@ QSize ProbePanel::minimumSizeHint() const {
   const ValueColumns needed = neededColumns(table_->indentation());
   const double columns = (needed.name + needed.value + needed.unit) / textScale();
   const int bar = table_->verticalScrollBar()->sizeHint().width();
-  const double ofLarge = kLeastWidth * 0.5 * (1.0 + textScale());
+  const double ofLarge = kNarrowProbe * 0.5 * (1.0 + textScale());
   return {static_cast<int>(std::ceil(std::max(columns + bar, ofLarge))), QWidget::minimumSizeHint().height()};
 }
 
