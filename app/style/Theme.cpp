@@ -10,6 +10,7 @@
 #include <QStyleFactory>
 #include <QWidget>
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -34,7 +35,7 @@ QLineEdit { background: @field; color: @text; border: 1px solid @line; padding: 
   selection-background-color: @accent; selection-color: @onAccent; }
 QLineEdit:focus { border-color: @accent; }
 QLineEdit#valueEditor { padding: 0 3px; min-height: 0; border-color: @accent; }
-QPushButton { background: @panel; color: @text; border: 1px solid @line; padding: 4px 12px; min-height: 14px; }
+QPushButton { background: @panel; color: @text; border: 1px solid @line; padding: 4px 12px; min-height: @buttonpx; }
 QPushButton:hover { background: @hover; }
 QPushButton:focus, QPushButton:default { border-color: @accent; }
 QPushButton:disabled { color: @secondary; background: transparent; }
@@ -85,6 +86,9 @@ QString filled(QString sheet, const ThemeColors& colors) {
   };
   // The longer of two names with the same beginning must go first; none here is the beginning of another.
   for (const auto& [name, color] : names) sheet.replace(QLatin1String(name), color.name());
+  // Of a line of larger letters: this least height holds where a layout has too little room.
+  const int button = static_cast<int>(std::lround(14 + 18 * (textScale() - 1.0)));
+  sheet.replace(QLatin1String("@button"), QString::number(button));
   return sheet.replace(QLatin1String("@small"), QString::number(9 * textScale()));
 }
 
