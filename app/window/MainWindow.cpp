@@ -131,6 +131,9 @@ MainWindow::~MainWindow() {
                                   &session_.scene(), &session_.verdicts(), &session_.undoStack()};
   for (const QObject* part : parts) disconnect(part, nullptr, this, nullptr);
   disconnect(views_, nullptr, this, nullptr);
+  // A panel that is torn off is a window, which says that it is hidden when it is destroyed: after the views.
+  for (PanelDock* dock : findChildren<PanelDock*>())
+    if (dock->isFloating()) dock->hide();
 }
 
 void MainWindow::makePanels() {

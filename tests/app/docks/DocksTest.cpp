@@ -3,6 +3,7 @@
 #include "app/docks/PanelCycle.h"
 #include "app/docks/PanelDock.h"
 #include "app/docks/Workspace.h"
+#include "app/doctor/DoctorPanel.h"
 #include "app/panels/JitterPanel.h"
 #include "app/panels/LeftArea.h"
 #include "app/panels/LowerArea.h"
@@ -232,6 +233,32 @@ TEST(WindowLayout, IsRememberedFromOneStartToTheNext) {
     window.close();
   }
   EXPECT_EQ(width, 371);
+}
+
+// A window of its own is hidden by its destructor, after the views are destroyed, in which the doctor's page
+// shows where it found something.
+TEST(WindowLayout, PanelsThatAreTornOffSayNothingOnceTheViewsAreGone) {
+  const QTemporaryDir folder;
+  QSettings settings(folder.filePath("settings.ini"), QSettings::IniFormat);
+  Session session(
+      [](Listener listener) { return std::make_unique<test::FakeRenderer>(std::move(listener)); });
+  bool areViewsGone = false, isSaidAfter = false;
+  {
+    test::TestWindow window(session, &settings);
+    window.resize(1400, 900);
+    window.show();
+    window.lower()->setShown(LowerPage::Doctor, true);
+    QTest::qWait(50);
+    window.workspace()->setTornOff(window.findChild<PanelDock*>("lower"), true);
+    QTest::qWait(30);
+    ASSERT_TRUE(window.doctor()->isVisible());
+    ASSERT_NE(window.doctor()->window(), &window);
+    QObject::connect(window.views(), &QObject::destroyed, [&] { areViewsGone = true; });
+    QObject::connect(window.doctor(), &DoctorPanel::changed,
+                     [&] { isSaidAfter = isSaidAfter || areViewsGone; });
+  }
+  EXPECT_TRUE(areViewsGone);
+  EXPECT_FALSE(isSaidAfter);
 }
 
 // As when a window is taken down: what held the focus goes, and the panels went before.
