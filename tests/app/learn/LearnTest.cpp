@@ -42,6 +42,8 @@ const taa::Lesson& tour() {
 
 class LearnTest : public FakeWindow {
  protected:
+  /// Letters are the application's, not the window's.
+  void TearDown() override { window.setTextPercent(100); }
   LearnPanel* panel() { return window.findChild<LearnPanel*>(); }
   Learning* learning() { return window.findChild<Learning*>(); }
   PartFrame* frame() { return window.findChild<PartFrame*>(); }
