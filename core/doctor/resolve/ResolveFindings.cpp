@@ -355,13 +355,26 @@ void tellNearest(const ResolveFit& sound, Diagnosis& out) {
                    say<"Capture the output before it is tone-mapped, sharpened or drawn over.">(), out);
 }
 
+/// Whether what is sound explains a set clearly better than each mistake that shows there.
+bool isSoundAt(const ResolveEvidence& evidence, PixelSet set) {
+  const auto sound = evidence.best(ResolveKind::Sound, set);
+  for (std::size_t k = 0; k < kResolveKinds && sound; ++k) {
+    const auto kind = static_cast<ResolveKind>(k);
+    if (kind == ResolveKind::Sound || setOf(kind) != set) continue;
+    const auto mistake = evidence.best(kind, set);
+    if (mistake && mistake->error - sound->error < kExactLess) return false;
+  }
+  return sound.has_value();
+}
+
 /// Mistakes at pixels that lie apart; rests on models that fit all others.
 void tellApart(const ResolveEvidence& evidence, Diagnosis& out) {
   const auto isTold = [&](PixelSet set) {
     const auto fit = mistakeOf(evidence, set);
     const bool isExact = fit && fit->error <= kExactLess;
     if (evidence.pixels(set) < (isExact ? kEnoughExactApart : kEnoughApart)) return false;
-    if (fit) tellMistake(evidence, *fit, out);
+    if (!fit) return isSoundAt(evidence, set);
+    tellMistake(evidence, *fit, out);
     return true;
   };
   if (!isTold(PixelSet::Rims))
