@@ -116,9 +116,7 @@ void LearnPanel::setStep(const Lesson& lesson, int step, const StepNotes& notes)
   place_->setText(tr("%1 of %2").arg(step + 1).arg(lesson.steps.size()));
   // Its title goes with the text, which may have room for few lines.
   const std::string title = "## " + shown.title + "\n\n";
-  const QString text = qtext(title + (step == 0 ? lesson.summary + "\n" : "") + shown.text);
-  if (text != shownText_) text_->setText(text);
-  shownText_ = text;
+  text_->setText(qtext(title + (step == 0 ? lesson.summary + "\n" : "") + shown.text));
   back_->setEnabled(step > 0);
   // After the last step the next lesson comes, where there is one.
   const bool isLast = step + 1 == static_cast<int>(lesson.steps.size());

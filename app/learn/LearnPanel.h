@@ -58,7 +58,6 @@ class LearnPanel : public QWidget {
   IconButton* close_ = nullptr;
   QLabel *place_ = nullptr, *answer_ = nullptr;
   LessonText* text_ = nullptr;
-  QString shownText_; ///< Markdown
   QPushButton *back_ = nullptr, *next_ = nullptr, *return_ = nullptr, *check_ = nullptr, *hint_ = nullptr;
 };
 

@@ -104,6 +104,8 @@ LessonText::LessonText(QWidget* parent) : QTextBrowser(parent) {
 }
 
 void LessonText::setText(const QString& markdown) {
+  if (markdown == markdown_) return;
+  markdown_ = markdown;
   document()->setMarkdown(markdown, QTextDocument::MarkdownFeatures(QTextDocument::MarkdownDialectGitHub) |
                                         QTextDocument::MarkdownNoHTML);
   setType();

@@ -12,6 +12,7 @@ class LessonText : public QTextBrowser {
   Q_OBJECT
  public:
   explicit LessonText(QWidget* parent = nullptr);
+  /// Another one is shown from its beginning; the same one stays where it was scrolled to.
   void setText(const QString& markdown);
   /// Shows its end rather than its beginning, also when it gets less room.
   void setKeepsEnd(bool keepsEnd);
@@ -30,6 +31,7 @@ class LessonText : public QTextBrowser {
   void fitLines();
   void showEnd();
 
+  QString markdown_;
   bool keepsEnd_ = false;
 };
 

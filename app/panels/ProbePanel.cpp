@@ -16,6 +16,7 @@
 #include "app/widgets/areas/YieldingColumn.h"
 #include "app/widgets/bars/ElidedLabel.h"
 #include "app/widgets/bars/ProbeBar.h"
+#include "app/widgets/probe/ProbeTable.h"
 #include "app/widgets/verdict/VerdictDetails.h"
 #include "app/widgets/verdict/VerdictLine.h"
 
@@ -24,14 +25,11 @@
 #include "core/taa/twin/Known.h"
 
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QJsonArray>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QScrollBar>
 #include <QStackedWidget>
 #include <QTabBar>
-#include <QTreeView>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -63,36 +61,8 @@ double finite(const QJsonValue& value, double otherwise) {
 
 constexpr IntermediateId kNeighbors[] = {IntermediateId::color, IntermediateId::historyRectified,
                                          IntermediateId::resolved};
-constexpr int kValueColumn = 15;  ///< characters
 constexpr int kNarrowProbe = 300; ///< px, of texts of 100 %; with larger ones half as much more
 constexpr int kEnoughRows = 6;    ///< of values, before what is said of them is cut
-constexpr int kValueMargins = 14; ///< beside the text of a cell: 4 a side by the style sheet, 3 by Fusion
-
-/// px that the columns take so that none of their texts is cut.
-struct ValueColumns {
-  int name, value, unit;
-};
-
-ValueColumns neededColumns(int indentation) {
-  // A text that is a part of a pixel too long loses its last letters.
-  const auto widthOf = [exact = QFontMetricsF(secondaryFont())](const QString& text) {
-    return static_cast<int>(std::ceil(exact.horizontalAdvance(text)));
-  };
-  int name = 0, unit = 0;
-  for (const Intermediate& row : kIntermediates) {
-    name = std::max(name, widthOf(tableText(row.label)));
-    unit = std::max(unit, widthOf(tableText(row.unit)));
-  }
-  const int value = QFontMetrics(numberFont()).horizontalAdvance(QString(kValueColumn, QLatin1Char('0')));
-  return {name + indentation + kValueMargins, value + kValueMargins, unit + kValueMargins};
-}
-
-class ValuesTree : public QTreeView {
- public:
-  using QTreeView::QTreeView;
-  QSize sizeHint() const override { return {380, 24 * app::rowHeight()}; }
-  QSize minimumSizeHint() const override { return {120, 3 * app::rowHeight()}; }
-};
 
 } // namespace
 
@@ -248,61 +218,18 @@ QWidget* ProbePanel::makeNeighbors() {
   return row;
 }
 
+QTreeView* ProbePanel::table() const {
+  return table_;
+}
+
 void ProbePanel::makeTable() {
-  table_ = new ValuesTree;
+  table_ = new ProbeTable(model_);
   table_->setAccessibleName(tr("Every intermediate at the pixel"));
-  table_->setModel(model_);
-  table_->setRootIsDecorated(false);
-  table_->setItemsExpandable(true);
-  table_->setIndentation(3 * kUnit);
-  table_->setFrameShape(QFrame::NoFrame);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setAllColumnsShowFocus(true);
-  table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
-  table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  table_->setTextElideMode(Qt::ElideRight);
-  table_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  table_->header()->setStretchLastSection(true);
-  table_->header()->setSectionsMovable(false);
-  table_->header()->setMinimumSectionSize(24);
-  table_->header()->setTextElideMode(Qt::ElideRight);
-  table_->expandAll();
-  for (int row = 0; row < model_->rowCount(); ++row) table_->setFirstColumnSpanned(row, {}, true);
-  connect(model_, &ProbeModel::foldsChanged, this, &ProbePanel::showFolds);
-  connect(table_, &QTreeView::clicked, this, &ProbePanel::toggleFold);
-  table_->installEventFilter(this);
   connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           &ProbePanel::describeCurrentRow);
   connect(table_, &QTreeView::activated, this, [this](const QModelIndex& index) {
     if (const auto id = model_->idOf(index)) Q_EMIT intermediateChosen(*id);
   });
-}
-
-void ProbePanel::showFolds() {
-  for (int place = 0; place < model_->rowCount(); ++place) {
-    const QModelIndex branch = model_->index(place, 0);
-    const bool isUnfolded = model_->isUnfolded(branch);
-    for (int row = 0; row < model_->rowCount(branch); ++row) {
-      const QModelIndex index = model_->index(row, 0, branch);
-      table_->setRowHidden(row, branch, model_->isOff(index) && !isUnfolded);
-      table_->setFirstColumnSpanned(row, branch, model_->isFold(index));
-    }
-  }
-}
-
-void ProbePanel::toggleFold(const QModelIndex& line) {
-  const QModelIndex first = line.siblingAtColumn(ProbeModel::Name);
-  if (model_->isFold(first)) model_->setUnfolded(first.parent(), !model_->isUnfolded(first.parent()));
-}
-
-bool ProbePanel::eventFilter(QObject* object, QEvent* event) {
-  if (object != table_ || event->type() != QEvent::KeyPress || !model_->isFold(table_->currentIndex()))
-    return QWidget::eventFilter(object, event);
-  const int key = static_cast<QKeyEvent*>(event)->key();
-  if (key != Qt::Key_Return && key != Qt::Key_Enter && key != Qt::Key_Space)
-    return QWidget::eventFilter(object, event);
-  toggleFold(table_->currentIndex());
-  return true;
 }
 
 void ProbePanel::setOutline(const std::shared_ptr<const SceneOutline>& outline) {
@@ -323,34 +250,16 @@ QString ProbePanel::placeText(const ProbeResult& result) const {
   return object.isEmpty() ? place : QStringLiteral("%1  %2").arg(place, object);
 }
 
-// As wide as names, values and units of texts of 100 %; larger ones leave the views their room.
+// Larger letters leave the views their room.
 QSize ProbePanel::minimumSizeHint() const {
-  const ValueColumns needed = neededColumns(table_->indentation());
-  const double columns = (needed.name + needed.value + needed.unit) / textScale();
-  const int bar = table_->verticalScrollBar()->sizeHint().width();
-  const double ofLarge = kNarrowProbe * 0.5 * (1.0 + textScale());
-  return {static_cast<int>(std::ceil(std::max(columns + bar, ofLarge))), QWidget::minimumSizeHint().height()};
-}
-
-void ProbePanel::fitColumns() {
-  const ValueColumns needed = neededColumns(table_->indentation());
-  const int whole = width() - table_->verticalScrollBar()->sizeHint().width();
-  const int room = whole - needed.value - needed.unit;
-  // Names are whole before units are: with letters that are large these are scrolled to.
-  const int name = std::min(whole - needed.value, needed.name);
-  table_->setHorizontalScrollBarPolicy(name > room ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
-  table_->setColumnWidth(ProbeModel::Name, name);
-  table_->setColumnWidth(ProbeModel::Value, needed.value);
-  table_->setColumnWidth(ProbeModel::Unit, needed.unit);
-  const int meaning =
-      QFontMetrics(secondaryFont()).horizontalAdvance(QObject::tr("the pixel itself")) + kValueMargins;
-  table_->setColumnHidden(ProbeModel::Meaning, room - name < meaning);
+  const double ofLarge = std::ceil(kNarrowProbe * 0.5 * (1.0 + textScale()));
+  return {std::max(table_->neededWidth(), static_cast<int>(ofLarge)), QWidget::minimumSizeHint().height()};
 }
 
 void ProbePanel::resizeEvent(QResizeEvent*) {
   const int room = 3 * Swatches::wideWidth() + 2 * 4 * kUnit + 4 * kUnit;
   for (Swatches* swatches : swatches_) swatches->setWide(width() >= room);
-  fitColumns();
+  table_->fitColumns(width());
 }
 
 void ProbePanel::setPixel(std::optional<glm::ivec2> pixel) {

@@ -29,6 +29,7 @@ class ElidedLabel;
 class FittingArea;
 class IconButton;
 class ProbeBar;
+class ProbeTable;
 class Swatches;
 class VerdictDetails;
 class VerdictLine;
@@ -71,7 +72,7 @@ class ProbePanel : public QWidget {
   /// What the selected row tells: what happened, and its formula with the pixel's numbers.
   QString story() const;
   ProbeModel* model() const { return model_; }
-  QTreeView* table() const { return table_; }
+  QTreeView* table() const;
   ProbeBar* bar() const { return bar_; }
   VerdictLine* verdict() const { return verdict_; }
   VerdictDetails* verdictDetails() const { return verdictDetails_; }
@@ -92,13 +93,10 @@ class ProbePanel : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent*) override;
-  bool eventFilter(QObject* object, QEvent* event) override;
 
  private:
   QString placeText(const ProbeResult& result) const;
-  void showFolds();
   int conclusionsHeight() const; ///< what is said above the values, px
-  void toggleFold(const QModelIndex& line);
   QWidget* makeTop();
   QWidget* makeInvitation();
   void makePages();
@@ -111,7 +109,6 @@ class ProbePanel : public QWidget {
   void describeCurrentRow();
   void showLost(const ProbeResult& result);
   void showSummary(const ProbeResult& result);
-  void fitColumns();
 
   std::optional<ProbeResult> result_;
   Comparison comparison_;
@@ -129,7 +126,7 @@ class ProbePanel : public QWidget {
   WhatIfPage* whatIf_ = nullptr;
   IconButton *copy_ = nullptr, *remove_ = nullptr;
   std::array<Swatches*, 3> swatches_{};
-  QTreeView* table_ = nullptr;
+  ProbeTable* table_ = nullptr;
 };
 
 } // namespace taa::app

@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/doctor/Withholding.h"
 #include "core/doctor/color/ColorCheck.h"
 #include "core/doctor/depth/DepthCheck.h"
 #include "core/doctor/frames/Regions.h"
@@ -22,7 +23,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -234,60 +234,6 @@ void blameMatrices(Diagnosis& out) {
   std::ranges::find_if(out.findings, isOfNear)->change =
       say<"State the matrices that frames are drawn with: their near plane is not the one that is stated, by "
           "which depth makes the motion of what rests.">();
-}
-
-/// Takes findings of motion back that are not sure, for `reason`. `first`: the one from which on they are of
-/// motion.
-void withhold(std::size_t first, const std::function<bool(const Finding&)>& isUnsure, Undecided reason,
-              Diagnosis& out) {
-  const auto unsure =
-      std::remove_if(out.findings.begin() + static_cast<std::ptrdiff_t>(first), out.findings.end(), isUnsure);
-  if (unsure == out.findings.end()) return;
-  out.findings.erase(unsure, out.findings.end());
-  out.undecided.push_back(std::move(reason));
-}
-
-/// Without object numbers depth says where parts of the picture end; coarse depth has them end anywhere.
-void withholdParts(std::size_t first, Diagnosis& out) {
-  const auto isOfPart = [](const Finding& finding) {
-    return !finding.isWholePicture && !std::ranges::all_of(finding.regions, &RegionPlace::isSky);
-  };
-  withhold(first, isOfPart,
-           {say<"Motion of parts">(),
-            say<"depth says which pixels are one part, and it is of a lower resolution">(),
-            say<"Mend depth first, or capture object numbers, too.">(),
-            {}},
-           out);
-}
-
-/// Jitter that nobody knows makes the motion of single regions look wrong by parts of a pixel, and says
-/// nothing of jitter in motion.
-void withholdMotion(const JitterOutcome& jitter, std::size_t first, Diagnosis& out) {
-  const auto isUnsure = [&](const Finding& finding) {
-    return (jitter.isContradicted && !finding.isWholePicture) || finding.id.starts_with("motionJitter");
-  };
-  withhold(first, isUnsure,
-           {say<"Motion">(),
-            say<"it does not fit, but pictures do not shift as the jitter that is stated either">(),
-            say<"Mend jitter first.">(),
-            {}},
-           out);
-}
-
-/// A sky that is drawn without the jitter that it is examined by looks as if its motion held jitter, and that
-/// of plain and thin things before it.
-void withholdSky(std::size_t first, Diagnosis& out) {
-  const auto isOfPart = [](const Finding& finding) {
-    return finding.id.starts_with("motionJitter") && !finding.isWholePicture;
-  };
-  const std::string_view found = faultInfo(Fault::SkyNotJittered).id;
-  if (std::ranges::find(out.findings, found, &Finding::id) == out.findings.end()) return;
-  withhold(first, isOfPart,
-           {say<"Jitter in motion">(),
-            say<"the sky is drawn without the jitter that it is examined by">(),
-            say<"Mend the sky first.">(),
-            {}},
-           out);
 }
 
 /// Motion, and depth as far as motion is a witness of it. `mayMend`: motion that one explanation makes right

@@ -1,5 +1,7 @@
 #include "core/picture/ColorMap.h"
 
+#include "core/picture/OkLab.h"
+
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -40,18 +42,10 @@ glm::vec3 stop(std::uint32_t hex) {
   return glm::vec3(hex >> 16, (hex >> 8) & 255u, hex & 255u) / 255.0f;
 }
 
-// Linear Rec. 709 from OKLab (B. Ottosson, 2020), clamped to what a screen can show.
+// Linear Rec. 709.
 glm::vec3 fromLch(const Lch& color) {
   const float hue = color.hue * std::numbers::pi_v<float> / 180.0f;
-  const float a = color.chroma * std::cos(hue), b = color.chroma * std::sin(hue);
-  const float l = color.lightness + 0.3963377774f * a + 0.2158037573f * b;
-  const float m = color.lightness - 0.1055613458f * a - 0.0638541728f * b;
-  const float s = color.lightness - 0.0894841775f * a - 1.2914855480f * b;
-  const float l3 = l * l * l, m3 = m * m * m, s3 = s * s * s;
-  const glm::vec3 rgb(4.0767416621f * l3 - 3.3077115913f * m3 + 0.2309699292f * s3,
-                      -1.2684380046f * l3 + 2.6097574011f * m3 - 0.3413193965f * s3,
-                      -0.0041960863f * l3 - 0.7034186147f * m3 + 1.7076147010f * s3);
-  return {std::clamp(rgb.x, 0.0f, 1.0f), std::clamp(rgb.y, 0.0f, 1.0f), std::clamp(rgb.z, 0.0f, 1.0f)};
+  return linearOfOkLab({color.lightness, color.chroma * std::cos(hue), color.chroma * std::sin(hue)});
 }
 
 glm::vec3 decoded(const glm::vec3& encoded) {

@@ -116,7 +116,7 @@ const Parameter kParameters[] = {
      "c·V", "manual §20, Unreal Engine", Uses(), FIELD(inputs.shadows)},
     {"inputs.sunRadius", "Sun's radius", Stage::Inputs, K::Number, Effect::Inputs, "°", 0, 5, kNoChoices,
      "Half the angle that the sun is wide for its shadows: the real one has 0.27°. Twice as wide, soft edges "
-     "are twice as wide. The disk that is seen in the sky has 0.8°, whatever is set here.",
+     "are twice as wide. The disk that is seen in the sky stays as it is.",
      "w = 2·h·tan r", "Unreal Engine, source angle", Uses(), FIELD(inputs.sunRadius)},
     {"inputs.shadowRays", "Rays", Stage::Inputs, K::Integer, Effect::Inputs, "", 1, 16, kNoChoices,
      "Rays from each pixel to the sun's disk. One is either stopped or not: noise that only a mean over "

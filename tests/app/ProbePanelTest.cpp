@@ -23,7 +23,7 @@
 
 using namespace taa;
 using namespace taa::app;
-using ProbeTable = test::FakeWindow;
+using ProbeTableTest = test::FakeWindow;
 
 namespace {
 
@@ -34,7 +34,7 @@ QString cell(const ProbeModel* model, IntermediateId id, int column) {
 } // namespace
 
 // As a session of a smaller window may have left it.
-TEST_F(ProbeTable, AtItsNarrowestShowsUnitsWhole) {
+TEST_F(ProbeTableTest, AtItsNarrowestShowsUnitsWhole) {
   session.probes().setPixel(glm::ivec2(12, 7));
   auto* dock = window.findChild<QDockWidget*>("probe");
   ASSERT_TRUE(dock);
@@ -138,7 +138,7 @@ TEST(ProbeModel, SaysWhereThereIsNoHistoryYet) {
   EXPECT_NE(cell(&model, IntermediateId::resolved, ProbeModel::Value), "—");
 }
 
-TEST_F(ProbeTable, SaysWhatTheCoreSaysOfItsValues) {
+TEST_F(ProbeTableTest, SaysWhatTheCoreSaysOfItsValues) {
   session.probes().setPixel(glm::ivec2(12, 7));
   settle();
   const ProbeResult& result = *session.probes().result();
@@ -148,7 +148,7 @@ TEST_F(ProbeTable, SaysWhatTheCoreSaysOfItsValues) {
   EXPECT_EQ(window.probe()->summary(), lines);
 }
 
-TEST_F(ProbeTable, ShowsTheValuesAtTheProbe) {
+TEST_F(ProbeTableTest, ShowsTheValuesAtTheProbe) {
   session.probes().setPixel(glm::ivec2(12, 7));
   settle();
   const QString value = cell(window.probe()->model(), IntermediateId::alpha, ProbeModel::Value).trimmed();
@@ -160,7 +160,7 @@ TEST_F(ProbeTable, ShowsTheValuesAtTheProbe) {
       << "the probe stays and follows the frame";
 }
 
-TEST_F(ProbeTable, CopiesTheExactValueOfTheActiveView) {
+TEST_F(ProbeTableTest, CopiesTheExactValueOfTheActiveView) {
   session.probes().setPixel(glm::ivec2(3, 2));
   settle();
   key(Qt::Key_C, Qt::ControlModifier);
@@ -173,7 +173,7 @@ TEST_F(ProbeTable, CopiesTheExactValueOfTheActiveView) {
   }
 }
 
-TEST_F(ProbeTable, GoesAwayWithEscape) {
+TEST_F(ProbeTableTest, GoesAwayWithEscape) {
   session.probes().setPixel(glm::ivec2(3, 2));
   settle();
   EXPECT_TRUE(window.probe()->table()->isVisible());
@@ -183,7 +183,7 @@ TEST_F(ProbeTable, GoesAwayWithEscape) {
   EXPECT_FALSE(window.probe()->table()->isVisible());
 }
 
-TEST_F(ProbeTable, GoesToTheNextWorstPixelByAKey) {
+TEST_F(ProbeTableTest, GoesToTheNextWorstPixelByAKey) {
   session.probes().setPixel(std::nullopt);
   settle();
   window.views()->active()->setIntermediate(IntermediateId::errorGhost);
@@ -205,7 +205,7 @@ TEST_F(ProbeTable, GoesToTheNextWorstPixelByAKey) {
   EXPECT_EQ(renderer->worstAsked[2].step, WorstStep::Category);
 }
 
-TEST_F(ProbeTable, GoesToRejectedClippedAndNaNPixelsByKeys) {
+TEST_F(ProbeTableTest, GoesToRejectedClippedAndNaNPixelsByKeys) {
   key(Qt::Key_J, Qt::AltModifier);
   key(Qt::Key_J, Qt::AltModifier | Qt::ShiftModifier);
   EXPECT_EQ(window.statusLine()->hover().toStdString(), "Clipped pixel 2 of 5, moved 50 % of the way");
@@ -217,7 +217,7 @@ TEST_F(ProbeTable, GoesToRejectedClippedAndNaNPixelsByKeys) {
   EXPECT_EQ(session.probes().pixel(), glm::ivec2(3, 2));
 }
 
-TEST_F(ProbeTable, RowsThatAreOffAreFoldedUnderALineThatUnfoldsThem) {
+TEST_F(ProbeTableTest, RowsThatAreOffAreFoldedUnderALineThatUnfoldsThem) {
   session.probes().setPixel(glm::ivec2(3, 2));
   settle();
   QTreeView* table = window.probe()->table();
@@ -258,7 +258,7 @@ TEST(ProbeModel, ObjectsHaveTheirNames) {
 
 // In a panel as wide as a window of 1600 pixels and more opens it, names and units are there to their last
 // letter.
-TEST_F(ProbeTable, HasRoomForNamesAndUnits) {
+TEST_F(ProbeTableTest, HasRoomForNamesAndUnits) {
   ProbePanel panel;
   panel.resize(468, 800);
   panel.show();

@@ -145,9 +145,9 @@ std::optional<std::size_t> trialAtRest(const JitterEvidence& evidence,
   if (!(lengths > kLeastPx * kLeastPx * static_cast<double>(shown.size()))) return {};
   std::optional<std::size_t> fitting;
   for (std::size_t t = 0; t < trials.size(); ++t) {
-    const bool isOfLength = trials[t].kind == JitterKind::NotApplied ||
-                            trials[t].kind == JitterKind::Scaled || trials[t].kind == JitterKind::OtherUnit;
-    if (isOfLength) continue;
+    const JitterKind kind = trials[t].kind;
+    if (kind == JitterKind::NotApplied || kind == JitterKind::Scaled || kind == JitterKind::OtherUnit)
+      continue;
     std::vector<glm::dvec2> measured, made;
     for (const auto& [frame, px] : shown)
       if (const auto jitter = trueJitter(trials[t], evidence.stated, frame)) {

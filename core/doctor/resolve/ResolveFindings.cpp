@@ -369,22 +369,25 @@ bool isSoundAt(const ResolveEvidence& evidence, PixelSet set) {
 
 /// Mistakes at pixels that lie apart; rests on models that fit all others.
 void tellApart(const ResolveEvidence& evidence, Diagnosis& out) {
-  const auto isTold = [&](PixelSet set) {
+  // Nothing: there are too few of them. False: a mistake makes as good as the same there.
+  const auto told = [&](PixelSet set) -> std::optional<bool> {
     const auto fit = mistakeOf(evidence, set);
     const bool isExact = fit && fit->error <= kExactLess;
-    if (evidence.pixels(set) < (isExact ? kEnoughExactApart : kEnoughApart)) return false;
+    if (evidence.pixels(set) < (isExact ? kEnoughExactApart : kEnoughApart)) return {};
     if (!fit) return isSoundAt(evidence, set);
     tellMistake(evidence, *fit, out);
     return true;
   };
-  if (!isTold(PixelSet::Rims))
+  if (const std::optional<bool> isTold = told(PixelSet::Rims); !isTold.value_or(false))
     out.undecided.push_back({say<"Dilation">(),
-                             say<"too few rims move otherwise than what is behind them">(),
+                             isTold ? say<"at rims the motion of the farthest makes as good as the same">()
+                                    : say<"too few rims move otherwise than what is behind them">(),
                              say<"Let something move before a background that rests.">(),
                              {Fault::DilatesFarthest}});
-  if (!isTold(PixelSet::Border))
+  if (const std::optional<bool> isTold = told(PixelSet::Border); !isTold.value_or(false))
     out.undecided.push_back({say<"History beyond the picture">(),
-                             say<"too little comes in from its border">(),
+                             isTold ? say<"what comes in from its border looks as good as the same there">()
+                                    : say<"too little comes in from its border">(),
                              say<"Let the camera turn by some pixels a frame.">(),
                              {Fault::OffScreenClamped}});
 }

@@ -75,6 +75,16 @@ TEST_F(DoctorFaults, AreNamedFirst) {
   }
 }
 
+// Rims are many there and sway a little: nothing was said of dilation.
+TEST_F(DoctorFaults, OfDilationAreOpenWhereTheFarthestMakesAsGoodAsTheSame) {
+  const Fault fault = Fault::DilatesFarthest;
+  const Diagnosis diagnosis = diagnosisWith({"foliage", "orbit", {}}, &fault);
+  EXPECT_TRUE(diagnosis.isHealthy());
+  const auto open = std::ranges::find(diagnosis.undecided, "Dilation", &Undecided::question);
+  ASSERT_NE(open, diagnosis.undecided.end());
+  EXPECT_EQ(open->reason, "at rims the motion of the farthest makes as good as the same");
+}
+
 // The rims of what is coarse have the motion of what is beside, as those of motion that is late; but they
 // showed nothing else a frame before.
 TEST_F(DoctorFaults, OfACoarsePlaneAreNotLate) {

@@ -1,13 +1,17 @@
 // The color maps: their known colors, and what makes them fit for data.
 #include "core/picture/ColorMap.h"
 
+#include "core/picture/OkLab.h"
 #include "core/picture/ViewRequest.h"
+
+#include <glm/vec3.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 
@@ -153,6 +157,21 @@ TEST(ColorMap, KeepsTheFirstCategoryForZero) {
   EXPECT_NE(taa::categoryColor(0), taa::categoryColor(10));
   EXPECT_EQ(mapColor(ColorMap::Categorical, 0.0f), taa::categoryColor(0));
   EXPECT_EQ(mapColor(ColorMap::Categorical, 1.0f), taa::categoryColor(9));
+}
+
+TEST(OkLab, IsThereAndBackAndWhiteIsOne) {
+  const glm::vec3 white = taa::okLabOf(glm::vec3(1.0f));
+  EXPECT_NEAR(white.x, 1.0f, 1e-4f);
+  EXPECT_NEAR(white.y, 0.0f, 1e-4f);
+  EXPECT_NEAR(white.z, 0.0f, 1e-4f);
+  for (const glm::vec3& color : {glm::vec3(0.5f, 0.1f, 0.2f), glm::vec3(0.02f, 0.7f, 0.3f)}) {
+    const Rgb twin = oklab({color.x, color.y, color.z});
+    const glm::vec3 lab = taa::okLabOf(color), back = taa::linearOfOkLab(lab);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(lab[i], twin[static_cast<std::size_t>(i)], 1e-6f);
+      EXPECT_NEAR(back[i], color[i], 1e-4f);
+    }
+  }
 }
 
 TEST(ColorMap, ClampsWhatLiesOutside) {
