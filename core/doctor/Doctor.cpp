@@ -192,6 +192,8 @@ struct ToldOf {
   /// By what motion is multiplied that was longer than the picture, and what is told of it by index.
   std::optional<MotionTrial> unit;
   std::size_t unitFinding = 0;
+  bool interface = false; ///< what it covers is no witness any more
+  bool isJitterOpen = false;
   bool allDepth = false;                  ///< depth is not looked at any more, nor are cameras
   std::vector<std::string> ofMotion = {}; ///< ids of what was found beside motion that was mended
 };
@@ -318,6 +320,7 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
     return hiding;
   }
   const JitterOutcome jitter = told.jitter ? JitterOutcome() : examiner.tellJitter(hasCamera, out);
+  told.isJitterOpen = told.isJitterOpen || jitter.isOpen;
   if (!known.motion) {
     out.undecided.push_back(
         {say<"Motion">(), say<"the capture has none">(), say<"Capture the plane of motion vectors, too.">()});
@@ -336,9 +339,11 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
 
 /// What is wrong makes other things look wrong: they are looked at with it made right, until nothing is
 /// hidden. `first`: what was seen of the frames that `read` gives; `brightness`: of the frames as they are.
+/// `isInterfaceTold`: one was found in them.
 void tellAll(const Examination& examination, const Examiner& first, const BrightnessEvidence& brightness,
-             FrameReader read, Diagnosis& out) {
+             bool isInterfaceTold, FrameReader read, Diagnosis& out) {
   ToldOf told;
+  told.interface = isInterfaceTold;
   std::optional<Examiner> next;
   const Examiner* last = &first;
   Hiding hiding = tellSeen(first, examination, told, out);
@@ -361,8 +366,19 @@ void tellAll(const Examination& examination, const Examiner& first, const Bright
       read = withMotion(read, *hiding.motion, last->jitter().stated);
     last = &next.emplace(first.another());
     next->look(read, out);
+    // One that is drawn with the jitter shows where that is right.
+    if (!told.interface) {
+      const std::vector<std::uint8_t> covered = tellInterface(next->color(), out);
+      told.interface = !covered.empty();
+      if (told.interface) {
+        read = coveredReader(read, covered);
+        last = &next.emplace(first.another());
+        next->look(read, out);
+      }
+    }
     hiding = tellSeen(*next, examination, told, out);
   }
+  tellInterfaceLeft(last->color(), told.interface, told.isJitterOpen, out);
   last->tellColor(brightness, out);
 }
 
@@ -419,7 +435,7 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
   const BrightnessEvidence& brightness = first.color().brightness;
   const std::map<int, double> stepped = brightness.stepped();
   if (covered.empty() && stepped.empty()) {
-    tellAll(examination, first, brightness, examination.read, out);
+    tellAll(examination, first, brightness, false, examination.read, out);
   } else {
     // An interface, or a step of brightness, makes jitter and motion look wrong: all else is looked at again
     // without them.
@@ -428,7 +444,7 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
     if (!covered.empty()) read = coveredReader(read, covered);
     if (!stepped.empty()) read = withBrightness(std::move(read), stepped);
     bare.look(read, out);
-    tellAll(examination, bare, brightness, read, out);
+    tellAll(examination, bare, brightness, !covered.empty(), read, out);
   }
   tellRows(patient, out);
   if (!examination.contradicted.empty())

@@ -38,6 +38,10 @@ std::vector<std::uint8_t> tellInterface(const ColorEvidence& evidence, Diagnosis
   return coveredPixels(groups.clear, evidence.tiles);
 }
 
+void tellInterfaceLeft(const ColorEvidence& evidence, bool isFound, bool isJitterOpen, Diagnosis& out) {
+  tellInterfaceLeft(interfaceGroups(evidence.tiles), evidence.tiles, isFound, isJitterOpen, out);
+}
+
 FrameReader coveredReader(const FrameReader& read, std::vector<std::uint8_t> covered) {
   return [read, covered = std::move(covered)](int frame) {
     DoctorFrame out = read(frame);

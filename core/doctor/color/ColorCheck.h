@@ -30,9 +30,11 @@ struct ColorEvidence {
   void add(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels);
 };
 
-/// Adds what is wrong, right or not decided about an interface in the pictures. Returns the pixels that it
-/// covers, see DoctorFrame::covered.
+/// Adds what is wrong about an interface in the pictures. Returns the pixels that it covers, see
+/// DoctorFrame::covered.
 std::vector<std::uint8_t> tellInterface(const ColorEvidence& evidence, Diagnosis& out);
+/// Adds what is right or not decided about one, see there.
+void tellInterfaceLeft(const ColorEvidence& evidence, bool isFound, bool isJitterOpen, Diagnosis& out);
 /// The same frames, in which covered pixels are no witness.
 FrameReader coveredReader(const FrameReader& read, std::vector<std::uint8_t> covered);
 

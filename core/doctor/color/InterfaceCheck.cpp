@@ -109,7 +109,7 @@ bool isFixedBeforeWorld(const ScreenTile& tile) {
 bool areRestingShifting(const ScreenTiles& tiles) {
   std::size_t resting = 0, shifting = 0;
   for (const ScreenTile& tile : tiles.tiles) {
-    if (tile.pairs < kEnoughTilePairs || tile.meanPx() > kRestsPx) continue;
+    if (tile.pairs < kEnoughTilePairs || tile.fittingPx() > kRestsPx) continue;
     if (isFixed(tile)) ++resting;
     if (tile.changing >= kMostTilePairs * tile.pairs) ++shifting;
   }
@@ -123,8 +123,8 @@ StatedJitter statedJitter(const ScreenTiles& tiles) {
   std::size_t with = 0, without = 0;
   for (const ScreenTile& tile : tiles.tiles) {
     if (tile.pairs < kEnoughTilePairs || isFixed(tile)) continue;
-    if (tile.sums.asGiven <= kSeenShare * tile.sums.unjittered) ++with;
-    if (tile.sums.unjittered <= kSeenShare * tile.sums.asGiven) ++without;
+    if (tile.sums.moving() <= kSeenShare * tile.sums.movingUnjittered()) ++with;
+    if (tile.sums.movingUnjittered() <= kSeenShare * tile.sums.moving()) ++without;
   }
   if (with >= kEnoughSeen && kSeenFactor * with >= without) return StatedJitter::Seen;
   return without >= kEnoughSeen && without >= kUnseenFactor * with ? StatedJitter::Missing
@@ -268,13 +268,32 @@ void tellGroups(const std::vector<ScreenGroup>& groups, const ScreenTiles& tiles
   out.findings.push_back(std::move(found));
 }
 
+/// Whether a square rests on the screen but for the jitter while the world moves, and motion does not
+/// contradict that.
+bool isAlong(const ScreenTile& tile) {
+  return tile.pairs >= kEnoughTilePairs && tile.meanWorldPx() >= kWorldMovesPx &&
+         tile.sums.jittered <= kJitteredShare * std::min(tile.sums.inPlace, tile.sums.ofWorld) &&
+         tile.sums.asGiven <= tile.sums.jittered / kClearlyJittered;
+}
+
+/// What motion says rests on the screen may be one, whether that motion is right or not.
+void tellAlong(std::size_t squares, Diagnosis& out) {
+  out.undecided.push_back(
+      {say<"Interface in the pictures">(),
+       say<"in %1 squares of %2 pixels edges rest on the screen but for the jitter while the world moves, "
+           "and "
+           "motion has it so: things that go along with the camera look the same">(squares, kTilePx),
+       say<"Let the camera pass by what it goes along with, or capture without the interface.">(),
+       {Fault::InterfaceJittered}});
+}
+
 /// Where nothing moves, what is drawn with the jitter looks like what rests.
 void tellOpen(const ScreenTiles& tiles, Diagnosis& out) {
   std::size_t squares = 0, moving = 0;
   for (const ScreenTile& tile : tiles.tiles) {
     if (tile.pairs < kEnoughTilePairs) continue;
     ++squares;
-    if (tile.meanPx() >= kWorldMovesPx) ++moving;
+    if (tile.fittingPx() >= kWorldMovesPx) ++moving;
   }
   if (squares > 0 && static_cast<double>(moving) >= kOpenShare * static_cast<double>(squares)) {
     out.healthy.push_back(
@@ -299,6 +318,16 @@ void tellUnclear(std::size_t squares, Diagnosis& out) {
                                "what looks the same from all sides does, too">(squares, kTilePx),
                            say<"Let the camera turn by some pixels a frame.">(),
                            {Fault::InterfaceJittered}});
+}
+
+/// What is drawn over the world with a jitter that is not known rests by none that is.
+void tellUnknownJitter(Diagnosis& out) {
+  out.undecided.push_back(
+      {say<"Interface in the pictures">(),
+       say<"pictures have another jitter than is stated, and it is open which: what rests on the screen but "
+           "for that does not show">(),
+       say<"State the jitter that pictures are drawn with.">(),
+       {Fault::InterfaceJittered}});
 }
 
 /// Whether a group is one, and whether it clearly is. Where motion is wrong, what moves as the world does may
@@ -353,9 +382,18 @@ std::vector<std::uint8_t> coveredPixels(const std::vector<ScreenGroup>& groups, 
 void tellInterface(const ScreenGroups& groups, const ScreenTiles& tiles, Diagnosis& out) {
   tellGroups(groups.clear, tiles, false, out);
   tellGroups(groups.clear, tiles, true, out);
+}
+
+void tellInterfaceLeft(const ScreenGroups& groups, const ScreenTiles& tiles, bool isFound, bool isJitterOpen,
+                       Diagnosis& out) {
   if (groups.unclear > 0)
     tellUnclear(groups.unclear, out);
-  else if (groups.clear.empty())
+  else if (!isFound && isJitterOpen)
+    tellUnknownJitter(out);
+  else if (const auto along = static_cast<std::size_t>(std::ranges::count_if(tiles.tiles, isAlong));
+           !isFound && along >= kLeastJittered)
+    tellAlong(along, out);
+  else if (!isFound)
     tellOpen(tiles, out);
 }
 

@@ -32,7 +32,12 @@ ScreenGroups interfaceGroups(const ScreenTiles& tiles);
 /// empty where there are no groups.
 std::vector<std::uint8_t> coveredPixels(const std::vector<ScreenGroup>& groups, const ScreenTiles& tiles);
 
-/// Adds a finding for each of the two kinds of interface, or what is right or not decided.
+/// Adds a finding for each of the two kinds of interface that there are.
 void tellInterface(const ScreenGroups& groups, const ScreenTiles& tiles, Diagnosis& out);
+
+/// Adds what is right or not decided. `isFound`: an interface was told of. `isJitterOpen`: which jitter the
+/// pictures have is not known.
+void tellInterfaceLeft(const ScreenGroups& groups, const ScreenTiles& tiles, bool isFound, bool isJitterOpen,
+                       Diagnosis& out);
 
 } // namespace taa::doctor

@@ -58,6 +58,7 @@ class TilePair {
     sums_.asGiven += leftBy(pixel, -given);
     sums_.unjittered += leftBy(pixel, -given - jitterStep_);
     sums_.ofWorld += leftBy(pixel, -world);
+    sums_.ofWorldUnjittered += leftBy(pixel, -world - jitterStep_);
     sums_.worldPx += static_cast<double>(glm::length(world));
     sums_.givenPx += static_cast<double>(glm::length(given));
   }
@@ -92,6 +93,7 @@ void TileSums::add(const TileSums& other) {
   asGiven += other.asGiven;
   unjittered += other.unjittered;
   ofWorld += other.ofWorld;
+  ofWorldUnjittered += other.ofWorldUnjittered;
   worldPx += other.worldPx;
   givenPx += other.givenPx;
 }

@@ -23,11 +23,14 @@ struct TileSums {
   double asGiven = 0.0;    ///< by the motion given
   double unjittered = 0.0; ///< the same as if there were no jitter
   double ofWorld = 0.0;    ///< by what rests in the world moves by, where that is known; else as given
-  double worldPx = 0.0;    ///< lengths of that motion
-  double givenPx = 0.0;    ///< lengths of the motion given
+  double ofWorldUnjittered = 0.0;
+  double worldPx = 0.0; ///< lengths of that motion
+  double givenPx = 0.0; ///< lengths of the motion given
 
   /// What the better one of both motions leaves.
   double moving() const { return asGiven < ofWorld ? asGiven : ofWorld; }
+  /// The same motion as if there were no jitter.
+  double movingUnjittered() const { return asGiven < ofWorld ? unjittered : ofWorldUnjittered; }
   void add(const TileSums& other);
 };
 
@@ -43,6 +46,11 @@ struct ScreenTile {
   /// px a frame, the longer one of both motions.
   double meanPx() const {
     const double px = sums.worldPx > sums.givenPx ? sums.worldPx : sums.givenPx;
+    return sums.pixels == 0 ? 0.0 : px / static_cast<double>(sums.pixels);
+  }
+  /// px a frame of the one that fits better.
+  double fittingPx() const {
+    const double px = sums.asGiven < sums.ofWorld ? sums.givenPx : sums.worldPx;
     return sums.pixels == 0 ? 0.0 : px / static_cast<double>(sums.pixels);
   }
   double meanWorldPx() const {

@@ -309,7 +309,7 @@ void tellSequenceOf(const JitterTrial& trial, const JitterEvidence& evidence, Di
 void tellTrial(const std::vector<JitterTrial>& trials, std::size_t trial, const JitterEvidence& evidence,
                const std::optional<RegionPlace>& sky, Diagnosis& out) {
   tellSequenceOf(trials[trial], evidence, out);
-  if (sky) tellSky(evidence, trial, *sky, out);
+  if (sky) tellSky(evidence, trials, trial, *sky, out);
 }
 
 void tellNoFit(double missPx, Diagnosis& out) {

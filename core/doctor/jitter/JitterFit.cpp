@@ -36,6 +36,14 @@ bool isWon(const TrialFit& fit) {
   return fit.pairs >= kEnoughFits && fit.won >= kNearlyAllPairs * fit.pairs;
 }
 
+/// What a trial takes the stated jitter times, where it does no more.
+std::optional<double> lengthOf(const JitterTrial& trial) {
+  if (trial.isTwofold() || trial.factor.x != trial.factor.y) return {};
+  if (trial.kind == JitterKind::NotApplied) return 0.0;
+  if (trial.kind != JitterKind::AsStated && trial.kind != JitterKind::Scaled) return {};
+  return static_cast<double>(trial.factor.x);
+}
+
 AtRestFit fitAtRest(const std::vector<glm::dvec2>& measured, const std::vector<glm::dvec2>& made) {
   glm::dvec2 measuredMean(0.0), madeMean(0.0);
   for (std::size_t i = 0; i < made.size(); ++i) {
@@ -170,13 +178,20 @@ std::optional<bool> isSkyResting(const JitterEvidence& evidence, std::size_t tri
   return fit.share() <= kRestingShare && isWon(fit);
 }
 
-std::optional<double> skyFactor(const JitterEvidence& evidence) {
+std::optional<double> skyFactor(const JitterEvidence& evidence, const std::vector<JitterTrial>& trials) {
   constexpr double kSame = 0.12;
   if (static_cast<int>(evidence.skyShares.size()) < kEnoughFits) return {};
   const double factor = median(evidence.skyShares);
   std::vector<double> apart;
   for (const double share : evidence.skyShares) apart.push_back(std::abs(share - factor));
   if (median(std::move(apart)) > kSame) return {};
+  std::size_t nearest = 0;
+  for (std::size_t t = 0; t < trials.size(); ++t) {
+    const std::optional<double> length = lengthOf(trials[t]), best = lengthOf(trials[nearest]);
+    if (length && std::abs(*length - factor) < std::abs(*best - factor)) nearest = t;
+  }
+  const TrialFit fit = fitOf(evidence.sky, nearest, 0);
+  if (nearest != 0 && (!isWon(fit) || fit.share() > kFittingShare)) return {};
   return factor;
 }
 

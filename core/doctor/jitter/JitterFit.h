@@ -58,7 +58,8 @@ std::optional<std::size_t> trialAtRest(const JitterEvidence& evidence,
 std::optional<bool> isSkyResting(const JitterEvidence& evidence, std::size_t trial);
 
 /// What the sky shifts by, of what is stated: 1 as all else, 0 not at all. Nothing where too few shifts are
-/// measured, or they are no share of it.
-std::optional<double> skyFactor(const JitterEvidence& evidence);
+/// measured, or they are no share of it; nor where the trial of about that length leaves no less than what is
+/// stated: grain of its own shifts by any share. Expects trials of the evidence.
+std::optional<double> skyFactor(const JitterEvidence& evidence, const std::vector<JitterTrial>& trials);
 
 } // namespace taa::doctor

@@ -44,17 +44,18 @@ Finding otherSky(const TrialFit& fit, double factor, const RegionPlace& place) {
 /// Whether the sky shifts by another share of the jitter than the world, which shifts as is stated. A small
 /// share is none: what rests is told by what it leaves.
 bool isOtherShare(std::optional<double> factor) {
-  constexpr double kLeastShare = 0.25, kLeastFromOne = 0.3;
-  return factor && *factor >= kLeastShare && std::abs(*factor - 1.0) >= kLeastFromOne;
+  constexpr double kLeastShare = 0.25, kLessThanAll = 0.7, kMoreThanAll = 1.5;
+  return factor && *factor >= kLeastShare && (*factor <= kLessThanAll || *factor >= kMoreThanAll);
 }
 
 } // namespace
 
-void tellSky(const JitterEvidence& evidence, std::size_t trial, const RegionPlace& place, Diagnosis& out) {
+void tellSky(const JitterEvidence& evidence, const std::vector<JitterTrial>& trials, std::size_t trial,
+             const RegionPlace& place, Diagnosis& out) {
   // The world itself shifts as if there were none: then the sky is as all else.
   if (trial == kNotAppliedTrial || evidence.skyShare < kLeastSky * evidence.pairs) return;
   const std::optional<bool> isResting = isSkyResting(evidence, trial);
-  const std::optional<double> factor = trial == 0 ? skyFactor(evidence) : std::nullopt;
+  const std::optional<double> factor = trial == 0 ? skyFactor(evidence, trials) : std::nullopt;
   if (!isResting)
     out.undecided.push_back({say<"Jitter of the sky">(),
                              say<"it has too little detail to measure a shift">(),

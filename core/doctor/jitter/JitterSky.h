@@ -9,6 +9,7 @@
 namespace taa::doctor {
 
 /// Adds what is wrong or not decided; nothing of a sky that is small. `trial`: what jitter the world has.
-void tellSky(const JitterEvidence& evidence, std::size_t trial, const RegionPlace& place, Diagnosis& out);
+void tellSky(const JitterEvidence& evidence, const std::vector<JitterTrial>& trials, std::size_t trial,
+             const RegionPlace& place, Diagnosis& out);
 
 } // namespace taa::doctor

@@ -59,6 +59,21 @@ TEST(JitterSky, IsAllThatIsToldWhereTheCameraRests) {
             diagnosis.undecided.end());
 }
 
+// Waves of grain that go over the sky by themselves shift by some share of the jitter, and by no jitter.
+TEST(JitterSky, WithGrainOfItsOwnHasNoOtherJitter) {
+  const Diagnosis diagnosis = diagnosisOf([](DoctorFrame& frame) {
+    for (int y = 0; y < frame.luma.height; ++y)
+      for (int x = 0; x < frame.luma.width; ++x) {
+        if (*frame.depth.at(x, y) > 0.0f) continue;
+        const int pixel = y * frame.luma.width + x;
+        frame.luma.pixels[static_cast<std::size_t>(pixel)] =
+            0.5f * (1.0f + 0.03f * std::sin(12.9898f * static_cast<float>(pixel) +
+                                            78.233f * static_cast<float>(frame.frame)));
+      }
+  });
+  EXPECT_TRUE(diagnosis.isHealthy()) << diagnosis.findings[0].id;
+}
+
 TEST(JitterSky, WithoutDetailIsNotDecided) {
   const Diagnosis diagnosis = diagnosisOf([](DoctorFrame&) {});
   ASSERT_TRUE(diagnosis.isHealthy()) << diagnosis.findings[0].id;

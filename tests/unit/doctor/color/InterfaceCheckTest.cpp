@@ -93,6 +93,37 @@ TEST(InterfaceCheck, IsToldBesideWrongJitter) {
   EXPECT_EQ(told(diagnosis), "interfaceBefore, jitterNegated");
 }
 
+// One that is drawn with the jitter rests by that jitter alone, and shows once it is known.
+TEST(InterfaceCheck, TellsOneThatIsJitteredOnceJitterIsRight) {
+  EXPECT_EQ(told(diagnosisOf([](DoctorFrame& frame) {
+              paintJittered(frame);
+              frame.jitterPx = -frame.jitterPx;
+            })),
+            "jitterNegated, interfaceJittered");
+}
+
+TEST(InterfaceCheck, LeavesOneOpenWhereMotionHasItRestLikeAllElse) {
+  const Diagnosis diagnosis = diagnosisOf([](DoctorFrame& frame) {
+    paintJittered(frame);
+    for (float& px : frame.motionPx.pixels) px *= 0.004f;
+  });
+  EXPECT_TRUE(isOpen(diagnosis, Fault::InterfaceJittered)) << told(diagnosis);
+}
+
+// What moves by the motion given alone does not move.
+TEST(InterfaceCheck, LeavesOneOpenBeforeARestingWorldWhoseMotionIsWrong) {
+  const auto diagnosisAt = [](float px) {
+    return diagnosisOf(
+        [px](DoctorFrame& frame) {
+          paintJittered(frame);
+          for (std::size_t i = 0; i < frame.motionPx.pixels.size(); i += 2) frame.motionPx.pixels[i] += px;
+        },
+        stillShot());
+  };
+  EXPECT_TRUE(isOpen(diagnosisAt(0.0f), Fault::InterfaceJittered));
+  EXPECT_TRUE(isOpen(diagnosisAt(4.0f), Fault::InterfaceJittered)) << told(diagnosisAt(4.0f));
+}
+
 // At rest, what does not shift with the jitter of all else rests on the screen; what does is of the world.
 TEST(InterfaceCheck, OfAStillPictureTellsOnlyTheOneWithoutJitter) {
   EXPECT_EQ(told(diagnosisOf(paintStill, stillShot())), "interfaceBefore");
