@@ -1,17 +1,14 @@
 #include "core/doctor/Doctor.h"
 
-#include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/doctor/Examiner.h"
 #include "core/doctor/Withholding.h"
 #include "core/doctor/color/ColorCheck.h"
 #include "core/doctor/depth/DepthCheck.h"
-#include "core/doctor/frames/Regions.h"
 #include "core/doctor/jitter/JitterCheck.h"
 #include "core/doctor/mending/MendedFrames.h"
-#include "core/doctor/motion/MotionEvidence.h"
 #include "core/doctor/motion/MotionRims.h"
 #include "core/doctor/motion/findings/MotionFindings.h"
-#include "core/doctor/resolve/ResolveEvidence.h"
 #include "core/doctor/resolve/ResolveFindings.h"
 #include "core/doctor/source/OtherConventions.h"
 
@@ -29,124 +26,6 @@
 namespace taa::doctor {
 
 namespace {
-
-/// Whether rims have, or may have, what is beside them.
-bool isBeside(RimVerdict verdict) {
-  return verdict == RimVerdict::Shifted || verdict == RimVerdict::Coarse || verdict == RimVerdict::Unclear;
-}
-
-/// What is gathered while frames go by, once.
-class Examiner {
- public:
-  Examiner(const Examination& examination, const Patient& patient, const Progress& progress,
-           bool looksAtOutput)
-      : examination_(examination), patient_(patient), progress_(progress), looksAtOutput_(looksAtOutput) {}
-
-  /// `out`: counts frames and pairs. `firstSeen`: called after kFirstLook frames, where more follow.
-  void look(const FrameReader& read, Diagnosis& out, const std::function<void()>& firstSeen = {}) {
-    const int count = examination_.frames;
-    read_ = read;
-    out.frames = out.pairs = 0;
-    std::optional<DoctorFrame> before, now = readNext(read, 0), after;
-    for (int frame = 0; frame < count; ++frame) {
-      if (frame + 1 < count) after = readNext(read, frame + 1);
-      add(before ? &*before : nullptr, *now, after ? &*after : nullptr, out);
-      if (firstSeen && frame + 1 == kFirstLook && frame + 1 < count) firstSeen();
-      before = std::exchange(now, std::exchange(after, {}));
-    }
-    report(progress_, say<"Examining frames">(), count, count);
-  }
-
-  const ColorEvidence& color() const { return color_; }
-  /// `brightness`: of the frames as they are.
-  void tellColor(const BrightnessEvidence& brightness, Diagnosis& out) const {
-    doctor::tellColor(color_, brightness, patient_, examination_.known.maskUsed, out);
-  }
-  /// One of the same frames that has seen none, and does not look at the output.
-  Examiner another() const { return {examination_, patient_, progress_, false}; }
-  const JitterEvidence& jitter() const { return jitter_; }
-  JitterOutcome tellJitter(bool hasCamera, Diagnosis& out) const {
-    const auto surfaces = [this] { return areSurfacesJittered(); };
-    return doctor::tellJitter(jitter_, {patient_, hasCamera, skyPlace(out), surfaces}, out);
-  }
-  /// Whether surfaces are drawn with the jitter that is stated, by depth alone: reads some frames again.
-  bool areSurfacesJittered() const {
-    constexpr int kEnough = 8;
-    JitterEvidence evidence;
-    std::optional<DoctorFrame> before;
-    for (int frame = 0; frame < std::min(kEnough, examination_.frames); ++frame) {
-      DoctorFrame now = read_(examination_.first + frame);
-      if (now.depth.empty()) return false;
-      now.luma = asDepthPicture(now);
-      evidence.stated[now.frame] = now.jitterPx;
-      if (before && !now.startsHistory) evidence.add({now, *before, nullptr});
-      before = std::move(now);
-    }
-    return doctor::areSurfacesJittered(evidence);
-  }
-  const DepthEvidence& depth() const { return depth_; }
-  bool isDepthDistance() const { return examination_.known.depthDistance; }
-  bool isDepthDrawn() const { return !patient_.conventions; }
-  const RimEvidence& rims() const { return rims_; }
-  /// `out`: says how many frames there are.
-  std::optional<RegionPlace> skyPlace(const Diagnosis& out) const {
-    const auto sky = std::ranges::find(tracker_.regions(), true, &Region::isSky);
-    if (sky == tracker_.regions().end()) return {};
-    const double pixels = static_cast<double>(patient_.sizePx.x) * patient_.sizePx.y;
-    return placeOf(*sky, patient_, pixels * out.frames);
-  }
-  const ResolveEvidence& resolve() const { return resolve_; }
-  bool areMatricesFlipped() const {
-    std::vector<const WitnessEvidence*> regions;
-    for (const RegionEvidence& region : motion_.regions()) regions.push_back(&region.witness);
-    return doctor::areMatricesFlipped(regions, motion_.trials());
-  }
-  bool isMotionBeyondPicture() const { return isBeyondPicture(motion_); }
-  MotionTold tellMotion(Diagnosis& out) const {
-    const bool ofTime = rims_.depth.verdict() != RimVerdict::Unjittered;
-    const RimsSeen rims{ofTime, ofTime && !isBeside(rims_.motion.verdict())};
-    return doctor::tellMotion(motion_, tracker_.regions(), patient_, rims, out);
-  }
-
- private:
-  DoctorFrame readNext(const FrameReader& read, int frame) const {
-    report(progress_, say<"Examining frames">(), frame, examination_.frames);
-    return read(examination_.first + frame);
-  }
-
-  void add(const DoctorFrame* before, const DoctorFrame& now, const DoctorFrame* after, Diagnosis& out) {
-    ++out.frames;
-    rims_.add(now);
-    if (looksAtOutput_) resolve_.add(now, before);
-    const std::vector<RegionIndex> labels = tracker_.label(now);
-    const std::vector<RegionIndex> labelsBefore = std::exchange(labels_, labels);
-    jitter_.stated[now.frame] = now.jitterPx;
-    if (!before || now.startsHistory) return;
-    ++out.pairs;
-    const FrameNeighbors frames{now, *before, after};
-    color_.add(frames, labels);
-    jitter_.add(frames);
-    depth_.add(now);
-    depth_.order.add(now, *before, labels, labelsBefore);
-    depth_.form.add(now, labels);
-    depth_.ends.add(now);
-    if (examination_.known.motion) motion_.add(frames, labels, labelsBefore);
-  }
-
-  const Examination& examination_;
-  FrameReader read_; ///< what was looked at
-  const Patient& patient_;
-  const Progress& progress_;
-  RegionTracker tracker_;
-  std::vector<RegionIndex> labels_; ///< of the frame that was added last
-  ColorEvidence color_;
-  MotionEvidence motion_{patient_.sizePx};
-  JitterEvidence jitter_;
-  DepthEvidence depth_;
-  RimEvidence rims_;
-  ResolveEvidence resolve_;
-  bool looksAtOutput_;
-};
 
 Patient sizedPatient(const Examination& examination) {
   Patient patient = examination.patient;
@@ -196,6 +75,16 @@ struct ToldOf {
   bool isJitterOpen = false;
   bool allDepth = false;                  ///< depth is not looked at any more, nor are cameras
   std::vector<std::string> ofMotion = {}; ///< ids of what was found beside motion that was mended
+
+  /// What is mended next.
+  void add(const Hiding& hiding) {
+    depth = depth || hiding.depth || hiding.allDepth;
+    allDepth = allDepth || hiding.allDepth;
+    flipped = flipped || hiding.flipped;
+    const bool isMotionTold = hiding.motion && !hiding.isOfRange;
+    jitter = jitter || hiding.jitter || isMotionTold; // which is told beside jitter
+    motion = motion || isMotionTold;
+  }
 };
 
 /// Says what is hidden where it is not looked at again.
@@ -337,6 +226,17 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
   return {};
 }
 
+/// The frames that `read` gives, with what hides the rest made right; `last` looked at them.
+FrameReader mendedReader(const FrameReader& read, const Hiding& hiding, const Examination& examination,
+                         const Examiner& last) {
+  if (hiding.allDepth) return withoutDepth(read);
+  if (hiding.flipped) return withFlippedMatrices(read);
+  if (hiding.depth) return withDepth(read, *hiding.depth);
+  if (hiding.jitter)
+    return withJitter(read, hiding.jitter, examination.first, examination.known.depthJittered);
+  return withMotion(read, *hiding.motion, last.jitter().stated);
+}
+
 /// What is wrong makes other things look wrong: they are looked at with it made right, until nothing is
 /// hidden. `first`: what was seen of the frames that `read` gives; `brightness`: of the frames as they are.
 /// `isInterfaceTold`: one was found in them.
@@ -346,34 +246,22 @@ void tellAll(const Examination& examination, const Examiner& first, const Bright
   told.interface = isInterfaceTold;
   std::optional<Examiner> next;
   const Examiner* last = &first;
-  Hiding hiding = tellSeen(first, examination, told, out);
-  while (hiding.isAny()) {
-    told.depth = told.depth || hiding.depth || hiding.allDepth;
-    told.allDepth = told.allDepth || hiding.allDepth;
-    told.flipped = told.flipped || hiding.flipped;
-    const bool isMotionTold = hiding.motion && !hiding.isOfRange;
-    told.jitter = told.jitter || hiding.jitter || isMotionTold; // which is told beside jitter
-    told.motion = told.motion || isMotionTold;
-    if (hiding.allDepth)
-      read = withoutDepth(read);
-    else if (hiding.flipped)
-      read = withFlippedMatrices(read);
-    else if (hiding.depth)
-      read = withDepth(read, *hiding.depth);
-    else if (hiding.jitter)
-      read = withJitter(read, hiding.jitter, examination.first, examination.known.depthJittered);
-    else
-      read = withMotion(read, *hiding.motion, last->jitter().stated);
+  const auto lookAgain = [&] {
     last = &next.emplace(first.another());
     next->look(read, out);
+  };
+  Hiding hiding = tellSeen(first, examination, told, out);
+  while (hiding.isAny()) {
+    told.add(hiding);
+    read = mendedReader(read, hiding, examination, *last);
+    lookAgain();
     // One that is drawn with the jitter shows where that is right.
     if (!told.interface) {
       const std::vector<std::uint8_t> covered = tellInterface(next->color(), out);
       told.interface = !covered.empty();
       if (told.interface) {
         read = coveredReader(read, covered);
-        last = &next.emplace(first.another());
-        next->look(read, out);
+        lookAgain();
       }
     }
     hiding = tellSeen(*next, examination, told, out);
@@ -398,24 +286,6 @@ void tellRows(const Patient& patient, Diagnosis& out) {
 }
 
 } // namespace
-
-Examination examinationOf(const DoctorSource& source, int frames, int first) {
-  const int count = std::max(0, source.frameCount - first);
-  if (count < kLeastDoctorFrames)
-    throw Error(
-        say<"there are too few frames (%1): the doctor compares each with the one before it; capture at "
-            "least 8, better 32">(count));
-  Examination out;
-  out.read = readerOf(source);
-  out.first = first;
-  out.frames = std::min(frames, count);
-  out.known = source.known;
-  out.patient.outputPx = {source.request.width, source.request.height};
-  out.patient.objectNames = source.objectNames;
-  out.patient.conventions = source.conventions;
-  out.contradicted = source.contradicted;
-  return out;
-}
 
 Diagnosis examine(const Examination& examination, const Progress& progress, const DiagnosisTold& told) {
   const Patient patient = sizedPatient(examination);

@@ -5,6 +5,7 @@
 #include "core/doctor/jitter/JitterTrials.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace taa::doctor {
 
