@@ -85,11 +85,14 @@ bool isSingle(const JudgedCase& one) {
 }
 
 /// Sound frames of other content are the same: a texture that is drawn too sharp is one with more detail, and
-/// an interface with jitter, where nothing moves, is a sign that stands in the world.
-bool isOfOtherContent(const JudgedCase& one) {
+/// an interface with jitter, where nothing moves, is a sign that stands in the world. Half of a fault may be
+/// no fault of another integration: a wide filter wants jitter of more than half a pixel, and a longer
+/// sequence may start with frames of any small mean.
+bool showsInSoundFrames(const JudgedCase& one) {
   return std::ranges::any_of(one.tried.faults, [&](Fault fault) {
     return fault == Fault::MipBiasMissing || fault == Fault::MipBiasLeftOn ||
-           (fault == Fault::InterfaceJittered && one.tried.camera == "still");
+           (fault == Fault::InterfaceJittered && one.tried.camera == "still") ||
+           (one.tried.isHalf && (fault == Fault::JitterOutside || fault == Fault::JitterMean));
   });
 }
 
@@ -104,10 +107,13 @@ void addAllShares(std::ostream& out, const Cases& judged) {
               }));
   addShares(out, "All of these, and into captures", casesWhere(judged, isSingle));
   addShares(
-      out, "The same, but for what other content shows as well",
-      casesWhere(judged, [](const JudgedCase& one) { return isSingle(one) && !isOfOtherContent(one); }));
+      out, "The same, but for what sound frames show as well",
+      casesWhere(judged, [](const JudgedCase& one) { return isSingle(one) && !showsInSoundFrames(one); }));
   addShares(out, "At half strength",
             casesWhere(judged, [](const JudgedCase& one) { return one.tried.isHalf; }));
+  addShares(
+      out, "The same, but for what sound frames show as well",
+      casesWhere(judged, [](const JudgedCase& one) { return one.tried.isHalf && !showsInSoundFrames(one); }));
   addShares(out, "Into captures",
             casesWhere(judged, [](const JudgedCase& one) { return isSingle(one) && isCaptured(one); }));
 }
@@ -164,7 +170,7 @@ void addPairs(std::ostream& out, const Cases& judged) {
   for (const JudgedCase& one : judged) {
     if (one.tried.faults.size() != 2 || !one.shows) continue;
     all.add(one);
-    if (!isOfOtherContent(one)) showing.add(one);
+    if (!showsInSoundFrames(one)) showing.add(one);
     if (std::ranges::all_of(one.tried.faults, [&](Fault fault) {
           return alone.contains({one.tried.source, one.tried.camera, fault});
         }))
@@ -173,8 +179,8 @@ void addPairs(std::ostream& out, const Cases& judged) {
   if (all.pairs == 0) return;
   out << "Of " << all.pairs << " pairs of faults of two parts " << all.text() << ". ";
   if (showing.pairs < all.pairs)
-    out << "Of the " << showing.pairs << " of them without what other content shows as well "
-        << showing.text() << ". ";
+    out << "Of the " << showing.pairs << " of them without what sound frames show as well " << showing.text()
+        << ". ";
   if (told.pairs > 0)
     out << "Of the " << told.pairs
         << " of them whose faults are each named first by themselves in the same frames " << told.text()
@@ -256,10 +262,11 @@ std::string doctorConfusions(const std::vector<JudgedCase>& judged) {
          "to "
          "be a region in depth, or in light that is not that of the frame before, read by motion and jitter, "
          "where that without the fault is; and in the output, where frames are the same. It is named first, "
-         "too, where another name stands first that makes the same frames. Some faults sound frames of other "
-         "content show as well: a texture with a bias is one of more or less detail, and an interface with "
-         "jitter, before a camera that rests, is a sign in the world. Shares are given with them and "
-         "without. ";
+         "too, where another name stands first that makes the same frames. Some faults sound frames show as "
+         "well: a texture with a bias is one of more or less detail; an interface with jitter, before a "
+         "camera that rests, is a sign in the world; half of a jitter beyond half a pixel is that of a wide "
+         "filter, and half of a mean that of the first frames of a longer sequence. Shares are given with "
+         "them and without. ";
   addTried(out, casesWhere(judged, [](const JudgedCase& one) { return one.tried.preset.empty(); }));
   addHealthy(out, judged);
   addPairs(out, judged);

@@ -52,7 +52,7 @@ TEST(DoctorConfusions, AreATableWithEveryFault) {
 }
 
 // No frames tell it; the share of what can be told is beside the share of all.
-TEST(DoctorConfusions, CountWhatOtherContentShowsApart) {
+TEST(DoctorConfusions, CountWhatSoundFramesShowApart) {
   std::vector<JudgedCase> cases = fiveCases();
   const auto add = [&](const std::vector<Fault>& faults, const std::vector<std::string>& named) {
     cases.push_back(judgedCase(faults, named));
@@ -64,11 +64,20 @@ TEST(DoctorConfusions, CountWhatOtherContentShowsApart) {
   add({Fault::InterfaceJittered}, {}); // with a camera that pans
   add({Fault::InterfaceJittered}, {});
   cases.back().tried.camera = "still";
+  const auto addHalf = [&](Fault fault, const std::vector<std::string>& named) {
+    add({fault}, named);
+    cases.back().tried.isHalf = true;
+  };
+  addHalf(Fault::JitterOutside, {});
+  addHalf(Fault::JitterMean, {});
+  addHalf(Fault::JitterHalved, {"jitterHalved"});
   const std::string text = doctorConfusions(cases);
   for (const char* part :
        {"| All of these, and into captures | 7 | 6 | 16.7 % | 16.7 % | 66.7 % |",
-        "| The same, but for what other content shows as well | 4 | 3 | 33.3 % | 33.3 % | 33.3 % |",
-        "Of the 1 of them without what other content shows as well both are named in 0.0 %, one of them in "
+        "| The same, but for what sound frames show as well | 4 | 3 | 33.3 % | 33.3 % | 33.3 % |",
+        "| At half strength | 3 | 3 | 33.3 % |",
+        "| The same, but for what sound frames show as well | 1 | 1 | 100.0 % |",
+        "Of the 1 of them without what sound frames show as well both are named in 0.0 %, one of them in "
         "100.0 %"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
