@@ -54,6 +54,10 @@ TEST(Cures, OtherwiseChangeEverySettingOfTheResolveThatHasAnEffect) {
   }
 }
 
+TEST(Cures, OfGhostsLetPixelsFollowTheirOwnMotion) {
+  EXPECT_TRUE(singleChanges(likelyCures(VerdictKind::Ghost, {}), {}).contains("dilate.method=none"));
+}
+
 TEST(Cures, RepeatNoMisprint) {
   for (const std::string& change : singleChanges(otherCures(VerdictKind::Lag, {}), {}))
     EXPECT_EQ(change.find("AsPrinted"), std::string::npos) << change;
