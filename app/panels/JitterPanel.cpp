@@ -49,7 +49,7 @@ QString patternName(const AlphaSeries& series) {
 
 JitterPanel::JitterPanel(QWidget* parent)
     : AlphaPage(parent), view_(new JitterView),
-      table_(new ValueTable({tr("Index"), tr("x"), tr("y"), tr("Weight, %"), tr("frame")})),
+      table_(new ValueTable({tr("Index"), tr("x"), tr("y"), tr("Weight, %"), tr("Frame")})),
       title_(new QLabel), legend_(makeNote()) {
   auto* columns = new QHBoxLayout(this);
   columns->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);

@@ -7,6 +7,7 @@
 
 #include "core/probe/SampleWeights.h"
 
+#include <QFontMetrics>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -38,7 +39,7 @@ std::vector<QPointF> from(int first, const std::vector<double>& values) {
 }
 
 QString number(double value) {
-  return shortText(value, 3);
+  return shortText(value, 4); // as the legends of the curves
 }
 
 } // namespace
@@ -54,7 +55,8 @@ WeightsPanel::WeightsPanel(QWidget* parent)
   charts->addWidget(weights_, 1);
   charts->addWidget(samples_, 1);
   rows->addLayout(charts, 1);
-  auto* summary = new FittingArea(rowHeight()); // in a low window the curves go first
+  auto* summary =
+      new FittingArea(QFontMetrics(secondaryFont()).lineSpacing()); // in a low window the curves go first
   summary->setWidget(summaryLabel());
   rows->addWidget(summary);
   connect(samples_, &CurveChart::xClicked, this,
@@ -82,7 +84,7 @@ void WeightsPanel::refresh() {
       {tr("by the settings"), color, Qt::DashLine, from(first, effectiveSamplesOver(ahead))}};
   QStringList lines;
   lines << tr("Frame %1, %2 after history started. By the settings, where nothing moves or changes: "
-              "α = %3, %4 effective samples now, %5 at last.")
+              "α = %3; effective samples: %4 now, %5 at last.")
                .arg(series().frame)
                .arg(series().frame - series().start)
                .arg(number(nominal.back()), number(effectiveSamples(nominalWeights)),
@@ -94,7 +96,7 @@ void WeightsPanel::refresh() {
     samples.push_back({name, measuredColor, Qt::SolidLine,
                        from(series().frame - static_cast<int>(measured.size()) + 1,
                             effectiveSamplesOver(series().measured))});
-    lines << tr("Measured at %1: α = %2, %3 effective samples of frames: %4. Where the surface moves, its "
+    lines << tr("Measured at %1: α = %2; effective samples: %3, of frames: %4. Where the surface moves, its "
                 "history came from other pixels.")
                  .arg(series().place, number(series().measured.back()), number(effectiveSamples(measured)))
                  .arg(measured.size());

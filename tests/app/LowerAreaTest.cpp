@@ -15,6 +15,8 @@
 #include <QToolButton>
 
 #include <cmath>
+#include <cstddef>
+#include <set>
 #include <vector>
 
 using namespace taa;
@@ -111,6 +113,41 @@ TEST_F(Lower, DisksOfTheJitterPatternAreNotCut) {
   }
 }
 
+TEST_F(Lower, NumbersOfTheJitterPatternAreReadable) {
+  openAt(5, Qt::Key_F7);
+  JitterView* view = window.jitter()->view();
+  JitterPattern pattern = view->pattern();
+  const auto indices = [&] {
+    std::set<int> found;
+    for (const JitterView::Number& number : view->numbers()) found.insert(number.index);
+    return found;
+  };
+  pattern.samples.assign(4, {glm::dvec2(0.25), 0.25});
+  for (std::size_t index = 0; index < 4; ++index)
+    pattern.samples[index].position = {index % 2 == 0 ? 0.25 : 0.75, index < 2 ? 0.25 : 0.75};
+  view->setPattern(pattern, 1);
+  EXPECT_EQ(indices(), (std::set{0, 1, 2, 3})) << "few have all of them";
+
+  window.setTextPercent(200);
+  pattern.samples.resize(64);
+  for (std::size_t index = 0; index < 64; ++index)
+    pattern.samples[index] = {(glm::dvec2(index % 8, index / 8) + 0.5) / 8.0, 1.0 / 64.0};
+  view->setPattern(pattern, 37);
+  view->setHighlighted(38);
+  view->resize(170, 170);
+  const std::vector<JitterView::Number> numbers = view->numbers();
+  for (std::size_t one = 0; one < numbers.size(); ++one) {
+    EXPECT_TRUE(QRectF(view->rect()).contains(numbers[one].place)) << numbers[one].index;
+    for (std::size_t other = 2; other < one; ++other)
+      EXPECT_FALSE(numbers[one].place.intersects(numbers[other].place))
+          << numbers[one].index << " and " << numbers[other].index;
+  }
+  EXPECT_TRUE(indices().contains(37)) << "the current one";
+  EXPECT_TRUE(indices().contains(38)) << "the one under the mouse";
+  EXPECT_LT(numbers.size(), 40u);
+  window.setTextPercent(100);
+}
+
 TEST_F(Lower, AClickOnASampleGoesToTheFrameThatTookItLast) {
   useSimpleSettings();
   openAt(9, Qt::Key_F7);
@@ -134,7 +171,7 @@ TEST_F(Lower, WeightsDecayFromTheLatestFrame) {
   EXPECT_NEAR(points[9].y(), std::pow(1.0 - alpha, 9), 1e-12) << "frame 0 had no history";
   const std::vector<QPointF>& samples = window.weights()->samples()->curves()[0].points;
   EXPECT_NEAR(samples[9].y(), 5.13, 0.005) << "the Unity blog's table";
-  EXPECT_TRUE(window.weights()->summary().contains("5.13 effective samples now, 19 at last"))
+  EXPECT_TRUE(window.weights()->summary().contains("effective samples: 5.133 now, 19 at last"))
       << window.weights()->summary().toStdString();
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/style/Theme.h"
 
+#include <QFontMetricsF>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -13,8 +14,10 @@ namespace taa::app {
 namespace {
 constexpr double kJitterMargin = 10.0;
 constexpr double kMinRadius = 2.0;
-constexpr double kFullRadius = 0.16; ///< of the pixel's side: one sample that is all of the picture
-constexpr std::size_t kMaxNumbers = 64, kLongestPath = 64; ///< more could not be told apart
+constexpr double kFullRadius = 0.16;     ///< of the pixel's side: one sample that is all of the picture
+constexpr double kNumberGap = 4.0;       ///< px between a disk and its number
+constexpr std::size_t kLongestPath = 64; ///< more could not be told apart
+constexpr int kMaxNumbers = 256;         ///< samples that may have one
 } // namespace
 
 JitterView::JitterView(QWidget* parent) : QWidget(parent) {
@@ -68,6 +71,37 @@ std::optional<int> JitterView::sampleAt(const QPointF& point) const {
   return found;
 }
 
+QRectF JitterView::numberPlace(int index, const QRectF& disk) const {
+  const QFontMetricsF metrics(secondaryFont());
+  const QSizeF size(metrics.horizontalAdvance(QString::number(index)), metrics.ascent());
+  const double right = disk.right() + kNumberGap;
+  const double left = right + size.width() <= width() ? right : disk.left() - kNumberGap - size.width();
+  const double lowest = std::max(0.0, height() - size.height());
+  return {{left, std::clamp(disk.center().y() - 0.5 * size.height(), 0.0, lowest)}, size};
+}
+
+std::vector<JitterView::Number> JitterView::numbers() const {
+  std::vector<QRectF> disks;
+  for (const JitterSample& sample : pattern_.samples) {
+    const double radius = radiusOf(sample);
+    disks.emplace_back(pointOf(sample.position) - QPointF(radius, radius), 2.0 * QSizeF(radius, radius));
+  }
+  const int count = static_cast<int>(disks.size());
+  std::vector<Number> placed;
+  const auto add = [&](int index, bool always) {
+    const QRectF place = numberPlace(index, disks[static_cast<std::size_t>(index)]);
+    const auto covers = [&](const QRectF& other) { return place.intersects(other); };
+    if (always ||
+        (std::ranges::none_of(placed, covers, &Number::place) && std::ranges::none_of(disks, covers)))
+      placed.push_back({index, place});
+  };
+  if (current_ < count) add(current_, true);
+  if (highlighted_ && *highlighted_ < count && *highlighted_ != current_) add(*highlighted_, true);
+  for (int index = 0; index < std::min(count, kMaxNumbers); ++index)
+    if (index != current_ && index != highlighted_) add(index, false);
+  return placed;
+}
+
 void JitterView::paintGrid(QPainter& painter) const {
   const ThemeColors& colors = themeColors(this);
   const QRectF area = square();
@@ -95,7 +129,6 @@ void JitterView::paintSamples(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     painter.drawPolyline(path);
   }
-  painter.setFont(secondaryFont());
   for (std::size_t index = 0; index < count; ++index) {
     const JitterSample& sample = pattern_.samples[index];
     const QPointF center = pointOf(sample.position);
@@ -109,10 +142,11 @@ void JitterView::paintSamples(QPainter& painter) const {
       painter.setBrush(Qt::NoBrush);
       painter.drawEllipse(center, radius + 3.5, radius + 3.5);
     }
-    if (count > kMaxNumbers) continue;
-    painter.setPen(colors.text);
-    painter.drawText(center + QPointF(radius + 4.0, 4.0), QString::number(index));
   }
+  painter.setFont(secondaryFont());
+  painter.setPen(colors.text);
+  for (const Number& number : numbers())
+    painter.drawText(number.place, Qt::AlignCenter | Qt::TextDontClip, QString::number(number.index));
 }
 
 // + the middle of all samples, × with their weights: where the content of the picture lies now.

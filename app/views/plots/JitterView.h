@@ -4,9 +4,11 @@
 #include "core/probe/SampleWeights.h"
 
 #include <QPointF>
+#include <QRectF>
 #include <QWidget>
 
 #include <optional>
+#include <vector>
 
 namespace taa::app {
 
@@ -26,6 +28,14 @@ class JitterView : public QWidget {
   /// Radius of a sample's disk: its area is its weight, and it can always be seen.
   double radiusOf(const JitterSample& sample) const;
   std::optional<int> sampleAt(const QPointF& point) const;
+  /// The index of a sample and where it is written, logical px.
+  struct Number {
+    int index = 0;
+    QRectF place;
+  };
+  /// Of the current sample, of the highlighted one, and of those whose number covers neither a number before
+  /// it nor a disk.
+  std::vector<Number> numbers() const;
   QSize sizeHint() const override { return {220, 220}; }
 
  Q_SIGNALS:
@@ -40,6 +50,8 @@ class JitterView : public QWidget {
 
  private:
   QRectF square() const;
+  /// At the right of its disk, at the left where the widget ends.
+  QRectF numberPlace(int index, const QRectF& disk) const;
   void paintGrid(QPainter& painter) const;
   void paintSamples(QPainter& painter) const;
   void paintMeans(QPainter& painter) const;
