@@ -7,12 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace taa::app {
 
 namespace {
 
-constexpr double kAxisGap = kUnit; ///< px between plot and labels
+constexpr double kAxisGap = kUnit;      ///< px between plot and labels
+constexpr double kLabelGap = 2 * kUnit; ///< px between labels beside each other, at least
+constexpr double kTightLines = 0.2;     ///< of a line, that those above each other may share
 
 /// In the middle of a pixel, where a thin line is sharp.
 double sharp(double place) {
@@ -20,7 +24,25 @@ double sharp(double place) {
 }
 
 QString tickText(double tick) {
-  return QString::asprintf("%g", tick);
+  return QString::asprintf("%g", tick).replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+/// Leaves out of labels in a line so many that the others stand apart by `gap`; the last one stays.
+std::vector<ChartLabel> thinnedOut(const std::vector<ChartLabel>& labels, const QSizeF& gap) {
+  const auto isApart = [&](std::size_t every) {
+    for (std::size_t index = every; index < labels.size(); ++index) {
+      const QRectF around =
+          labels[index].place.adjusted(-gap.width(), -gap.height(), gap.width(), gap.height());
+      if (around.intersects(labels[index - every].place)) return false;
+    }
+    return true;
+  };
+  std::size_t every = 1;
+  while (every < labels.size() && !isApart(every)) ++every;
+  std::vector<ChartLabel> kept;
+  for (std::size_t index = 0; index < labels.size(); ++index)
+    if ((labels.size() - 1 - index) % every == 0) kept.push_back(labels[index]);
+  return kept;
 }
 
 } // namespace
@@ -50,23 +72,29 @@ void ChartAxes::layOut(const ChartAxis& x, const ChartAxis& y, const QRectF& are
 void ChartAxes::labelRows() {
   const QFontMetricsF metrics(secondaryFont());
   const double line = metrics.height();
+  std::vector<ChartLabel> labels;
   for (const double tick : ticksOf(y_.range, y_.step)) {
     const double width = metrics.horizontalAdvance(tickText(tick));
     const double middle = pointOf({x_.range.low, tick}).y();
-    labels_.push_back({tickText(tick), {plot_.left() - kAxisGap - width, middle - 0.5 * line, width, line}});
+    labels.push_back({tickText(tick), {plot_.left() - kAxisGap - width, middle - 0.5 * line, width, line}});
   }
+  // Digits are lower than a line.
+  for (ChartLabel& label : thinnedOut(labels, {0.0, -kTightLines * line}))
+    labels_.push_back(std::move(label));
 }
 
 void ChartAxes::labelColumns() {
   const QFontMetricsF metrics(secondaryFont());
+  std::vector<ChartLabel> labels;
   for (const double tick : ticksOf(x_.range, x_.step)) {
     const double width = metrics.horizontalAdvance(tickText(tick));
     // Neither beside the lowest label of the other axis nor over the edge.
     const double left =
         std::max(plot_.left() - kAxisGap,
                  std::min(pointOf({tick, y_.range.low}).x() - 0.5 * width, area_.right() - width));
-    labels_.push_back({tickText(tick), {left, plot_.bottom() + kAxisGap, width, metrics.height()}});
+    labels.push_back({tickText(tick), {left, plot_.bottom() + kAxisGap, width, metrics.height()}});
   }
+  for (ChartLabel& label : thinnedOut(labels, {kLabelGap, 0.0})) labels_.push_back(std::move(label));
 }
 
 QPointF ChartAxes::pointOf(const QPointF& value) const {

@@ -1,5 +1,6 @@
 #include "app/views/plots/CurveChart.h"
 
+#include "app/models/TickStep.h"
 #include "app/style/CurveColor.h"
 #include "app/style/Numbers.h"
 #include "app/style/Theme.h"
@@ -91,8 +92,7 @@ void CurveChart::fitAxes() {
   const Span scale = roundedSpan(span.value_or(Span{}), rows);
   const int columns = std::max(2, static_cast<int>(width() / scaled(kColumnSpace)));
   const Span frames{shown_.low, std::max(shown_.high, shown_.low + 1e-9)};
-  axes_.layOut({frames, std::max(1.0, roundStep(shown_.length(), columns))},
-               {scale, roundStep(scale.length(), rows)},
+  axes_.layOut({frames, std::max(1.0, roundStep(shown_.length(), columns))}, {scale, tickStep(scale, rows)},
                QRectF(rect()).adjusted(kUnit, legend_.height(), -2.0 * kUnit, -1.0), edges_);
   update();
 }

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kLineHeight = 18.0, kFirstBaseline = 13.0;
 constexpr double kLegendMargin = 2.0 * kUnit, kTitleGap = 4.0 * kUnit;
+constexpr double kEntryGap = kUnit;                       ///< between dashes, name and value
 constexpr double kLongSample = 26.0, kShortSample = 16.0; ///< of the dashes
 
 QFontMetricsF metrics() {
@@ -43,11 +44,10 @@ const QString& CurveLegend::nameOf(const Curve& curve) const {
 
 std::vector<double> CurveLegend::widthsOf(const std::vector<Curve>& curves) const {
   const double sample = isShortened_ ? scaled(kShortSample) : scaled(kLongSample);
-  const double value = metrics().horizontalAdvance(QStringLiteral("−0.00000"));
+  const double value = metrics().horizontalAdvance(QStringLiteral("−0.00000")), gap = scaled(kEntryGap);
   std::vector<double> widths;
   for (const Curve& curve : curves)
-    widths.push_back(sample + kUnit + metrics().horizontalAdvance(nameOf(curve)) + kUnit + value +
-                     2.0 * kUnit);
+    widths.push_back(sample + metrics().horizontalAdvance(nameOf(curve)) + value + 2.0 * gap + 2.0 * kUnit);
   return widths;
 }
 
@@ -101,10 +101,10 @@ void CurveLegend::paintEntry(QPainter& painter, const ThemeColors& colors, const
   double left = left_ + place.left;
   painter.setPen(QPen(onPanel(curve.color, colors), 1.5, curve.dash, Qt::FlatCap));
   painter.drawLine(QPointF(left, baseline - 4.0), QPointF(left + sample, baseline - 4.0));
-  left += sample + kUnit;
+  left += sample + scaled(kEntryGap);
   painter.setPen(colors.secondary);
   painter.drawText(QPointF(left, baseline), nameOf(curve));
-  left += metrics().horizontalAdvance(nameOf(curve)) + kUnit;
+  left += metrics().horizontalAdvance(nameOf(curve)) + scaled(kEntryGap);
   painter.setPen(colors.text);
   if (const auto value = x ? valueAt(curve.points, *x) : std::nullopt)
     painter.drawText(QPointF(left, baseline), shortText(*value, 4));

@@ -1,5 +1,6 @@
 #include "app/views/plots/LineageBars.h"
 
+#include "app/models/TickStep.h"
 #include "app/models/verdict/LineageMath.h"
 #include "app/style/Numbers.h"
 #include "app/style/Theme.h"
@@ -62,8 +63,7 @@ void LineageBars::fitAxes() {
   const Span frames{first - 0.5, last + 0.5};
   const Span weights = roundedSpan(lineage_ ? barSpan(*lineage_) : Span{}, rows);
   axes_.layOut({frames, std::max(1.0, roundStep(frames.length(), columns))},
-               {weights, roundStep(weights.length(), rows)},
-               QRectF(rect()).adjusted(kUnit, line, -2.0 * kUnit, -1.0));
+               {weights, tickStep(weights, rows)}, QRectF(rect()).adjusted(kUnit, line, -2.0 * kUnit, -1.0));
   update();
 }
 
@@ -94,7 +94,10 @@ std::optional<int> LineageBars::frameAt(double viewX) const {
 QString LineageBars::readout() const {
   const QString title = tr("Weight in the pixel"), key = tr("hatched: what rectification put there");
   if (!lineage_) return title;
-  if (!highlighted_) return title + QStringLiteral("  ") + key;
+  const QString whole = title + QStringLiteral("  ") + key;
+  // Its tip has the key, too.
+  const double room = width() - 2.0 * kUnit;
+  if (!highlighted_) return QFontMetricsF(secondaryFont()).horizontalAdvance(whole) <= room ? whole : title;
   for (const LineageFrame& entry : lineage_->frames)
     if (entry.frame == *highlighted_)
       return tr("%1  frame %2: samples %3, rectification %4, %n pixel(s) read", nullptr, entry.pixels)

@@ -31,7 +31,7 @@ double roundedUp(double value) {
 } // namespace
 
 ProfileChart::ProfileChart(QWidget* parent) : QWidget(parent) {
-  setMinimumSize(180, 90);
+  setMinimumSize(180, 60);
   setAccessibleName(tr("Times of the passes over the last frames"));
   fitAxes();
 }

@@ -45,7 +45,7 @@ TEST(ChartAxes, EveryTickHasALabelWithRoom) {
   const ChartAxes axes = laidOut({{-120.0, 0.0}, 40.0}, {{0.0, 0.3}, 0.1});
   QStringList texts;
   for (const ChartLabel& label : axes.labels()) texts << label.text;
-  EXPECT_EQ(texts, (QStringList{"0", "0.1", "0.2", "0.3", "-120", "-80", "-40", "0"}));
+  EXPECT_EQ(texts, (QStringList{"0", "0.1", "0.2", "0.3", "−120", "−80", "−40", "0"}));
   expectLabelsHaveRoom(axes);
 }
 
@@ -62,4 +62,25 @@ TEST(ChartAxes, PlotsAboveEachOtherHaveOneLeftEdge) {
   EXPECT_EQ(laidOut(frames, {{0.0, 1.0}, 0.5}).plot().left(),
             laidOut(frames, {{0.0, 400.0}, 200.0}).plot().left());
   expectLabelsHaveRoom(laidOut(frames, {{0.0, 2.5e7}, 0.5e7}));
+}
+
+TEST(ChartAxes, LabelsThatWouldTouchAreThinnedOut) {
+  const ChartAxes axes = laidOut({{-120.0, 0.0}, 5.0}, {{0.0, 1.0}, 1.0});
+  expectLabelsHaveRoom(axes);
+  const std::vector<ChartLabel>& labels = axes.labels();
+  EXPECT_EQ(labels.back().text, "0") << "the last one stays";
+  for (std::size_t index = 3; index < labels.size(); ++index) // after those of the rows
+    EXPECT_GE(labels[index].place.left() - labels[index - 1].place.right(), 8.0)
+        << labels[index].text.toStdString();
+}
+
+TEST(ChartAxes, LabelsOfALowChartAreThinnedOut) {
+  ChartAxes axes;
+  axes.layOut({{0.0, 1.0}, 1.0}, {{0.0, 300.0}, 50.0}, {0.0, 0.0, 200.0, 70.0});
+  const std::vector<ChartLabel>& labels = axes.labels();
+  for (std::size_t index = 1; labels[index].text != "0"; ++index)
+    EXPECT_GT(labels[index - 1].place.center().y() - labels[index].place.center().y(),
+              0.75 * labels[index].place.height())
+        << labels[index].text.toStdString();
+  EXPECT_EQ(labels[0].text, "0");
 }

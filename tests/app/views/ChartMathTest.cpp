@@ -1,5 +1,6 @@
 // The arithmetic of charts.
 #include "app/models/ChartMath.h"
+#include "app/models/TickStep.h"
 #include "app/views/plots/CurveLegend.h"
 
 #include <gtest/gtest.h>
@@ -19,6 +20,13 @@ TEST(ChartMath, StepsAreOneTwoOrFiveTimesAPowerOfTen) {
   EXPECT_EQ(roundStep(1.0, 10), 0.1);
   EXPECT_EQ(roundStep(240.0, 12), 20.0);
   EXPECT_NEAR(roundStep(0.003, 4), 0.001, 1e-18);
+}
+
+TEST(ChartMath, ARangeHasAtLeastTwoTicks) {
+  EXPECT_EQ(ticksOf({-0.2, 0.4}, roundStep(0.6, 2)).size(), 1u) << "why";
+  EXPECT_EQ(tickStep({-0.2, 0.4}, 2), 0.2);
+  EXPECT_EQ(tickStep({0.0, 10.0}, 5), 2.0) << "as many as wanted";
+  EXPECT_GT(tickStep({0.0, 0.0}, 2), 0.0);
 }
 
 TEST(ChartMath, TicksAreTheMultiplesOfAStepInARange) {
