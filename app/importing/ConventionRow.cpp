@@ -69,6 +69,7 @@ QColor verdictColor(Verdict verdict, const ThemeColors& colors) {
 
 void setColor(QLabel* label, const QColor& color) {
   QPalette palette = label->palette();
+  if (palette.color(QPalette::WindowText) == color) return;
   palette.setColor(QPalette::WindowText, color);
   label->setPalette(palette);
 }
@@ -95,6 +96,7 @@ ConventionRow::ConventionRow(const capture::Convention& row, QWidget* parent)
   editor_->setToolTip(tip);
   setLabelWidth(labelHint());
   verdictText_->setFont(secondaryFont());
+  verdictText_->installEventFilter(this);
   verdictText_->setFixedWidth(verdictWidth(secondaryFont()));
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(0, 0, 0, 0);
@@ -218,6 +220,9 @@ void ConventionRow::mousePressEvent(QMouseEvent* event) {
 
 bool ConventionRow::eventFilter(QObject* watched, QEvent* event) {
   if (watched == editor_ && event->type() == QEvent::FocusIn) Q_EMIT entered(path());
+  // Another theme gives it the color that it had at first.
+  if (watched == verdictText_ && event->type() == QEvent::PaletteChange)
+    setColor(verdictText_, verdictColor(verdict_, themeColors(this)));
   // A field in which nothing was typed leaves undo to the page.
   const auto* field = qobject_cast<QLineEdit*>(watched);
   if (field && event->type() == QEvent::ShortcutOverride && isUndoKey(static_cast<QKeyEvent&>(*event)) &&

@@ -20,6 +20,7 @@ FramePanel::FramePanel(QWidget* beside, QWidget* parent)
     : QWidget(parent), color_(new PictureBox(tr("Color"))), motion_(new PictureBox(tr("Motion"))),
       depth_(new PictureBox(tr("Depth"))), slider_(new QSlider(Qt::Horizontal)), place_(new QLabel),
       flicker_(new FlickerCompare) {
+  setAccessibleName(tr("Frames"));
   motion_->setToolTip(
       tr("Direction as hue, length as saturation; nothing where there is no previous position"));
   depth_->setToolTip(tr("Near is bright, on a scale of logarithms; nothing where nothing was drawn"));

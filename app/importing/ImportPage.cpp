@@ -8,6 +8,7 @@
 #include "app/style/Theme.h"
 #include "app/widgets/ConfirmReplace.h"
 #include "app/widgets/Line.h"
+#include "app/widgets/areas/FittingArea.h"
 #include "app/widgets/bars/WorkBar.h"
 #include "core/base/Error.h"
 #include "core/capture/import/SavedImport.h"
@@ -33,6 +34,8 @@ namespace taa::app {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr int kLeastFrames = 180; ///< logical px
 
 std::size_t slotOf(ImportTask task) {
   return static_cast<std::size_t>(task);
@@ -109,7 +112,7 @@ QWidget* ImportPage::makeSides() {
   sides->setHandleWidth(2 * kUnit);
   sides->setChildrenCollapsible(false);
   sides->addWidget(table_);
-  sides->addWidget(frames_);
+  sides->addWidget(scrolledSideways(frames_, kLeastFrames)); // beside whole rows of large letters
   sides->setStretchFactor(1, 1);
   sides->setSizes({400, 780});
   connect(frames_, &FramePanel::frameChosen, this, &ImportPage::drawPictures);

@@ -82,4 +82,14 @@ inline QScrollArea* scrolled(QWidget* content) {
   return area;
 }
 
+/// As wide as there is room, at least `minPx`: where its content needs more it scrolls. Takes `content`.
+inline QScrollArea* scrolledSideways(QWidget* content, int minPx) {
+  QScrollArea* area = scrolled(content);
+  area->setAccessibleName(content->accessibleName());
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+  area->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setMinimumWidth(minPx);
+  return area;
+}
+
 } // namespace taa::app

@@ -63,6 +63,41 @@ TEST_F(ImportInWindow, ADroppedFolderOfFramesOpensThePage) {
   page->close();
 }
 
+TEST_F(ImportInWindow, AtTwoHundredPercentThePageIsNoLargerThanTheWindow) {
+  const QTemporaryDir folder;
+  small_frames::writeFrames(folder.path().toStdString());
+  window.setTextPercent(200);
+  settle();
+  drop(folder.path());
+  auto* page = window.findChild<ImportPage*>();
+  ASSERT_TRUE(page && page->isVisible());
+  EXPECT_LE(page->width(), window.width());
+  EXPECT_LE(page->height(), window.height());
+  const auto* table = page->findChild<ConventionTable*>();
+  EXPECT_GE(table->viewport()->width(), table->widget()->minimumSizeHint().width()) << "rows are whole";
+  page->close();
+  window.setTextPercent(100);
+}
+
+TEST_F(ImportInWindow, VerdictsHaveTheColorsOfAnotherTheme) {
+  const QTemporaryDir folder;
+  small_frames::writeFrames(folder.path().toStdString());
+  drop(folder.path());
+  auto* page = window.findChild<ImportPage*>();
+  ASSERT_TRUE(page && page->isVisible());
+  const auto colorOf = [&]() -> QColor {
+    for (const auto* label : page->findChild<ConventionRow*>()->findChildren<QLabel*>())
+      if (label->text() == "not measured") return label->palette().color(QPalette::WindowText);
+    return QColor();
+  };
+  EXPECT_EQ(colorOf(), darkColors().secondary);
+  window.setTheme(ThemeChoice::Light);
+  settle();
+  EXPECT_EQ(colorOf(), lightColors().secondary);
+  window.setTheme(ThemeChoice::Dark);
+  page->close();
+}
+
 TEST_F(ImportInWindow, ADroppedCaptureOpensAtOnce) {
   const QTemporaryDir place;
   const std::string folder = captureIn(place);
