@@ -56,8 +56,7 @@ QString stageShareText(const StageShare& stage, bool startsHistory) {
   const QString share = percentText(100.0 * stage.share);
   switch (stage.stage) {
   case Stage::DilateMotion:
-    return isNone ? PipelinePanel::tr("changed nothing")
-                  : PipelinePanel::tr("%1 take another motion").arg(share);
+    return isNone ? PipelinePanel::tr("changed nothing") : PipelinePanel::tr("%1 from neighbors").arg(share);
   case Stage::Reproject:
     return isNone ? PipelinePanel::tr("all on the screen")
                   : PipelinePanel::tr("%1 off the screen").arg(share);

@@ -284,6 +284,8 @@ void PlotsPanel::refresh() {
                                   .arg(active->samples().size())
                                   .arg(frameCount_)
                                   .arg(active_ + 1)
+                            : QString(),
+                     active ? tr("%1 of %2 frames").arg(active->samples().size()).arg(frameCount_)
                             : QString());
 }
 

@@ -59,6 +59,11 @@ double finite(const QJsonValue& value, double otherwise) {
   return std::isfinite(number) ? number : otherwise;
 }
 
+/// The timeline has the frame, too, and the table the object.
+QString pixelText(const ProbeResult& result) {
+  return QStringLiteral("(%1, %2)").arg(result.x).arg(result.y);
+}
+
 constexpr IntermediateId kNeighbors[] = {IntermediateId::color, IntermediateId::historyRectified,
                                          IntermediateId::resolved};
 constexpr int kNarrowProbe = 300; ///< px, of texts of 100 %; with larger ones half as much more
@@ -234,7 +239,7 @@ void ProbePanel::makeTable() {
 
 void ProbePanel::setOutline(const std::shared_ptr<const SceneOutline>& outline) {
   model_->setOutline(outline);
-  if (result_) place_->setWhole(placeText(*result_));
+  if (result_) place_->setWhole(placeText(*result_), pixelText(*result_));
 }
 
 void ProbePanel::setPlaying(bool playing) {
@@ -244,7 +249,7 @@ void ProbePanel::setPlaying(bool playing) {
 }
 
 QString ProbePanel::placeText(const ProbeResult& result) const {
-  const QString place = tr("(%1, %2)  frame %3").arg(result.x).arg(result.y).arg(result.frame);
+  const QString place = tr("%1  frame %2").arg(pixelText(result)).arg(result.frame);
   const QString object = model_->objectName(
       static_cast<int>(twin::at(result.around[kProbedMiddle], IntermediateId::objectId).x));
   return object.isEmpty() ? place : QStringLiteral("%1  %2").arg(place, object);
@@ -287,7 +292,7 @@ void ProbePanel::setResult(const ProbeResult& result) {
   if (!isPlaying_) conclusions_->setMinimumHeight(0);
   if (result.around.size() <= kProbedMiddle) return showLost(result);
   result_ = result;
-  place_->setWhole(placeText(result));
+  place_->setWhole(placeText(result), pixelText(result));
   showSummary(result);
   model_->setPixel(result);
   showColors();

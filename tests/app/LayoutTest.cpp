@@ -79,6 +79,9 @@ void expectNothingIsCut(const QWidget& window) {
     if (const auto* bar = qobject_cast<const QTabBar*>(widget)) expectWholeTabs(*bar);
     if (const auto* header = qobject_cast<const QHeaderView*>(widget)) expectWholeColumns(*header);
     EXPECT_GE(widget->width(), neededWidth(widget)) << nameOf(widget);
+    if (const auto* label = qobject_cast<const QLabel*>(widget)) {
+      EXPECT_FALSE(label->text().endsWith(QChar(0x2026))) << nameOf(widget) << " is cut";
+    }
     if (const auto* label = qobject_cast<const QLabel*>(widget); label && label->wordWrap()) {
       EXPECT_GE(label->height(), label->heightForWidth(label->width())) << nameOf(widget);
     }

@@ -1,4 +1,5 @@
-// A line of text in a bar that is cut, with dots, where there is no room for it; the rest of it is its tip.
+// A line of text in a bar that is shorter, or cut with dots, where there is no room for it; its tip is the
+// rest.
 #pragma once
 
 #include <QEvent>
@@ -12,8 +13,10 @@ class ElidedLabel : public QLabel {
  public:
   using QLabel::QLabel;
 
-  void setWhole(const QString& text) {
+  /// `shorter`: what stands there where the whole has no room; empty: it is cut.
+  void setWhole(const QString& text, const QString& shorter = {}) {
     whole_ = text;
+    shorter_ = shorter.isEmpty() ? text : shorter;
     elide();
     updateGeometry();
   }
@@ -34,7 +37,7 @@ class ElidedLabel : public QLabel {
  protected:
   void changeEvent(QEvent* event) override {
     QLabel::changeEvent(event);
-    if (event->type() == QEvent::FontChange && !whole_.isEmpty()) setWhole(whole_);
+    if (event->type() == QEvent::FontChange && !whole_.isEmpty()) setWhole(whole_, shorter_);
   }
   void resizeEvent(QResizeEvent* event) override {
     QLabel::resizeEvent(event);
@@ -49,7 +52,8 @@ class ElidedLabel : public QLabel {
     return fontMetrics().horizontalAdvance(text) + 1 + around.left() + around.right(); // of fractions
   }
   void elide() {
-    const QString shown = fontMetrics().elidedText(whole_, Qt::ElideRight, contentsRect().width());
+    const QString& wanted = widthOf(whole_) <= width() ? whole_ : shorter_;
+    const QString shown = fontMetrics().elidedText(wanted, Qt::ElideRight, contentsRect().width());
     setText(shown);
     QStringList tip;
     if (shown != whole_) tip << whole_;
@@ -57,7 +61,7 @@ class ElidedLabel : public QLabel {
     setToolTip(tip.join(QLatin1Char('\n')));
   }
 
-  QString whole_, tip_;
+  QString whole_, shorter_, tip_;
 };
 
 } // namespace taa::app

@@ -225,6 +225,24 @@ TEST_F(TextSizeTest, AtTwoHundredPercentPagesBelowKeepTheirCurvesAndColumns) {
   }
 }
 
+TEST_F(TextSizeTest, AtTwoHundredPercentEachPageBelowFitsWithTwoViewsAndAProbe) {
+  window.views()->setViewCount(2);
+  session.probes().setPixel(glm::ivec2(20, 10));
+  window.setTextPercent(200);
+  for (int frame = 1; frame <= 3; ++frame) session.seek(frame); // what the probe measured is drawn, too
+  settle();
+  for (int page = 0; page < kLowerPageCount; ++page) {
+    SCOPED_TRACE(lowerPageId(static_cast<LowerPage>(page)).toStdString());
+    window.lower()->setShown(static_cast<LowerPage>(page), true);
+    settle();
+    EXPECT_TRUE(waitFor([&] { return window.size() == QSize(1280, 800); }, 5000)) << window.height();
+    for (const QLabel* label : window.findChildren<QLabel*>()) {
+      if (!label->isVisible()) continue;
+      EXPECT_FALSE(label->text().endsWith(QChar(0x2026))) << label->text().toStdString();
+    }
+  }
+}
+
 TEST_F(TextSizeTest, AtTwoHundredPercentAHistogramStaysInItsView) {
   window.views()->setViewCount(4);
   for (const int percent : {200, 100}) {
