@@ -4,6 +4,7 @@
 #include "app/style/Theme.h"
 #include "app/widgets/SearchField.h"
 
+#include <QFontMetrics>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -37,7 +38,16 @@ std::vector<Group> grouped(const std::vector<KeyLine>& lines) {
   return groups;
 }
 
-QWidget* groupWidget(const Group& group) {
+/// Of the widest keys, so that what they do stands in one line in all groups.
+int keysWidth(const std::vector<Group>& groups) {
+  const QFontMetrics metrics(secondaryFont());
+  int width = 0;
+  for (const Group& group : groups)
+    for (const KeyLine& line : group.lines) width = std::max(width, metrics.horizontalAdvance(line.keys));
+  return width;
+}
+
+QWidget* groupWidget(const Group& group, int keysWidth) {
   auto* widget = new QWidget;
   auto* grid = new QGridLayout(widget);
   grid->setContentsMargins(0, 0, 0, 3 * kUnit);
@@ -52,6 +62,7 @@ QWidget* groupWidget(const Group& group) {
   for (const KeyLine& line : group.lines) {
     auto* keys = new QLabel(line.keys);
     keys->setFont(secondaryFont());
+    keys->setMinimumWidth(keysWidth);
     auto* text = new QLabel(line.text);
     text->setFont(secondaryFont());
     text->setForegroundRole(QPalette::PlaceholderText);
@@ -67,6 +78,7 @@ QWidget* columnsOf(const std::vector<Group>& groups, int count) {
   auto* columns = new QHBoxLayout(page);
   columns->setContentsMargins(0, 0, 2 * kUnit, 0);
   columns->setSpacing(8 * kUnit);
+  const int keys = keysWidth(groups);
   int total = 0, used = 0, column = 0;
   for (const Group& group : groups) total += group.height();
   QVBoxLayout* current = nullptr;
@@ -78,7 +90,7 @@ QWidget* columnsOf(const std::vector<Group>& groups, int count) {
       columns->addLayout(current);
       ++column;
     }
-    current->addWidget(groupWidget(group));
+    current->addWidget(groupWidget(group, keys));
     used += group.height();
   }
   for (int i = 0; i < columns->count(); ++i)

@@ -164,6 +164,7 @@ void PresetsDialog::compare() {
     }
   if (table_->topLevelItemCount() > 0) table_->setCurrentItem(table_->topLevelItem(0));
   const int count = table_->topLevelItemCount();
+  table_->header()->setVisible(count > 0); // of nothing
   heading_->setText(!entry ? QString()
                     : count > 0
                         ? tr("%1 differs from the present settings. Values: %2.").arg(entry->label).arg(count)

@@ -164,8 +164,13 @@ void RangeHistogram::paintRange(QPainter& painter, const ThemeColors& colors) co
     painter.drawText(texts, Qt::AlignVCenter | Qt::AlignLeft, leftText());
     painter.drawText(texts, Qt::AlignVCenter | Qt::AlignRight, right);
   }
-  if (axis_.isLogarithmic)
-    painter.drawText(rect().adjusted(kSide, 2, -kSide, 0), Qt::AlignTop | Qt::AlignRight, tr("logarithmic"));
+  if (axis_.isLogarithmic) {
+    const QRect room = rect().adjusted(kSide, 2, -kSide, 0);
+    constexpr int kCorner = Qt::AlignTop | Qt::AlignRight;
+    painter.fillRect(painter.boundingRect(room, kCorner, tr("logarithmic")),
+                     colors.panel); // over an end's line
+    painter.drawText(room, kCorner, tr("logarithmic"));
+  }
   painter.setPen(colors.text);
   painter.drawText(texts, Qt::AlignCenter, rangeText());
 }
