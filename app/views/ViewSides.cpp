@@ -3,6 +3,7 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/views/legend/ReferenceNote.h"
+#include "app/views/legend/ScaleLegend.h"
 
 #include "core/inspect/ShownPicture.h"
 
@@ -161,7 +162,7 @@ LegendFlow ViewSides::legend(Showing showing, LegendFold fold, const ViewTransfo
   if (showing == Showing::Wipe) beside = legendSide(true, showing).reasons;
   if (beside && main.reasons && *beside == *main.reasons) beside = nullptr;
   if (fold == LegendFold::AllButName) {
-    flow.text(QStringLiteral("⋯ ") + rowName(main), secondaryFont(), colors.accent);
+    addScaleLegend(flow, main, colors);
     return flow;
   }
   if (fold == LegendFold::Nothing) addOverlayLegend(flow, main, beside, transform, colors);

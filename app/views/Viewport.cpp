@@ -369,10 +369,10 @@ ShownLegend Viewport::shownLegend() const {
   const int height = whole.lines(width()) * legendHeight();
   if (!isLegendWhole_ && height * kShare > this->height()) {
     LegendFlow folded = legend(shown(), LegendFold::Overlays);
-    if (folded.lines(width()) * legendHeight() > kMostOf * this->height())
-      folded = legend(shown(), LegendFold::AllButName);
+    const bool isShort = folded.lines(width()) * legendHeight() > kMostOf * this->height();
+    if (isShort) folded = legend(shown(), LegendFold::AllButName);
     const int least = folded.lines(width()) * legendHeight(), top = legendTop(least);
-    const QRect sign = folded.lastPlace(width()).translated(0, top);
+    const QRect sign = isShort ? QRect(0, top, width(), least) : folded.lastPlace(width()).translated(0, top);
     if (least < height && !isLegendOpen_) return {std::move(folded), {0, top, width(), least}, sign};
     if (least < height) {
       const bool isAtBottom = top + least == this->height();

@@ -4,6 +4,7 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/views/legend/RangeMath.h"
+#include "app/views/legend/ScaleLegend.h"
 
 #include "core/picture/ColorMap.h"
 #include "core/taa/rows/ChannelNames.h"
@@ -12,6 +13,7 @@
 #include <QObject>
 #include <QPainter>
 #include <QPolygonF>
+#include <QStringList>
 
 #include <algorithm>
 #include <array>
@@ -26,7 +28,7 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kBarWidth = 96, kBarHeight = 8;
+constexpr int kBarWidth = 96, kShortBarWidth = 40, kBarHeight = 8;
 // Gray as light as the cyclic map, as in shaders/inspect/visual_color.glsl.
 constexpr float kNeutral = kCyclicLightness * kCyclicLightness * kCyclicLightness;
 
@@ -93,7 +95,10 @@ class Writer {
   void swatch(int category) {
     const QColor color(rgbOf(categoryColor(category)));
     icon(scaled(kBarHeight), scaled(kBarHeight),
-         [color](QPainter& painter, const QRect& place) { painter.fillRect(place, color); });
+         [color, line = colors_.secondary](QPainter& painter, const QRect& place) {
+           painter.fillRect(place, line); // the darkest is not seen on a dark ground
+           painter.fillRect(place.adjusted(1, 1, -1, -1), color);
+         });
   }
   LegendFlow& flow() { return flow_; }
 
@@ -137,17 +142,17 @@ void addCategories(Writer& writer, const Intermediate& row) {
 }
 
 // Signed values have 0 in the middle of their map, whatever the range.
-void addMapScale(Writer& writer, const Intermediate& row, const ViewStyle& style) {
+void addMapScale(Writer& writer, const Intermediate& row, const ViewStyle& style, int width) {
   const bool isSigned = row.visual == Visual::Signed || row.visual == Visual::Vector;
   writer.digits(shortText(isSigned ? -extent(style) : style.low));
   writer.flow().glue();
-  writer.icon(
-      scaled(kBarWidth), scaled(kBarHeight),
-      [map = style.map](QPainter& painter, const QRect& place) { painter.drawImage(place, mapBar(map)); });
+  writer.icon(scaled(width), scaled(kBarHeight), [map = style.map](QPainter& painter, const QRect& place) {
+    painter.drawImage(place, mapBar(map));
+  });
   writer.digits(shortText(isSigned ? extent(style) : style.high));
 }
 
-void addScale(Writer& writer, const LegendSide& side) {
+void addScale(Writer& writer, const LegendSide& side, int barWidth = kBarWidth) {
   const Intermediate& row = side.row;
   const ViewStyle& style = side.style;
   if (row.visual == Visual::Vector && shownChannels(row, style) > 1) {
@@ -161,7 +166,7 @@ void addScale(Writer& writer, const LegendSide& side) {
   } else if (row.visual == Visual::Index) {
     addCategories(writer, row);
   } else if (usesColorMap(row, style)) {
-    addMapScale(writer, row, style);
+    addMapScale(writer, row, style, barWidth);
   } else if (hasRange(row)) {
     writer.digits(QObject::tr("range %1 … %2").arg(shortText(style.low), shortText(style.high)));
   }
@@ -206,6 +211,16 @@ void addRowLegend(LegendFlow& flow, const LegendSide& side, const ThemeColors& c
   writer.quiet(row.channels > 1
                    ? QObject::tr("of the values: this minus other, the channel that differs most")
                    : QObject::tr("of the values: this minus other"));
+}
+
+void addScaleLegend(LegendFlow& flow, const LegendSide& side, const ThemeColors& colors) {
+  Writer writer(flow, colors);
+  flow.startLine();
+  // Word by word: a long name goes on in the next line.
+  for (const QString& word : rowName(side).split(QLatin1Char(' '))) writer.plain(word);
+  if (side.row.visual != Visual::Index) addScale(writer, side, kShortBarWidth);
+  flow.glue();
+  flow.text(QStringLiteral("⋯"), secondaryFont(), colors.accent);
 }
 
 namespace {

@@ -1,4 +1,5 @@
 // What lies over, below and above the picture of a view: overlays, legends, histogram, header.
+#include "app/style/Numbers.h"
 #include "app/views/MeasuredRegion.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewHeader.h"
@@ -217,7 +218,7 @@ TEST_F(ViewOverlays, ALegendOfManyCategoriesLeavesALowPictureItsPlace) {
   viewport()->resize(220, 120);
   const ShownLegend folded = viewport()->shownLegend();
   EXPECT_EQ(folded.place.height(), legendHeight());
-  EXPECT_EQ(folded.flow.plainText(), QStringLiteral("⋯ Geometry verdict"));
+  EXPECT_EQ(folded.flow.plainText(), QStringLiteral("Geometry verdict ⋯"));
   QTest::mouseMove(viewport(), folded.sign.center());
   const ShownLegend open = viewport()->shownLegend();
   EXPECT_TRUE(open.flow.plainText().contains("wrong history let through"));
@@ -225,6 +226,23 @@ TEST_F(ViewOverlays, ALegendOfManyCategoriesLeavesALowPictureItsPlace) {
   QTest::mouseMove(viewport(), {1, 1});
   viewport()->resize(900, 700);
   EXPECT_TRUE(viewport()->shownLegend().sign.isEmpty()) << "there is room";
+}
+
+TEST_F(ViewOverlays, AFoldedLegendKeepsItsScale) {
+  window.setTextPercent(200);
+  view()->setIntermediate(IntermediateId::historyLength);
+  viewport()->resize(195, 216);
+  const ShownLegend folded = viewport()->shownLegend();
+  ASSERT_FALSE(folded.sign.isEmpty());
+  const ViewStyle style = view()->style();
+  EXPECT_EQ(folded.flow.plainText(),
+            QStringLiteral("History length %1 %2 ⋯").arg(shortText(style.low), shortText(style.high)));
+  EXPECT_EQ(folded.place.height(), 2 * legendHeight());
+  EXPECT_LE(folded.flow.lastPlace(195).right(), 195);
+  QTest::mouseMove(viewport(), folded.sign.center());
+  EXPECT_EQ(viewport()->shownLegend().flow.plainText().count(QStringLiteral("⋯")), 0) << "all of it";
+  QTest::mouseMove(viewport(), {1, 1});
+  window.setTextPercent(100);
 }
 
 TEST_F(ViewOverlays, ALegendWrapsInsteadOfLeavingOut) {
