@@ -15,7 +15,9 @@ MenuTitle::MenuTitle(QMenuBar* bar) : bar_(bar) {
 }
 
 void MenuTitle::setTitle(const QString& text) {
-  setWhole(text);
+  // Its last part, the size, stands elsewhere, too.
+  const qsizetype end = text.lastIndexOf(QLatin1String(" · "));
+  setWhole(text, text.left(std::max<qsizetype>(end, 0)));
   place();
 }
 

@@ -11,6 +11,19 @@
 
 namespace taa::app {
 
+namespace {
+
+/// Moves `control` by `move`; with a style sheet Qt gives it letters as large as they were at the start.
+template <class Move>
+void keepingFont(QWidget& control, const Move& move) {
+  const QFont font = control.font();
+  move();
+  control.ensurePolished();
+  control.setFont(font);
+}
+
+} // namespace
+
 OverflowPopup::OverflowPopup(QWidget* owner) : QFrame(owner, Qt::Popup), owner_(owner) {
   setFrameShape(QFrame::StyledPanel);
   setAccessibleName(tr("More about this view"));
@@ -31,7 +44,7 @@ void OverflowPopup::open(const Controls& controls, QPoint corner) {
   for (const auto& [control, name] : controls) {
     const int row = grid->rowCount();
     grid->addWidget(new QLabel(name), row, 0);
-    grid->addWidget(control, row, 1, Qt::AlignLeft | Qt::AlignVCenter);
+    keepingFont(*control, [&] { grid->addWidget(control, row, 1, Qt::AlignLeft | Qt::AlignVCenter); });
     control->setMinimumSize(control->sizeHint().width(), rowHeight()); // a grid knows no fixed geometry
     control->show();
     controls_.emplace_back(control);
@@ -54,7 +67,7 @@ void OverflowPopup::hideEvent(QHideEvent*) {
     if (!control) continue;
     if (layout()) layout()->removeWidget(control);
     control->setMinimumSize(0, 0);
-    control->setParent(owner_);
+    keepingFont(*control, [&] { control->setParent(owner_); });
   }
   Q_EMIT closed();
 }

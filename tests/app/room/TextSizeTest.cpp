@@ -20,6 +20,7 @@
 #include "app/views/ViewPanel.h"
 #include "app/views/legend/RangeHistogram.h"
 #include "app/views/plots/CurveChart.h"
+#include "app/widgets/ChannelButtons.h"
 #include "app/widgets/Chooser.h"
 #include "app/widgets/ValueTable.h"
 #include "app/widgets/bars/ElidedLabel.h"
@@ -254,6 +255,23 @@ TEST_F(TextSizeTest, AtTwoHundredPercentAHistogramStaysInItsView) {
     ASSERT_TRUE(histogram && histogram->isVisible());
     EXPECT_LT(histogram->geometry().right(), histogram->parentWidget()->width()) << percent;
   }
+}
+
+TEST_F(TextSizeTest, WhatIsBehindTheButtonOfANarrowHeaderHasLargeLetters) {
+  window.views()->setViewCount(4);
+  window.setTextPercent(200);
+  settle();
+  ViewHeader* header = window.views()->view(0)->header();
+  const auto* channels = header->findChild<ChannelButtons*>();
+  ASSERT_TRUE(channels && !channels->isVisible());
+  QTest::mouseClick(header->findChild<QWidget*>(QStringLiteral("more")), Qt::LeftButton);
+  settle();
+  ASSERT_TRUE(channels->isVisible());
+  EXPECT_DOUBLE_EQ(channels->font().pointSizeF(), 18.0);
+  channels->parentWidget()->hide();
+  settle();
+  EXPECT_EQ(channels->parentWidget(), header);
+  EXPECT_DOUBLE_EQ(channels->font().pointSizeF(), 18.0) << "back in the header";
 }
 
 TEST_F(TextSizeTest, AtTwoHundredPercentThePageOfTheManualIsWiderThanTheListOfPages) {
