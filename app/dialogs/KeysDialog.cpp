@@ -38,7 +38,7 @@ std::vector<Group> grouped(const std::vector<KeyLine>& lines) {
   return groups;
 }
 
-/// Of the widest keys, so that what they do stands in one line in all groups.
+/// Of the widest keys, so that what they do stands in one line in all groups of a column.
 int keysWidth(const std::vector<Group>& groups) {
   const QFontMetrics metrics(secondaryFont());
   int width = 0;
@@ -73,28 +73,32 @@ QWidget* groupWidget(const Group& group, int keysWidth) {
   return widget;
 }
 
+/// In order, in columns of which each takes groups until its share of the lines is reached.
+std::vector<std::vector<Group>> inColumns(const std::vector<Group>& groups, int count) {
+  int total = 0, used = 0;
+  for (const Group& group : groups) total += group.height();
+  std::vector<std::vector<Group>> columns;
+  for (const Group& group : groups) {
+    const int begun = static_cast<int>(columns.size());
+    if (begun == 0 || (begun < count && used >= total * begun / count)) columns.emplace_back();
+    columns.back().push_back(group);
+    used += group.height();
+  }
+  return columns;
+}
+
 QWidget* columnsOf(const std::vector<Group>& groups, int count) {
   auto* page = new QWidget;
   auto* columns = new QHBoxLayout(page);
   columns->setContentsMargins(0, 0, 2 * kUnit, 0);
   columns->setSpacing(8 * kUnit);
-  const int keys = keysWidth(groups);
-  int total = 0, used = 0, column = 0;
-  for (const Group& group : groups) total += group.height();
-  QVBoxLayout* current = nullptr;
-  for (const Group& group : groups) {
-    // A column takes groups until its share of the lines is reached.
-    if (!current || (column < count && used >= total * column / count)) {
-      current = new QVBoxLayout;
-      current->setSpacing(0);
-      columns->addLayout(current);
-      ++column;
-    }
-    current->addWidget(groupWidget(group, keys));
-    used += group.height();
+  for (const std::vector<Group>& part : inColumns(groups, count)) {
+    auto* column = new QVBoxLayout;
+    column->setSpacing(0);
+    for (const Group& group : part) column->addWidget(groupWidget(group, keysWidth(part)));
+    column->addStretch(1);
+    columns->addLayout(column);
   }
-  for (int i = 0; i < columns->count(); ++i)
-    static_cast<QVBoxLayout*>(columns->itemAt(i)->layout())->addStretch(1);
   return page;
 }
 

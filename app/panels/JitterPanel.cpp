@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace taa::app {
@@ -22,7 +23,8 @@ namespace taa::app {
 namespace {
 
 QString fixed(double value, int digits) {
-  return QString::number(value, 'f', digits).replace(QLatin1Char('-'), QChar(0x2212));
+  const bool isZero = std::abs(value) < 0.5 * std::pow(10.0, -digits); // which has no sign
+  return QString::number(isZero ? 0.0 : value, 'f', digits).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
 QString pair(const glm::dvec2& value) {
