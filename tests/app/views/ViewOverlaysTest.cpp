@@ -233,7 +233,7 @@ TEST_F(ViewOverlays, AFoldedLegendKeepsItsScale) {
   view()->setIntermediate(IntermediateId::historyLength);
   viewport()->resize(195, 216);
   const ShownLegend folded = viewport()->shownLegend();
-  ASSERT_FALSE(folded.sign.isEmpty());
+  EXPECT_FALSE(folded.sign.isEmpty());
   const ViewStyle style = view()->style();
   EXPECT_EQ(folded.flow.plainText(),
             QStringLiteral("History length %1 %2 ⋯").arg(shortText(style.low), shortText(style.high)));
