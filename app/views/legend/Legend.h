@@ -38,7 +38,7 @@ void addOverlayLegend(LegendFlow& flow, const LegendSide& side, const ReasonCoun
                       const ViewTransform& transform, const ThemeColors& colors);
 
 /// Where a legend would cover much of the pictures what it says of overlays is folded away, and where that is
-/// not enough all but the name.
+/// not enough all but the name and its scale.
 enum class LegendFold { Nothing, Overlays, AllButName };
 
 /// On the screen. What is folded comes back while the mouse is on the sign that stands for it.
