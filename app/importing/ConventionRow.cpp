@@ -95,6 +95,7 @@ ConventionRow::ConventionRow(const capture::Convention& row, QWidget* parent)
   label_->setToolTip(tip);
   editor_->setToolTip(tip);
   setLabelWidth(labelHint());
+  label_->setMinimumHeight(label_->sizeHint().height()); // a field may be lower than a line of large letters
   verdictText_->setFont(secondaryFont());
   verdictText_->installEventFilter(this);
   verdictText_->setFixedWidth(verdictWidth(secondaryFont()));
