@@ -263,7 +263,11 @@ void MainWindow::makeMenus() {
   bar->addMenu(new FrameMenu(all, session_, *timeline_, *prompts_, bar));
   bar->addMenu(new SceneMenu(all, {session_.scene(), *flight_, *cameras_, *left_, *scene_}, bar));
   bar->addMenu(new PipelineMenu(all, {session_, *pipeline_, *presets_, *views_, *lower_, *exports_}, bar));
-  bar->addMenu(new FaultsMenu(all, session_, *lower_, *doctorCommands_, bar));
+  auto* faults = new FaultsMenu(all, session_, *lower_, *doctorCommands_, bar);
+  const auto nameFaults = [this, faults] { faults->setFaultsNamed(!learning_->hidesFault()); };
+  connect(learning_, &Learning::stepShown, faults, nameFaults);
+  connect(learning_, &Learning::changed, faults, nameFaults);
+  bar->addMenu(faults);
   bar->addMenu(new ProbeMenu(all,
                              {session_.probes(), session_.verdicts(), *views_, *probe_, *probeCommands_,
                               *prompts_, session_.scene()},

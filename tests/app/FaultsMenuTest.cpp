@@ -46,6 +46,24 @@ TEST_F(FaultsMenuTest, HasAnEntryForEachThatSetsItAndTakesItBack) {
   }
 }
 
+TEST_F(FaultsMenuTest, HasNoMarkWhereATaskAsksForTheFaultAndStillTakesItBack) {
+  auto* menu = window.findChild<FaultsMenu*>();
+  const FaultInfo& info = faultInfo(Fault::MotionNegatedY);
+  const Settings healthy = chosen();
+  action(info)->trigger();
+  settle();
+  ASSERT_TRUE(action(info)->isChecked());
+  menu->setFaultsNamed(false);
+  EXPECT_FALSE(action(info)->isChecked());
+  EXPECT_FALSE(action(info)->isCheckable());
+  action(info)->trigger();
+  EXPECT_TRUE(chosen() == healthy);
+  action(info)->trigger();
+  EXPECT_TRUE(isInjected(info.fault, chosen()));
+  menu->setFaultsNamed(true);
+  EXPECT_TRUE(action(info)->isChecked());
+}
+
 TEST_F(FaultsMenuTest, TakesAllBackAtOnceAndUndoBringsThemAgain) {
   const Settings healthy = chosen();
   EXPECT_FALSE(none()->isEnabled());

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace taa::app {
 
@@ -68,6 +69,10 @@ FaultsMenu::FaultsMenu(Commands& commands, Session& session, LowerArea& lower, D
   for (const FaultPart part : kParts) addPart(session, part);
 }
 
+void FaultsMenu::setFaultsNamed(bool areNamed) {
+  if (std::exchange(areNamed_, areNamed) != areNamed) commands_.refresh();
+}
+
 void FaultsMenu::addExamine(LowerArea& lower, DoctorCommands& doctor) {
   QAction* examine = add(tr("&Examine the frames"), keys({"Ctrl+Shift+F12"}), [&lower, &doctor] {
     lower.setShown(LowerPage::Doctor, true);
@@ -100,12 +105,15 @@ void FaultsMenu::addPart(Session& session, FaultPart part) {
 
 void FaultsMenu::addFault(Session& session, QMenu* menu, const FaultInfo& info) {
   PresetChoices& presets = session.presets();
-  QAction* action = commands_.addCheck(menu, tableText(info.label), {},
-                                       [&presets, &info](bool isOn) { setInjected(presets, info, isOn); });
+  // By the settings, not by the mark, which may not be shown.
+  QAction* action = commands_.addCheck(menu, tableText(info.label), {}, [&presets, &info](bool) {
+    setInjected(presets, info, !isInjected(info.fault, presets.settings()));
+  });
   action->setObjectName(QStringLiteral("fault.") + qtext(info.id));
   action->setToolTip(tableText(info.symptom));
-  onRefresh([&session, action, &info] {
-    action->setChecked(isInjected(info.fault, session.presets().settings()));
+  onRefresh([this, &session, action, &info] {
+    action->setCheckable(areNamed_);
+    action->setChecked(areNamed_ && isInjected(info.fault, session.presets().settings()));
     const bool isDrawn = !session.status().capture;
     allow(action, isDrawn || info.reach == FaultReach::Any
                       ? QString()

@@ -15,12 +15,17 @@ class FaultsMenu : public CommandMenu {
  public:
   FaultsMenu(Commands& commands, Session& session, LowerArea& lower, DoctorCommands& doctor, QWidget* parent);
 
+  /// Whether those that are injected have a mark. Where a task asks for one, none has.
+  void setFaultsNamed(bool areNamed);
+
  private:
   void addExamine(LowerArea& lower, DoctorCommands& doctor);
   void addMended(DoctorCommands& doctor);
   void addNone(Session& session);
   void addPart(Session& session, FaultPart part);
   void addFault(Session& session, QMenu* menu, const FaultInfo& info);
+
+  bool areNamed_ = true;
 };
 
 } // namespace taa::app

@@ -4,6 +4,7 @@
 #include "app/learn/Learning.h"
 #include "app/learn/LessonText.h"
 #include "app/learn/PartFrame.h"
+#include "app/menus/faults/FaultsMenu.h"
 #include "app/panels/ProbePanel.h"
 #include "app/panels/StatusLine.h"
 #include "app/style/Text.h"
@@ -13,6 +14,7 @@
 #include "core/settings/Faults.h"
 #include "tests/app/WindowFixture.h"
 
+#include <QAction>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
@@ -218,6 +220,8 @@ TEST_F(LearnTest, AFaultThatATaskAsksForIsNotNamed) {
     settle();
     for (const QLabel* label : window.probe()->findChildren<QLabel*>())
       EXPECT_FALSE(label->text().contains(QLatin1String("fault."))) << label->text().toStdString();
+    for (const QAction* action : window.findChild<FaultsMenu*>()->findChildren<QAction*>())
+      EXPECT_FALSE(action->isChecked()) << action->text().toStdString();
   }
   // Where it is the lesson that names it, the line names it, too.
   learning()->openStep(QStringLiteral("reprojection"), 6);
