@@ -43,6 +43,7 @@ LearnPanel::LearnPanel(QWidget* parent) : QWidget(parent) {
   text_->setAccessibleName(tr("Text of the step"));
   layout->addWidget(text_, 1);
   makeTask();
+  layout->addStretch();
   hide();
 }
 
@@ -84,6 +85,7 @@ void LearnPanel::makeWay() {
   connect(return_, &QPushButton::clicked, this, &LearnPanel::returnRequested);
 }
 
+// Right below the text, however long it is; hints come below the buttons, which stay where they are.
 void LearnPanel::makeTask() {
   answer_ = new QLabel;
   answer_->setWordWrap(true);
@@ -97,8 +99,8 @@ void LearnPanel::makeTask() {
   task->addWidget(hint_);
   task->addStretch(1);
   auto* rows = qobject_cast<QVBoxLayout*>(layout());
-  rows->addWidget(answer_);
   rows->addLayout(task);
+  rows->addWidget(answer_);
   connect(check_, &QPushButton::clicked, this, &LearnPanel::checkRequested);
   connect(hint_, &QPushButton::clicked, this, &LearnPanel::hintRequested);
 }
@@ -142,8 +144,9 @@ void LearnPanel::showTask(const LessonStep& step, const StepNotes& notes) {
     lines << plainLine(notes.answer);
   else if (notes.isDone)
     lines << plainLine(tr("Solved."));
-  answer_->setText(lines.join(QString()));
-  answer_->setVisible(!lines.isEmpty());
+  // What is checked has a line from the first, so that nothing moves when it is answered.
+  answer_->setText(lines.isEmpty() && hasTask ? plainLine(QStringLiteral("\u00a0")) : lines.join(QString()));
+  answer_->setVisible(hasTask || !lines.isEmpty());
   text_->setKeepsEnd(notes.isAsked);
 }
 

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace taa::app {
 
@@ -96,6 +97,7 @@ LessonText::LessonText(QWidget* parent) : QTextBrowser(parent) {
   setObjectName(QStringLiteral("lessonText"));
   setOpenLinks(false);
   setFrameShape(QFrame::NoFrame);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum); // no higher than it is
   setLineWrapMode(QTextEdit::FixedPixelWidth);
   document()->setDocumentMargin(0.0);
   connect(this, &QTextBrowser::anchorClicked, this, [](const QUrl& link) {
@@ -110,7 +112,6 @@ void LessonText::setText(const QString& markdown) {
                                         QTextDocument::MarkdownNoHTML);
   setType();
   moveCursor(QTextCursor::Start);
-  updateGeometry();
 }
 
 void LessonText::setKeepsEnd(bool keepsEnd) {
@@ -146,6 +147,7 @@ void LessonText::setType() {
 void LessonText::fitLines() {
   const int longest = kLongestLine * QFontMetrics(font()).averageCharWidth();
   setLineWrapColumnOrWidth(std::max(1, std::min(longest, viewport()->width())));
+  if (std::exchange(heightPx_, sizeHint().height()) != heightPx_) updateGeometry();
 }
 
 void LessonText::changeEvent(QEvent* event) {

@@ -33,6 +33,7 @@ class LessonText : public QTextBrowser {
 
   QString markdown_;
   bool keepsEnd_ = false;
+  int heightPx_ = 0; ///< that it would like to have
 };
 
 } // namespace taa::app

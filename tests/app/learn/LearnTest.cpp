@@ -173,6 +173,25 @@ TEST_F(LearnTest, ATaskIsStillReadWhenItHasBeenAnswered) {
   EXPECT_EQ(bar->value(), 0);
 }
 
+TEST_F(LearnTest, WhatATaskIsCheckedByIsRightBelowItsText) {
+  session.probes().removeAll();
+  learning()->openStep(QStringLiteral("jitter"), 5);
+  settle();
+  const auto* text = panel()->findChild<LessonText*>();
+  const auto button = [&](const QString& name) -> const QPushButton* {
+    for (const QPushButton* each : panel()->findChildren<QPushButton*>())
+      if (each->text() == name && each->isVisible()) return each;
+    return nullptr;
+  };
+  ASSERT_TRUE(button(QStringLiteral("Check")) && button(QStringLiteral("Hint")));
+  ASSERT_GT(panel()->height(), 2 * text->sizeHint().height()) << "there is room for more";
+  EXPECT_EQ(text->verticalScrollBar()->maximum(), 0) << "it is read as a whole";
+  EXPECT_TRUE(waitFor([&] { return button(QStringLiteral("Check"))->y() - text->geometry().bottom() < 16; }));
+  const QPoint place = button(QStringLiteral("Hint"))->pos();
+  click(QStringLiteral("Hint"));
+  EXPECT_EQ(button(QStringLiteral("Hint"))->pos(), place) << "it is pressed again without looking for it";
+}
+
 TEST_F(LearnTest, WhoClicksOnFindsNextWhereItWas) {
   key(Qt::Key_F12);
   settle();
