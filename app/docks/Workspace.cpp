@@ -29,6 +29,7 @@ constexpr QSize kFirstWindow(720, 360); ///< of a page that is torn off
 constexpr int kLeastProbe = 70;         ///< logical px of texts of 100 %, beside a lesson
 constexpr int kTightProbe = 30;         ///< likewise, where there is no room for that
 constexpr int kNoProbe = 40;            ///< likewise, while no pixel is probed
+constexpr int kHiddenProbe = 2;         ///< likewise, where a lesson would have hardly a line
 constexpr double kLessonShare = 0.6;    ///< of a side, that a lesson beside a probe has at most
 constexpr int kLessonLines = 20;        ///< of text, that it may have in any case
 constexpr int kFewLines = 5;            ///< of text, for which the probe gives what it can
@@ -72,7 +73,7 @@ Workspace::Workspace(const Panels& panels, QWidget* parent) : QMainWindow(parent
   learn_->setPanel(of_.learn);
   probe_ = addDock(QStringLiteral("probe"), tr("Probe"), Qt::RightDockWidgetArea);
   probe_->setHead(of_.probeHead);
-  probe_->setScrolledPanel(of_.probe, kTightProbe);
+  probe_->setScrolledPanel(of_.probe, kHiddenProbe);
   lower_ = addDock(QStringLiteral("lower"), tr("Pages below the views"), Qt::BottomDockWidgetArea);
   lower_->setWholeHead(of_.lower->head());
   lower_->setPanel(of_.lower);
@@ -86,6 +87,11 @@ void Workspace::setProbed(bool isProbed) {
   if (isProbed != std::exchange(isProbed_, isProbed)) shareSide();
 }
 
+void Workspace::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::FontChange) shareSide();
+}
+
 // A step that opens another scene sets its probes and the lower area anew: what is so in the end counts.
 void Workspace::shareSide() {
   QTimer::singleShot(0, this, &Workspace::shareSideNow);
@@ -96,17 +102,29 @@ void Workspace::shareSideNow() {
       dockWidgetArea(learn_) != dockWidgetArea(probe_))
     return;
   layout()->activate();
-  const int column = learn_->height() + probe_->height();
   const int head = learn_->height() - of_.learn->height();
+  const int few = head + of_.learn->minimumSizeHint().height() + kFewLines * fontMetrics().lineSpacing();
+  const int least = probe_->titleBarWidget()->height() + scaled(isProbed_ ? kTightProbe : kNoProbe);
+  takeFromPages(few + least - learn_->height() - probe_->height());
+  const int column = learn_->height() + probe_->height();
   const int most =
       std::max(static_cast<int>(kLessonShare * column), kLessonLines * fontMetrics().lineSpacing());
   const int room = column - probe_->titleBarWidget()->height();
   const int wanted = std::min(head + of_.learn->sizeHint().height(), most);
-  const int few = head + of_.learn->minimumSizeHint().height() + kFewLines * fontMetrics().lineSpacing();
+  const int fair = std::min(room - scaled(kTightProbe), std::max(few, room - scaled(kLeastProbe)));
+  const int needed = std::min(few, room - scaled(kHiddenProbe));
   const int learn =
-      isProbed_ ? std::min({wanted, room - scaled(kTightProbe), std::max(few, room - scaled(kLeastProbe))})
-                : room - scaled(kNoProbe);
+      isProbed_ ? std::min(wanted, std::max(fair, needed)) : std::max(room - scaled(kNoProbe), needed);
   resizeDocks({learn_, probe_}, {std::max(1, learn), std::max(1, column - learn)}, Qt::Vertical);
+}
+
+// Where texts are large, pages below would leave a lesson hardly a line.
+void Workspace::takeFromPages(int missing) {
+  if (missing <= 0 || lower_->isHidden() || lower_->isFloating() ||
+      dockWidgetArea(lower_) != Qt::BottomDockWidgetArea)
+    return;
+  resizeDocks({lower_}, {std::max(1, lower_->height() - missing)}, Qt::Vertical);
+  layout()->activate();
 }
 
 PanelDock* Workspace::addDock(const QString& id, const QString& title, Qt::DockWidgetArea area) {

@@ -68,10 +68,14 @@ class Workspace : public QMainWindow {
   /// A panel was torn off or put back.
   void layoutChanged();
 
+ protected:
+  void changeEvent(QEvent*) override;
+
  private:
   PanelDock* addDock(const QString& id, const QString& title, Qt::DockWidgetArea area);
   void addPages();
   void shareSideNow();
+  void takeFromPages(int missing);
   void placeDocks();
   void placeFirst(PanelDock* dock);
   void makeRoomForViews();

@@ -6,6 +6,8 @@
 #include <QPainter>
 #include <QPen>
 
+#include <utility>
+
 namespace taa::app {
 
 namespace {
@@ -31,13 +33,20 @@ PartFrame::PartFrame(QWidget* window) : QWidget(window) {
 }
 
 void PartFrame::surround(QWidget* part) {
-  for (QWidget* watched : {part_.data(), around_.data()})
-    if (watched) watched->removeEventFilter(this);
   part_ = part;
-  around_ = part ? part->parentWidget() : nullptr;
-  for (QWidget* watched : {part_.data(), around_.data()})
-    if (watched) watched->installEventFilter(this);
   follow();
+}
+
+/// All that it lies in: what moves one of them moves the part, which is not told.
+void PartFrame::watch() {
+  std::vector<QPointer<QWidget>> wanted;
+  for (QWidget* at = part_; at && (at == part_ || !at->isWindow()); at = at->parentWidget())
+    wanted.emplace_back(at);
+  if (wanted == watched_) return;
+  for (const QPointer<QWidget>& before : watched_)
+    if (before) before->removeEventFilter(this);
+  for (const QPointer<QWidget>& now : wanted) now->installEventFilter(this);
+  watched_ = std::move(wanted);
 }
 
 void PartFrame::paintEvent(QPaintEvent*) {
@@ -54,6 +63,7 @@ bool PartFrame::eventFilter(QObject* object, QEvent* event) {
   case QEvent::Resize:
   case QEvent::Show:
   case QEvent::Hide:
+  case QEvent::ParentChange:
     follow();
     break;
   default:
@@ -63,6 +73,7 @@ bool PartFrame::eventFilter(QObject* object, QEvent* event) {
 }
 
 void PartFrame::follow() {
+  watch();
   if (!part_ || !part_->isVisible()) return hide();
   if (parentWidget() != part_->window()) setParent(part_->window()); // a panel may have been torn off
   show();

@@ -4,6 +4,8 @@
 #include <QPointer>
 #include <QWidget>
 
+#include <vector>
+
 namespace taa::app {
 
 /// Lies over the window and lets the mouse through.
@@ -20,9 +22,11 @@ class PartFrame : public QWidget {
   bool eventFilter(QObject* object, QEvent* event) override;
 
  private:
+  void watch();
   void follow();
 
-  QPointer<QWidget> part_, around_; ///< around: what it lies in
+  QPointer<QWidget> part_;
+  std::vector<QPointer<QWidget>> watched_; ///< the part, and what it lies in
 };
 
 } // namespace taa::app

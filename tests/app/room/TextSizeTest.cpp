@@ -158,6 +158,50 @@ TEST_F(TextSizeTest, AtTwoHundredPercentALessonIsReadBesideTheProbeInAWindowOf12
   EXPECT_EQ(frame->geometry(), QRect(area->mapTo(&window, QPoint()), area->size()));
 }
 
+TEST_F(TextSizeTest, AtTwoHundredPercentSomeLinesOfALessonAreReadAboveAPageBelowTheViews) {
+  window.setTextPercent(200);
+  settle();
+  auto* const learning = window.findChild<Learning*>();
+  // A page alone; with a probe; with a task, too.
+  for (const auto& [lesson, step] : {std::pair("jitter", 3), std::pair("alpha", 1), std::pair("alpha", 4)}) {
+    learning->openStep(QLatin1String(lesson), step);
+    settle();
+    EXPECT_TRUE(window.lower()->isVisible());
+    const auto* text = window.findChild<LessonText*>();
+    const auto lines = [&] { return text->viewport()->height() / text->fontMetrics().lineSpacing(); };
+    EXPECT_TRUE(waitFor([&] { return lines() >= 3; })) << lesson << " " << step << ": " << lines();
+  }
+}
+
+TEST_F(TextSizeTest, ALessonIsReadAsWellWhenTextsGrowWhileItIsOpen) {
+  auto* const learning = window.findChild<Learning*>();
+  learning->openStep(QStringLiteral("first-ghost"), 4);
+  settle();
+  session.probes().setPixel(glm::ivec2(20, 10));
+  settle();
+  window.setTextPercent(200);
+  settle();
+  const auto* text = window.findChild<LessonText*>();
+  EXPECT_TRUE(waitFor([&] { return text->viewport()->height() >= 4 * text->fontMetrics().lineSpacing(); }))
+      << text->viewport()->height();
+}
+
+TEST_F(TextSizeTest, WhatIsSurroundedIsSurroundedWhereItHasGone) {
+  window.setTextPercent(200);
+  window.findChild<Learning*>()->openStep(QStringLiteral("first-ghost"), 3);
+  settle();
+  const auto* frame = window.findChild<PartFrame*>();
+  ASSERT_TRUE(frame && frame->isVisible());
+  for (const int width : {1280, 1400, 1300}) {
+    window.resize(width, 800);
+    settle();
+    const QWidget* area = window.probe()->parentWidget();
+    EXPECT_TRUE(waitFor([&] {
+      return frame->geometry() == QRect(area->mapTo(&window, QPoint()), area->size());
+    })) << width;
+  }
+}
+
 TEST_F(TextSizeTest, AtTwoHundredPercentNoStepMakesTheWindowWider) {
   window.setTextPercent(200);
   settle();
