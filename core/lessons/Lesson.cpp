@@ -174,6 +174,7 @@ class LessonReader {
     step.line = line_;
     state_.lanes.clear();
     state_.highlight.clear();
+    state_.values.clear();
     state_.plays = false;
     headerLines_ = 0;
     writer_.emplace(state_, folder_);

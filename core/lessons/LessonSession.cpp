@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 
@@ -76,6 +77,17 @@ ordered_json pipelineJson(const LessonState& state) {
   return {{"open", open}, {"at", stageInfo(state.stages.back()).id}};
 }
 
+/// The plot has the axes of the box.
+ordered_json probeJson(const LessonState& state) {
+  ordered_json folded = ordered_json::array();
+  for (const StageInfo& info : kStages) {
+    const auto isOfStage = [&](IntermediateId id) { return intermediate(id).stage == info.stage; };
+    if (!state.values.empty() && std::ranges::none_of(state.values, isOfStage)) folded.push_back(info.id);
+  }
+  const bool isRgb = state.shot.settings.settings.space.color == ColorSpace::Rgb;
+  return {{"tab", state.tab}, {"space", isRgb ? "rgb" : "ycocg"}, {"folded", folded}};
+}
+
 } // namespace
 
 SessionFile lessonSession(const LessonState& state) {
@@ -83,9 +95,7 @@ SessionFile lessonSession(const LessonState& state) {
   window["views"] = viewsJson(state);
   if (!state.plots.empty()) window["plots"] = plotsJson(state);
   if (!state.stages.empty()) window["pipeline"] = pipelineJson(state);
-  // The plot has the axes of the box.
-  const bool isRgb = state.shot.settings.settings.space.color == ColorSpace::Rgb;
-  window["probe"] = {{"tab", state.tab}, {"space", isRgb ? "rgb" : "ycocg"}};
+  window["probe"] = probeJson(state);
   ordered_json probes = ordered_json::array();
   for (const glm::ivec2& pixel : state.probes)
     probes.push_back(

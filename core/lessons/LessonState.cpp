@@ -215,6 +215,14 @@ void setPlots(const KeyLine& line) {
   }
 }
 
+void setValues(const KeyLine& line) {
+  for (const std::string_view name : wordsOf(line.value)) {
+    if (line.state.values.size() >= kMaxLessonRows)
+      throw Error(say<"there are at most %1 values">(kMaxLessonRows));
+    line.state.values.push_back(intermediateNamed(name));
+  }
+}
+
 /// "120,60 zoom 8"
 void setLook(const KeyLine& line) {
   const std::vector<std::string_view> words = wordsOf(line.value);
@@ -275,6 +283,7 @@ constexpr LessonKey kLessonKeys[] = {
     {"view", addView},
     {"probe", addProbe},
     {"plots", setPlots},
+    {"values", setValues},
     {"look", setLook},
     {"page", [](const KeyLine& line) { line.state.page = listedName(line, kLessonPages, say<"page">()); }},
     {"tab", [](const KeyLine& line) { line.state.tab = listedName(line, kLessonTabs, say<"tab">()); }},

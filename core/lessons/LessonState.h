@@ -63,6 +63,8 @@ struct LessonState {
   std::vector<LessonView> views{{}};
   std::vector<glm::ivec2> probes{}; ///< px; the first one is active
   std::vector<IntermediateId> plots{};
+  std::vector<IntermediateId>
+      values{}; ///< of the probe that are read: other stages are folded; none: all are
   std::optional<LessonLook> look{};
   std::string page{};      ///< below the views: "plots", "jitter" …; empty: none
   std::string tab{};       ///< of the probe: "values", "colorSpace", "whatIf"; empty: the first

@@ -7,6 +7,7 @@
 #include "tests/support/Paths.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -270,6 +271,22 @@ TEST(Lesson, BuiltinOnesHaveNamesOfTheirOwnAndTeachTechniquesThatThereAre) {
       EXPECT_TRUE(rows.contains(row)) << lesson.place << ": " << row;
   }
   EXPECT_GE(ids.size(), 3u);
+}
+
+TEST(Lesson, FoldsTheStagesThatNoValueItSpeaksOfIsOf) {
+  const taa::Lesson lesson = taa::lessonFromText(step("scene: builtin:fan\nvalues: rejectReason alpha\n") +
+                                                     "## Then\n\n```state\nframe: 3\n```\n\nText.\n",
+                                                 "some.md");
+  const auto folded = [&](std::size_t number) {
+    const taa::SessionFile session = taa::lessonSession(lesson.steps.at(number).state);
+    return nlohmann::json::parse(session.window).at("probe").at("folded").get<std::set<std::string>>();
+  };
+  std::set<std::string> others;
+  for (const taa::StageInfo& info : taa::kStages) others.emplace(info.id);
+  for (const taa::IntermediateId id : {taa::IntermediateId::rejectReason, taa::IntermediateId::alpha})
+    EXPECT_EQ(others.erase(std::string(taa::stageInfo(taa::intermediate(id).stage).id)), 1u);
+  EXPECT_EQ(folded(0), others);
+  EXPECT_TRUE(folded(1).empty()) << "the next step speaks of others";
 }
 
 TEST(Lesson, AStateIsASessionThatReadsBack) {
