@@ -45,6 +45,7 @@ void WorkBar::setWork(const QString& what, int done, int total) {
   if (what.isEmpty()) {
     delay_.stop();
     hide();
+    parentWidget()->update(geometry());
     return;
   }
   fraction_ = total > 0 ? std::clamp(static_cast<double>(done) / total, 0.0, 1.0) : 0.0;
@@ -66,6 +67,7 @@ QRect WorkBar::words() const {
 
 void WorkBar::place() {
   setGeometry(0, top_, parentWidget()->width(), kBar + kWordsGap + rowHeight() + 2);
+  parentWidget()->update(geometry()); // words that were longer leave what they covered
   // Only the bar and the words take room from what is below.
   setMask(QRegion(0, 0, width(), kBar) + words());
 }
