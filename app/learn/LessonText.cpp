@@ -146,7 +146,9 @@ void LessonText::setType() {
 
 void LessonText::fitLines() {
   const int longest = kLongestLine * QFontMetrics(font()).averageCharWidth();
-  setLineWrapColumnOrWidth(std::max(1, std::min(longest, viewport()->width())));
+  // Lines leave the place of the scroll bar free, so that they break alike with it and without.
+  const int room = contentsRect().width() - verticalScrollBar()->sizeHint().width();
+  setLineWrapColumnOrWidth(std::max(1, std::min(longest, room)));
   if (std::exchange(heightPx_, sizeHint().height()) != heightPx_) updateGeometry();
 }
 

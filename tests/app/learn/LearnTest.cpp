@@ -15,6 +15,7 @@
 #include "tests/app/WindowFixture.h"
 
 #include <QAction>
+#include <QFont>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
@@ -286,6 +287,23 @@ TEST_F(LearnTest, FramesThatAStepRecordsAreOpenedWhenTheyAreThere) {
   state.shot.source = kFakeCapture;
   Q_EMIT learning()->work()->recorded(state);
   EXPECT_TRUE(waitFor([&] { return session.status().source == kFakeCapture; }));
+}
+
+// The bar at its side takes no room from lines that were broken without it.
+TEST(LessonTextTest, IsNeverWiderThanItsPlace) {
+  LessonText text;
+  QFont large = text.font();
+  large.setPointSizeF(20.0);
+  text.setFont(large);
+  text.show();
+  for (const taa::Lesson& lesson : taa::builtinLessons())
+    for (const taa::LessonStep& step : lesson.steps)
+      for (const int height : {120, 400}) {
+        if (!step.ladder.empty()) continue; // a table is as wide as its words
+        text.resize(430, height);
+        text.setText(QString::fromStdString(step.text));
+        EXPECT_EQ(text.horizontalScrollBar()->maximum(), 0) << lesson.id << ", " << step.title;
+      }
 }
 
 // Only who goes on from a step has read it; who opens another lesson in its middle has not.
