@@ -1,4 +1,5 @@
-// Begins and stops work beside the window and says where it is; buttons for what it found stand beside that.
+// Begins and stops work beside the window and says where it is; buttons for what it found stand beside that,
+// or above it where there is no room.
 #pragma once
 
 #include <QString>
@@ -8,6 +9,7 @@ class QHBoxLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QVBoxLayout;
 
 namespace taa::app {
 
@@ -30,12 +32,19 @@ class BackgroundBar : public QWidget {
  Q_SIGNALS:
   void startRequested();
 
+ protected:
+  bool event(QEvent* event) override;
+
  private:
+  /// The note stands in the line, or below it.
+  void placeNote();
+
   BackgroundWork& work_;
   QString startText_;
   QPushButton* start_;
   QProgressBar* progress_;
   QLabel* note_;
+  QVBoxLayout* lines_;
   QHBoxLayout* line_;
 };
 

@@ -151,7 +151,7 @@ TEST_F(Profiler, AnAxisIsReadableInALowWindow) {
     settle();
     const auto* chart = window.profiler()->findChild<ProfileChart*>();
     const std::vector<ChartLabel>& labels = chart->axes().labels();
-    EXPECT_EQ(std::ranges::count(labels, "-80", &ChartLabel::text), 1) << size.height();
+    EXPECT_EQ(std::ranges::count(labels, "−80", &ChartLabel::text), 1) << size.height();
     EXPECT_GT(chart->axes().plot().height(), 30.0) << size.height();
     for (const ChartLabel& label : labels) {
       EXPECT_TRUE(QRectF(chart->rect()).contains(label.place)) << label.text.toStdString();

@@ -130,6 +130,28 @@ TEST(WhatIfPage, SaysWhatItIsSortedByAndOffersTheReferenceThatIsMissing) {
   EXPECT_EQ(page.order(), "Sorted by the error to the reference, the nearest first.");
 }
 
+// Of a narrow probe the text beside two buttons would be a word wide.
+TEST(WhatIfPage, ItsNoteStandsBelowTheButtonsWhereThereIsNoRoomBesideThem) {
+  WhatIfPage page;
+  page.setResult(resultWith(kUnknown, {}));
+  page.QWidget::show();
+  const QPushButton* measure = buttonOf(page, QStringLiteral("Measure pictures"));
+  const auto note = [&] {
+    for (QLabel* label : page.findChildren<QLabel*>())
+      if (label->text().startsWith(QStringLiteral("Ghost, flicker"))) return label;
+    return static_cast<QLabel*>(nullptr);
+  };
+  ASSERT_NE(measure, nullptr);
+  for (const int width : {340, 1000, 340}) {
+    page.resize(width, 500);
+    for (int layouts = 0; layouts < 3; ++layouts) QCoreApplication::processEvents();
+    ASSERT_NE(note(), nullptr);
+    const QPoint place = note()->mapTo(&page, QPoint(0, 0)), button = measure->mapTo(&page, QPoint(0, 0));
+    EXPECT_EQ(place.y() >= button.y() + measure->height(), width < 1000) << width;
+    EXPECT_LE(note()->heightForWidth(note()->width()), 3 * note()->fontMetrics().lineSpacing()) << width;
+  }
+}
+
 TEST(WhatIfPage, StaysAsItIsWhileItPlaysWithoutAReference) {
   WhatIfPage page;
   ProbeResult result = resultWith(kUnknown, {});
