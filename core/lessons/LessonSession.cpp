@@ -78,7 +78,7 @@ ordered_json pipelineJson(const LessonState& state) {
 }
 
 /// The plot has the axes of the box.
-ordered_json probeJson(const LessonState& state) {
+ordered_json probeStateJson(const LessonState& state) {
   ordered_json folded = ordered_json::array();
   for (const StageInfo& info : kStages) {
     const auto isOfStage = [&](IntermediateId id) { return intermediate(id).stage == info.stage; };
@@ -95,7 +95,7 @@ SessionFile lessonSession(const LessonState& state) {
   window["views"] = viewsJson(state);
   if (!state.plots.empty()) window["plots"] = plotsJson(state);
   if (!state.stages.empty()) window["pipeline"] = pipelineJson(state);
-  window["probe"] = probeJson(state);
+  window["probe"] = probeStateJson(state);
   ordered_json probes = ordered_json::array();
   for (const glm::ivec2& pixel : state.probes)
     probes.push_back(
