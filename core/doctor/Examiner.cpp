@@ -3,6 +3,7 @@
 #include "core/base/Say.h"
 
 #include <algorithm>
+#include <future>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -57,21 +58,28 @@ DoctorFrame Examiner::readNext(const FrameReader& read, int frame) const {
 void Examiner::add(const DoctorFrame* before, const DoctorFrame& now, const DoctorFrame* after,
                    Diagnosis& out) {
   ++out.frames;
-  rims_.add(now);
-  if (looksAtOutput_) resolve_.add(now, before);
+  // Each keeps what it sees to itself: some look on a thread of their own.
+  auto output = std::async(std::launch::async, [&] {
+    rims_.add(now);
+    if (looksAtOutput_) resolve_.add(now, before);
+  });
   const std::vector<RegionIndex> labels = tracker_.label(now);
   const std::vector<RegionIndex> labelsBefore = std::exchange(labels_, labels);
   jitter_.stated[now.frame] = now.jitterPx;
-  if (!before || now.startsHistory) return;
+  if (!before || now.startsHistory) return output.get();
   ++out.pairs;
   const FrameNeighbors frames{now, *before, after};
-  color_.add(frames, labels);
-  jitter_.add(frames);
+  auto pictures = std::async(std::launch::async, [&] {
+    color_.add(frames, labels);
+    jitter_.add(frames);
+  });
   depth_.add(now);
   depth_.order.add(now, *before, labels, labelsBefore);
   depth_.form.add(now, labels);
   depth_.ends.add(now);
   if (examination_.known.motion) motion_.add(frames, labels, labelsBefore);
+  pictures.get();
+  output.get();
 }
 
 std::optional<RegionPlace> Examiner::skyPlace(const Diagnosis& out) const {
