@@ -64,7 +64,8 @@ JitterPanel::JitterPanel(QWidget* parent)
   texts->addWidget(summaryLabel());
   texts->addWidget(legend_);
   texts->addStretch(1);
-  legend_->setText(tr("Disks: samples, with areas as their weights; ringed: this frame's. "
+  legend_->setText(tr("x and y: where in the pixel a frame samples; its picture moves the other way, as the "
+                      "timeline says. Disks: samples, with areas as their weights; ringed: this frame's. "
                       "+ middle of the samples, × with their weights: where the picture's content lies. "
                       "The grid has as many cells as there are samples, or a few less. "
                       "Click a sample to go to the frame that took it last."));
@@ -118,10 +119,12 @@ void JitterPanel::refresh() {
   lines << (isMeasured ? tr("Weights as measured at %1. Frames: %2.").arg(series().place).arg(weights.size())
                        : tr("Weights by the settings, where nothing moves or changes. Frames: %1.")
                              .arg(weights.size()));
-  lines << tr("Effective samples: %1 of frames, %2 of the %3 places.")
+  lines << tr("Effective samples: %1 by their frames, %2 by their %3 places.")
                .arg(shortText(effectiveSamples(weights), 3), shortText(pattern.effective, 3))
                .arg(period);
-  lines << tr("Covers %1 % of %2×%2 cells.").arg(fixed(100.0 * pattern.coverage, 0)).arg(pattern.cells);
+  lines << tr("All places cover %1 % of %2×%2 cells.")
+               .arg(fixed(100.0 * pattern.coverage, 0))
+               .arg(pattern.cells);
   lines << tr("Middle %1 px, with weights %2 px.").arg(pair(pattern.mean), pair(pattern.weightedMean));
   if (series().jitterPx.empty() && jitter.sequence == JitterSequence::Perpendicular)
     lines << (series().jitterWay ? tr("The samples lie across the way the camera moves in this frame.")

@@ -96,7 +96,7 @@ void WeightsPanel::refresh() {
     samples.push_back({name, measuredColor, Qt::SolidLine,
                        from(series().frame - static_cast<int>(measured.size()) + 1,
                             effectiveSamplesOver(series().measured))});
-    lines << tr("Measured at %1: α = %2; effective samples: %3, of frames: %4. Where the surface moves, its "
+    lines << tr("Measured at %1: α = %2; effective samples: %3 of %4 frames. Where the surface moves, its "
                 "history came from other pixels.")
                  .arg(series().place, number(series().measured.back()), number(effectiveSamples(measured)))
                  .arg(measured.size());
