@@ -3,7 +3,6 @@
 #include "app/background/BackgroundWork.h"
 #include "app/style/Theme.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -12,12 +11,14 @@
 
 namespace taa::app {
 
-BackgroundBar::BackgroundBar(BackgroundWork& work, const QString& startText, QWidget* parent)
+BackgroundBar::BackgroundBar(BackgroundWork& work, const QString& startText, NotePlace notePlace,
+                             QWidget* parent)
     : QWidget(parent), work_(work), startText_(startText), start_(new QPushButton(startText)),
-      progress_(new QProgressBar), note_(new QLabel), lines_(new QVBoxLayout(this)), line_(new QHBoxLayout) {
-  lines_->setContentsMargins(0, 0, 0, 0);
-  lines_->setSpacing(kUnit);
-  lines_->addLayout(line_);
+      progress_(new QProgressBar), note_(new QLabel), line_(new QHBoxLayout) {
+  auto* lines = new QVBoxLayout(this);
+  lines->setContentsMargins(0, 0, 0, 0);
+  lines->setSpacing(kUnit);
+  lines->addLayout(line_);
   line_->setSpacing(2 * kUnit);
   progress_->setTextVisible(false);
   progress_->setMinimumWidth(10 * kUnit);
@@ -27,8 +28,10 @@ BackgroundBar::BackgroundBar(BackgroundWork& work, const QString& startText, QWi
   start_->setAutoDefault(false);
   line_->addWidget(start_);
   line_->addWidget(progress_);
-  line_->addWidget(note_, 1);
-  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  if (notePlace == NotePlace::Beside)
+    line_->addWidget(note_, 1);
+  else
+    lines->addWidget(note_);
   connect(start_, &QPushButton::clicked, this, [this] {
     if (work_.isRunning())
       work_.cancel();
@@ -48,28 +51,6 @@ QPushButton* BackgroundBar::addButton(const QString& text, const QString& access
   button->setAutoDefault(false);
   line_->addWidget(button);
   return button;
-}
-
-void BackgroundBar::placeNote() {
-  constexpr int kLeastLetters = 24;
-  int room = width() - contentsMargins().left() - contentsMargins().right();
-  for (int i = 0; i < line_->count(); ++i)
-    if (const QWidget* beside = line_->itemAt(i)->widget(); beside != note_ && !beside->isHidden())
-      room -= beside->sizeHint().width() + line_->spacing();
-  const bool isBelow = lines_->indexOf(note_) >= 0;
-  if ((room < kLeastLetters * fontMetrics().averageCharWidth()) == isBelow) return;
-  if (isBelow) {
-    lines_->removeWidget(note_);
-    line_->insertWidget(line_->indexOf(progress_) + 1, note_, 1);
-  } else {
-    line_->removeWidget(note_);
-    lines_->addWidget(note_);
-  }
-}
-
-bool BackgroundBar::event(QEvent* event) {
-  if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest) placeNote();
-  return QWidget::event(event);
 }
 
 void BackgroundBar::setReady(bool canStart, const QString& note) {

@@ -1,5 +1,5 @@
 // Begins and stops work beside the window and says where it is; buttons for what it found stand beside that,
-// or above it where there is no room.
+// or above it.
 #pragma once
 
 #include <QString>
@@ -9,17 +9,19 @@ class QHBoxLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
-class QVBoxLayout;
 
 namespace taa::app {
 
 class BackgroundWork;
 
+enum class NotePlace { Beside, Below }; ///< of its buttons; below on a page that is narrow
+
 class BackgroundBar : public QWidget {
   Q_OBJECT
  public:
   /// `startText`: of the button while nothing is under way.
-  BackgroundBar(BackgroundWork& work, const QString& startText, QWidget* parent = nullptr);
+  BackgroundBar(BackgroundWork& work, const QString& startText, NotePlace notePlace = NotePlace::Beside,
+                QWidget* parent = nullptr);
 
   /// To the right of the others.
   QPushButton* addButton(const QString& text, const QString& accessibleName);
@@ -32,19 +34,12 @@ class BackgroundBar : public QWidget {
  Q_SIGNALS:
   void startRequested();
 
- protected:
-  bool event(QEvent* event) override;
-
  private:
-  /// The note stands in the line, or below it.
-  void placeNote();
-
   BackgroundWork& work_;
   QString startText_;
   QPushButton* start_;
   QProgressBar* progress_;
   QLabel* note_;
-  QVBoxLayout* lines_;
   QHBoxLayout* line_;
 };
 

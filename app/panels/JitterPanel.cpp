@@ -64,8 +64,10 @@ JitterPanel::JitterPanel(QWidget* parent)
   texts->addWidget(summaryLabel());
   texts->addWidget(legend_);
   texts->addStretch(1);
-  legend_->setText(tr("x and y: where in the pixel a frame samples; its picture moves the other way, as the "
-                      "timeline says. Disks: samples, with areas as their weights; ringed: this frame's. "
+  legend_->setToolTip(
+      tr("x and y are where in the pixel a frame samples. Its picture moves the other way, by "
+         "what the timeline says."));
+  legend_->setText(tr("Disks: samples, with areas as their weights; ringed: this frame's. "
                       "+ middle of the samples, × with their weights: where the picture's content lies. "
                       "The grid has as many cells as there are samples, or a few less. "
                       "Click a sample to go to the frame that took it last."));

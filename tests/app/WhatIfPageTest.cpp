@@ -131,7 +131,7 @@ TEST(WhatIfPage, SaysWhatItIsSortedByAndOffersTheReferenceThatIsMissing) {
 }
 
 // Of a narrow probe the text beside two buttons would be a word wide.
-TEST(WhatIfPage, ItsNoteStandsBelowTheButtonsWhereThereIsNoRoomBesideThem) {
+TEST(WhatIfPage, ItsNoteStandsBelowTheButtons) {
   WhatIfPage page;
   page.setResult(resultWith(kUnknown, {}));
   page.QWidget::show();
@@ -142,12 +142,12 @@ TEST(WhatIfPage, ItsNoteStandsBelowTheButtonsWhereThereIsNoRoomBesideThem) {
     return static_cast<QLabel*>(nullptr);
   };
   ASSERT_NE(measure, nullptr);
-  for (const int width : {340, 1000, 340}) {
+  for (const int width : {340, 1000}) {
     page.resize(width, 500);
     for (int layouts = 0; layouts < 3; ++layouts) QCoreApplication::processEvents();
     ASSERT_NE(note(), nullptr);
     const QPoint place = note()->mapTo(&page, QPoint(0, 0)), button = measure->mapTo(&page, QPoint(0, 0));
-    EXPECT_EQ(place.y() >= button.y() + measure->height(), width < 1000) << width;
+    EXPECT_GE(place.y(), button.y() + measure->height()) << width;
     EXPECT_LE(note()->heightForWidth(note()->width()), 3 * note()->fontMetrics().lineSpacing()) << width;
   }
 }

@@ -100,7 +100,7 @@ WhatIfPage::WhatIfPage(SweepWork::Sweep sweep, QWidget* parent)
   table_->setAllColumnsShowFocus(true);
   table_->setFocusPolicy(Qt::StrongFocus);
   table_->installEventFilter(this);
-  bar_ = new BackgroundBar(work_, tr("Measure pictures"));
+  bar_ = new BackgroundBar(work_, tr("Measure pictures"), NotePlace::Below);
   draw_ = bar_->addButton(tr("Draw the reference"), tr("Draw the reference that rows are sorted by"));
   table_->setAccessibleName(tr("The pixel under other choices"));
   table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // else columns change with the number of rows
