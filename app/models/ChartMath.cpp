@@ -34,6 +34,14 @@ std::vector<double> ticksOf(const Span& range, double step) {
   return ticks;
 }
 
+double tickStep(const Span& range, int most) {
+  constexpr int kTries = 8; // with as many more steps a range that is not empty has two of them
+  double step = roundStep(range.length(), most);
+  for (int more = 1; more < kTries && ticksOf(range, step).size() < 2; ++more)
+    step = roundStep(range.length(), most + more);
+  return step;
+}
+
 Span zoomed(const Span& shown, const Span& all, double factor, double center, double least) {
   const double length = std::clamp(shown.length() / factor, std::min(least, all.length()), all.length());
   const double share = shown.length() > 0.0 ? (center - shown.low) / shown.length() : 0.5;

@@ -18,6 +18,8 @@ struct Span {
 double roundStep(double length, int most);
 /// A range around values with round ends: from 0 on where they come near it; a point gets some height.
 Span roundedSpan(const Span& values, int maxSteps);
+/// roundStep() of a range, less where fewer than two multiples of it would lie within.
+double tickStep(const Span& range, int most);
 /// The multiples of `step` within `range`; none where the step is no number above 0.
 std::vector<double> ticksOf(const Span& range, double step);
 /// `shown` made smaller by `factor` (> 1: zooms in) around `center`, inside `all`, no shorter than `least`.

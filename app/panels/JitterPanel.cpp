@@ -15,20 +15,14 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace taa::app {
 
 namespace {
 
-QString fixed(double value, int digits) {
-  const bool isZero = std::abs(value) < 0.5 * std::pow(10.0, -digits); // which has no sign
-  return QString::number(isZero ? 0.0 : value, 'f', digits).replace(QLatin1Char('-'), QChar(0x2212));
-}
-
 QString pair(const glm::dvec2& value) {
-  return QStringLiteral("(%1, %2)").arg(fixed(value.x, 3), fixed(value.y, 3));
+  return QStringLiteral("(%1, %2)").arg(fixedText(value.x, 3), fixedText(value.y, 3));
 }
 
 int periodOf(const AlphaSeries& series) {
@@ -99,8 +93,8 @@ void JitterPanel::showTable(const JitterPattern& pattern, int current) {
     const int latest = series().frame - (current - index + period) % period;
     const bool isCurrent = index == current;
     rows.push_back({{isCurrent ? tr("%1 now").arg(index) : QString::number(index),
-                     fixed(sample.position.x - 0.5, 3), fixed(sample.position.y - 0.5, 3),
-                     fixed(100.0 * sample.weight, 2), latest < 0 ? QString() : QString::number(latest)},
+                     fixedText(sample.position.x - 0.5, 3), fixedText(sample.position.y - 0.5, 3),
+                     fixedText(100.0 * sample.weight, 2), latest < 0 ? QString() : QString::number(latest)},
                     {},
                     isCurrent});
   }
@@ -121,11 +115,11 @@ void JitterPanel::refresh() {
   lines << (isMeasured ? tr("Weights as measured at %1. Frames: %2.").arg(series().place).arg(weights.size())
                        : tr("Weights by the settings, where nothing moves or changes. Frames: %1.")
                              .arg(weights.size()));
-  lines << tr("Effective samples: %1 by their frames, %2 by their %3 places.")
+  lines << tr("Effective samples: %1, at %2 of the %3 places.")
                .arg(shortText(effectiveSamples(weights), 3), shortText(pattern.effective, 3))
                .arg(period);
   lines << tr("All places cover %1 % of %2×%2 cells.")
-               .arg(fixed(100.0 * pattern.coverage, 0))
+               .arg(fixedText(100.0 * pattern.coverage, 0))
                .arg(pattern.cells);
   lines << tr("Middle %1 px, with weights %2 px.").arg(pair(pattern.mean), pair(pattern.weightedMean));
   if (series().jitterPx.empty() && jitter.sequence == JitterSequence::Perpendicular)

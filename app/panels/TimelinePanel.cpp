@@ -18,14 +18,6 @@
 
 namespace taa::app {
 
-namespace {
-
-QString minus(QString text) {
-  return text.replace(QLatin1Char('-'), QChar(0x2212));
-}
-
-} // namespace
-
 TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
@@ -184,13 +176,12 @@ void TimelinePanel::setStatus(const Status& status) {
   frame_->setValue(frame);
   count_->setText(tr("of %1").arg(status.frameCount));
   const FrameInfo& info = status.info;
-  jitter_->setText(status.jitterPeriod > 1
-                       ? tr("jitter %1 of %2 (%3, %4)")
-                             .arg(info.jitterIndex)
-                             .arg(status.jitterPeriod)
-                             .arg(minus(QString::number(static_cast<double>(info.jitterPx.x), 'f', 2)),
-                                  minus(QString::number(static_cast<double>(info.jitterPx.y), 'f', 2)))
-                       : tr("no jitter"));
+  jitter_->setText(status.jitterPeriod > 1 ? tr("jitter %1 of %2 (%3, %4)")
+                                                 .arg(info.jitterIndex)
+                                                 .arg(status.jitterPeriod)
+                                                 .arg(fixedText(static_cast<double>(info.jitterPx.x), 2),
+                                                      fixedText(static_cast<double>(info.jitterPx.y), 2))
+                                           : tr("no jitter"));
   time_->setText(timeText(status));
 }
 

@@ -38,6 +38,11 @@ QString shortText(double value, int digits) {
   return withMinus(QString::number(value == 0 ? 0.0 : value, 'g', digits));
 }
 
+QString fixedText(double value, int digits) {
+  const bool isZero = std::abs(value) < 0.5 * std::pow(10.0, -digits);
+  return withMinus(QString::number(isZero ? 0.0 : value, 'f', digits));
+}
+
 QString tupleText(std::span<const float> values, int digits) {
   QStringList texts;
   for (const float value : values) texts << shortText(value, digits);

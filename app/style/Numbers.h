@@ -13,6 +13,8 @@ QString exactText(float value);
 QString shownText(float value);
 /// `digits` significant digits, with a typographic minus.
 QString shortText(double value, int digits = 3);
+/// `digits` decimals, with a typographic minus; 0 never has a sign.
+QString fixedText(double value, int digits);
 /// "(0.184, 0.22, 0.305)" or "0.184".
 QString tupleText(std::span<const float> values, int digits = 4);
 /// "< 0.1 %", "3.2 %", "45 %".

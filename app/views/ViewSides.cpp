@@ -3,7 +3,6 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/views/legend/ReferenceNote.h"
-#include "app/views/legend/ScaleLegend.h"
 
 #include "core/inspect/ShownPicture.h"
 

@@ -209,7 +209,7 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
     return hiding;
   }
   const JitterOutcome jitter = told.jitter ? JitterOutcome() : examiner.tellJitter(hasCamera, out);
-  told.isJitterOpen = told.isJitterOpen || jitter.isOpen;
+  told.isJitterOpen = jitter.isOpen;
   if (!known.motion) {
     out.undecided.push_back(
         {say<"Motion">(), say<"the capture has none">(), say<"Capture the plane of motion vectors, too.">()});

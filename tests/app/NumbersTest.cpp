@@ -30,6 +30,13 @@ TEST(Numbers, AlignedTextsHaveTheirPointsInOneColumn) {
   EXPECT_EQ(alignedText("0.00125", 6), "0.00125");
 }
 
+TEST(Numbers, FixedTextsHaveTheirDecimalsAndNoSignOfZero) {
+  EXPECT_EQ(fixedText(-0.125, 2), QStringLiteral("−0.13"));
+  EXPECT_EQ(fixedText(2.0, 3), "2.000");
+  EXPECT_EQ(fixedText(-0.004, 2), "0.00");
+  EXPECT_EQ(fixedText(-0.0, 0), "0");
+}
+
 TEST(Numbers, RoundedTextsHaveFiveDigitsAndNoSignOfZero) {
   EXPECT_EQ(roundedText(0.17883301f), "0.17883");
   EXPECT_EQ(roundedText(-8.575681f), QStringLiteral("−8.5757"));

@@ -4,7 +4,6 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/views/legend/RangeMath.h"
-#include "app/views/legend/ScaleLegend.h"
 
 #include "core/picture/ColorMap.h"
 #include "core/taa/rows/ChannelNames.h"

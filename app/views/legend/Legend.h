@@ -31,6 +31,9 @@ struct ViewContent {
 
 /// What it shows, in which range and colors.
 void addRowLegend(LegendFlow& flow, const LegendSide& side, const ThemeColors& colors);
+/// The short legend of a low picture: name, range and colors, and a sign for what is left out. Of categories
+/// the name alone: they take lines of their own in a narrow strip.
+void addScaleLegend(LegendFlow& flow, const LegendSide& side, const ThemeColors& colors);
 /// What its legend begins with.
 QString rowName(const LegendSide& side);
 /// What lies over it, as `transform` draws it. `other`: of the side beside it, null without one.

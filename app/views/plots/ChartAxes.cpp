@@ -1,5 +1,6 @@
 #include "app/views/plots/ChartAxes.h"
 
+#include "app/style/Numbers.h"
 #include "app/style/Theme.h"
 
 #include <QFontMetricsF>
@@ -24,7 +25,8 @@ double sharp(double place) {
 }
 
 QString tickText(double tick) {
-  return QString::asprintf("%g", tick).replace(QLatin1Char('-'), QChar(0x2212));
+  constexpr int kDigits = 6;
+  return shortText(tick, kDigits);
 }
 
 /// Leaves out of labels in a line so many that the others stand apart by `gap`; the last one stays.

@@ -1,6 +1,5 @@
 #include "app/views/plots/CurveChart.h"
 
-#include "app/models/TickStep.h"
 #include "app/style/CurveColor.h"
 #include "app/style/Numbers.h"
 #include "app/style/Theme.h"

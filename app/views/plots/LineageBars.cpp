@@ -1,6 +1,5 @@
 #include "app/views/plots/LineageBars.h"
 
-#include "app/models/TickStep.h"
 #include "app/models/verdict/LineageMath.h"
 #include "app/style/Numbers.h"
 #include "app/style/Theme.h"

@@ -43,7 +43,7 @@ QString channelsText(const glm::vec3& color) {
   QStringList channels;
   for (int channel = 0; channel < 3; ++channel) {
     const auto value = static_cast<double>(color[channel]);
-    channels << (std::fabs(value) < 10 ? QString::number(value, 'f', 3) : shortText(value));
+    channels << (std::fabs(value) < 10 ? fixedText(value, 3) : shortText(value));
   }
   return channels.join(QLatin1Char(' '));
 }

@@ -386,15 +386,12 @@ void tellInterface(const ScreenGroups& groups, const ScreenTiles& tiles, Diagnos
 
 void tellInterfaceLeft(const ScreenGroups& groups, const ScreenTiles& tiles, bool isFound, bool isJitterOpen,
                        Diagnosis& out) {
-  if (groups.unclear > 0)
-    tellUnclear(groups.unclear, out);
-  else if (!isFound && isJitterOpen)
-    tellUnknownJitter(out);
-  else if (const auto along = static_cast<std::size_t>(std::ranges::count_if(tiles.tiles, isAlong));
-           !isFound && along >= kLeastJittered)
-    tellAlong(along, out);
-  else if (!isFound)
-    tellOpen(tiles, out);
+  if (groups.unclear > 0) return tellUnclear(groups.unclear, out);
+  if (isFound) return;
+  if (isJitterOpen) return tellUnknownJitter(out);
+  const auto along = static_cast<std::size_t>(std::ranges::count_if(tiles.tiles, isAlong));
+  if (along >= kLeastJittered) return tellAlong(along, out);
+  tellOpen(tiles, out);
 }
 
 } // namespace taa::doctor

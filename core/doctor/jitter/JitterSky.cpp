@@ -45,8 +45,8 @@ Finding otherSky(const TrialFit& fit, double factor, const RegionPlace& place) {
 /// Whether the sky shifts by another share of the jitter than the world, which shifts as is stated. A small
 /// share is none: what rests is told by what it leaves.
 bool isOtherShare(std::optional<double> factor) {
-  constexpr double kLeastShare = 0.25, kLessThanAll = 0.7, kMoreThanAll = 1.5;
-  return factor && *factor >= kLeastShare && (*factor <= kLessThanAll || *factor >= kMoreThanAll);
+  constexpr double kLeastShare = 0.25, kLeastFromOne = 0.3;
+  return factor && *factor >= kLeastShare && std::abs(*factor - 1.0) >= kLeastFromOne;
 }
 
 } // namespace

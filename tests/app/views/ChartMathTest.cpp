@@ -1,6 +1,5 @@
 // The arithmetic of charts.
 #include "app/models/ChartMath.h"
-#include "app/models/TickStep.h"
 #include "app/views/plots/CurveLegend.h"
 
 #include <gtest/gtest.h>

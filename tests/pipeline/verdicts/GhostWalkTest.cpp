@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,7 +24,7 @@ class GhostWalk : public taa::test::GlTest {
   void open(const std::string& preset) {
     inspector_ = std::make_unique<Inspector>();
     inspector_->shot().setSize(480, 270);
-    inspector_->shot().setSettings(presetSettings(preset));
+    inspector_->shot().setSettings(taa::preset(preset).settings);
     inspector_->shot().open("builtin:disocclusion");
     inspector_->shot().seek(kFrame);
     inspector_->reference().refine(kSamples);
@@ -36,10 +35,9 @@ class GhostWalk : public taa::test::GlTest {
   taa::PixelVerdict verdictOn(const glm::ivec2& pixel) {
     return inspector_->verdicts().of({.frame = kFrame, .pixel = pixel}).verdict;
   }
-  taa::Remedy firstRemedy(const glm::ivec2& pixel) {
-    const taa::VerdictQuestion question{.frame = kFrame, .pixel = pixel};
+  taa::Remedy firstRemedy(const glm::ivec2& pixel, const taa::PixelVerdict& verdict) {
     const taa::RemedyAnswer remedies =
-        inspector_->verdicts().remedies(question, inspector_->verdicts().of(question).verdict);
+        inspector_->verdicts().remedies({.frame = kFrame, .pixel = pixel}, verdict);
     return remedies.best.empty() ? taa::Remedy{} : remedies.best.front().remedy;
   }
   void apply(const Settings& settings) {
@@ -48,9 +46,6 @@ class GhostWalk : public taa::test::GlTest {
   }
 
  private:
-  static Settings presetSettings(const std::string& id) {
-    return std::ranges::find(taa::builtinPresets(), id, &taa::Preset::id)->settings;
-  }
   std::unique_ptr<Inspector> inspector_;
 };
 
@@ -60,8 +55,9 @@ class GhostWalk : public taa::test::GlTest {
 TEST_F(GhostWalk, OfANeighborsMotionIsMendedByItsOwn) {
   constexpr glm::ivec2 kBesideBoard{188, 101};
   open("balanced");
-  ASSERT_EQ(verdictOn(kBesideBoard).kind, VerdictKind::Ghost);
-  const taa::Remedy remedy = firstRemedy(kBesideBoard);
+  const taa::PixelVerdict verdict = verdictOn(kBesideBoard);
+  ASSERT_EQ(verdict.kind, VerdictKind::Ghost);
+  const taa::Remedy remedy = firstRemedy(kBesideBoard, verdict);
   EXPECT_EQ(remedy.changes, std::vector<std::string>{"dilate.method=none"});
   apply(remedy.settings);
   EXPECT_EQ(verdictOn(kBesideBoard).kind, VerdictKind::None);
@@ -70,8 +66,9 @@ TEST_F(GhostWalk, OfANeighborsMotionIsMendedByItsOwn) {
 TEST_F(GhostWalk, TheWorstPixelOfTrustedHistoryIsAGhostThatTheFirstRemedyMends) {
   open("unrectified");
   const glm::ivec2 pixel = worstPixel();
-  ASSERT_EQ(verdictOn(pixel).kind, VerdictKind::Ghost);
-  const taa::Remedy remedy = firstRemedy(pixel);
+  const taa::PixelVerdict verdict = verdictOn(pixel);
+  ASSERT_EQ(verdict.kind, VerdictKind::Ghost);
+  const taa::Remedy remedy = firstRemedy(pixel, verdict);
   ASSERT_FALSE(remedy.changes.empty());
   apply(remedy.settings);
   EXPECT_EQ(verdictOn(pixel).kind, VerdictKind::None) << remedy.changes.front();
