@@ -23,7 +23,9 @@ constexpr double kFittingShare = 0.85, kDoubtShare = 0.98, kRestingShare = 1.0 /
 constexpr double kFittingPx = 0.15, kAliasedPx = 0.3, kNearerShare = 0.65;
 // Likewise, where they are measured so well that they decide alone; others have to be so far away.
 constexpr double kMeasuredPx = 0.02, kFromOthersPx = 0.1, kMeasuredFactor = 5.0;
-constexpr double kNearlyAllPairs = 0.8; ///< of the pairs
+constexpr double kNearlyAllPairs = 0.8, kMostPairs = 2.0 / 3.0; ///< of the pairs
+/// Times the miss of an explanation: where all others miss by so much more, no other makes what is measured.
+constexpr double kAloneFactor = 3.0;
 constexpr double kAsGoodShare = 1.05;
 
 /// How well a trial makes what is measured, both less their means.
@@ -32,8 +34,8 @@ struct AtRestFit {
   double left = 1.0;   ///< of the length of what is measured; 1: all of it
 };
 
-bool isWon(const TrialFit& fit) {
-  return fit.pairs >= kEnoughFits && fit.won >= kNearlyAllPairs * fit.pairs;
+bool isWon(const TrialFit& fit, double share = kNearlyAllPairs) {
+  return fit.pairs >= kEnoughFits && fit.won >= share * fit.pairs;
 }
 
 /// What a trial takes the stated jitter times, where it does no more.
@@ -108,8 +110,12 @@ bool JitterFit::isContradicted() const {
 
 bool JitterFit::isContradictedTwice() const {
   const TrialFit& fit = trials[best];
-  return fit.share() <= kFittingShare && isWon(fit) && missPx[best] <= kFittingPx &&
-         missPx[best] <= kNearerShare * missPx.front();
+  const double miss = missPx[best];
+  // In some pairs it may move the picture as what is stated does: then either fits better by chance.
+  const bool isAlone =
+      std::ranges::count_if(missPx, [&](double other) { return other < kAloneFactor * miss; }) == 1;
+  return fit.share() <= kFittingShare && isWon(fit, isAlone ? kMostPairs : kNearlyAllPairs) &&
+         miss <= kFittingPx && miss <= kNearerShare * missPx.front();
 }
 
 std::vector<std::size_t> JitterFit::rivals() const {

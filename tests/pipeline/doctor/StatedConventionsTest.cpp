@@ -140,6 +140,13 @@ TEST_F(StatedConventions, AreNamedWhereTwoAreWrong) {
     }
 }
 
+// The next place of the sequence is often about the opposite of this one: some pairs of frames tell it from
+// what is stated, and the shifts that are measured.
+TEST_F(StatedConventions, OfJitterThatIsNegatedAndOfTheFrameBefore) {
+  EXPECT_EQ(setOf(own().found({"jitter.meaning=sample", "jitter.delay=-1"})),
+            setOf({"jitterNegated", "jitterEarly"}));
+}
+
 // Jitter of a unit that makes next to nothing of it, with a sign that pictures tell then.
 TEST_F(StatedConventions, OfJitterThatIsNextToNone) {
   const StatedCapture godot("stated-small-jitter", {"godot", {}});
