@@ -18,6 +18,13 @@ std::vector<CheckedCondition> checkedAlone(const LessonState& state, const std::
   return checkConditions(inspector, state, conditions, turn.passing(progress));
 }
 
+std::vector<LessonNumber> measuredAlone(const LessonState& state, const std::vector<Condition>& conditions,
+                                        const Progress& progress) {
+  gl::Turn turn;
+  Inspector inspector;
+  return measureNumbers(inspector, state, conditions, turn.passing(progress));
+}
+
 LessonState recordedAlone(const LessonState& state, const Progress& progress) {
   gl::Turn turn;
   Inspector inspector;
@@ -33,6 +40,12 @@ LessonWork::LessonWork(Check check, Record record, QObject* parent)
 void LessonWork::begin(const LessonState& state, const std::vector<Condition>& conditions) {
   start([this, state, conditions, check = check_](const Deliver& deliver, const Progress& progress) {
     deliver([this, found = check(state, conditions, progress)] { Q_EMIT checked(found); });
+  });
+}
+
+void LessonWork::measure(const LessonState& state, const std::vector<Condition>& conditions) {
+  start([this, state, conditions](const Deliver& deliver, const Progress& progress) {
+    deliver([this, found = measuredAlone(state, conditions, progress)] { Q_EMIT measured(found); });
   });
 }
 

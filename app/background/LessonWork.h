@@ -1,8 +1,10 @@
-// Checks what a lesson asks for, and records the frames that it opens, beside the window.
+// Checks what a lesson asks for, measures what it speaks of, and records the frames that it opens, beside the
+// window.
 #pragma once
 
 #include "app/background/BackgroundWork.h"
 #include "core/lessons/LessonCheck.h"
+#include "core/lessons/LessonNumbers.h"
 
 #include <functional>
 #include <vector>
@@ -20,10 +22,12 @@ class LessonWork : public BackgroundWork {
   explicit LessonWork(Check check = {}, Record record = {}, QObject* parent = nullptr);
 
   void begin(const LessonState& state, const std::vector<Condition>& conditions);
+  void measure(const LessonState& state, const std::vector<Condition>& conditions);
   void record(const LessonState& state);
 
  Q_SIGNALS:
   void checked(const std::vector<CheckedCondition>& conditions);
+  void measured(const std::vector<LessonNumber>& numbers);
   void recorded(const LessonState& state);
 
  private:

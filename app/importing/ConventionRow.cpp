@@ -67,11 +67,12 @@ QColor verdictColor(Verdict verdict, const ThemeColors& colors) {
   return colors.secondary;
 }
 
-void setColor(QLabel* label, const QColor& color) {
-  QPalette palette = label->palette();
-  if (palette.color(QPalette::WindowText) == color) return;
-  palette.setColor(QPalette::WindowText, color);
-  label->setPalette(palette);
+/// The mark has the color; words have that of the text, which is read in both themes.
+QString markedText(Verdict verdict, const ThemeColors& colors) {
+  const QString words = wordsOf(verdict);
+  const qsizetype colored = verdict == Verdict::NotMeasured ? words.size() : 1;
+  return QStringLiteral("<span style=\"color:%1\">%2</span>%3")
+      .arg(verdictColor(verdict, colors).name(), words.left(colored), words.mid(colored));
 }
 
 } // namespace
@@ -207,11 +208,10 @@ void ConventionRow::display(const capture::Conventions& stated, const capture::C
 
 void ConventionRow::setVerdict(Verdict verdict, const QString& reason) {
   verdict_ = verdict;
-  verdictText_->setText(wordsOf(verdict));
-  setColor(verdictText_, verdictColor(verdict, themeColors(this)));
+  verdictText_->setText(markedText(verdict, themeColors(this)));
   verdictText_->setToolTip(reason.isEmpty() ? tr("The pixels of these frames were not asked, or cannot tell.")
                                             : reason);
-  editor_->setAccessibleDescription(verdictText_->text());
+  editor_->setAccessibleDescription(wordsOf(verdict));
 }
 
 void ConventionRow::mousePressEvent(QMouseEvent* event) {
@@ -223,7 +223,7 @@ bool ConventionRow::eventFilter(QObject* watched, QEvent* event) {
   if (watched == editor_ && event->type() == QEvent::FocusIn) Q_EMIT entered(path());
   // Another theme gives it the color that it had at first.
   if (watched == verdictText_ && event->type() == QEvent::PaletteChange)
-    setColor(verdictText_, verdictColor(verdict_, themeColors(this)));
+    verdictText_->setText(markedText(verdict_, themeColors(this)));
   // A field in which nothing was typed leaves undo to the page.
   const auto* field = qobject_cast<QLineEdit*>(watched);
   if (field && event->type() == QEvent::ShortcutOverride && isUndoKey(static_cast<QKeyEvent&>(*event)) &&

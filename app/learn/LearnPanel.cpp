@@ -6,6 +6,7 @@
 #include "app/widgets/IconButton.h"
 #include "app/widgets/parameters/ChoiceButton.h"
 #include "core/lessons/LessonHtml.h"
+#include "core/lessons/LessonNumbers.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -90,19 +91,24 @@ void LearnPanel::makeTask() {
   answer_ = new QLabel;
   answer_->setWordWrap(true);
   answer_->setTextFormat(Qt::RichText);
-  answer_->setAccessibleName(tr("What became of the task"));
+  answer_->setAccessibleName(tr("What became of the task, or was measured"));
   check_ = new QPushButton(tr("Check"));
   check_->setToolTip(tr("Whether what is open now is what the step asks for"));
   hint_ = new QPushButton(tr("Hint"));
+  measure_ = new QPushButton(tr("Measure"));
+  measure_->setToolTip(tr("The numbers that the text rests on: of what is open now, and of the settings that "
+                          "it is compared with"));
   auto* task = new QHBoxLayout;
   task->addWidget(check_);
   task->addWidget(hint_);
+  task->addWidget(measure_);
   task->addStretch(1);
   auto* rows = qobject_cast<QVBoxLayout*>(layout());
   rows->addLayout(task);
   rows->addWidget(answer_);
   connect(check_, &QPushButton::clicked, this, &LearnPanel::checkRequested);
   connect(hint_, &QPushButton::clicked, this, &LearnPanel::hintRequested);
+  connect(measure_, &QPushButton::clicked, this, &LearnPanel::numbersRequested);
 }
 
 void LearnPanel::setLessons(const QStringList& titles, int current) {
@@ -134,16 +140,20 @@ void LearnPanel::showTask(const LessonStep& step, const StepNotes& notes) {
   const int hints = hasTask ? static_cast<int>(step.task->hints.size()) : 0;
   hint_->setVisible(hasTask && !notes.isSolutionShown);
   hint_->setText(notes.hints < hints ? tr("Hint") : tr("Show the solution"));
+  // Numbers of a task are told by its check: others could tell its solution.
+  measure_->setVisible(!hasTask && !numbersOf(step.claims).empty());
+  measure_->setEnabled(!notes.isChecking);
   QStringList lines;
   for (int hint = 0; hint < std::min(notes.hints, hints); ++hint)
     lines << answerLine(htmlOfMarkdown(
         tr("Hint: %1").arg(qtext(step.task->hints[static_cast<std::size_t>(hint)])).toStdString()));
   if (notes.isChecking)
-    lines << plainLine(tr("Checking…"));
+    lines << plainLine(hasTask ? tr("Checking…") : tr("Measuring…"));
   else if (!notes.answer.isEmpty())
     lines << plainLine(notes.answer);
   else if (notes.isDone)
     lines << plainLine(tr("Solved."));
+  for (const QString& number : notes.numbers) lines << answerLine("<p>" + number.toStdString() + "</p>");
   // What is checked has a line from the first, so that nothing moves when it is answered.
   answer_->setText(lines.isEmpty() && hasTask ? plainLine(QStringLiteral("\u00a0")) : lines.join(QString()));
   answer_->setVisible(hasTask || !lines.isEmpty());

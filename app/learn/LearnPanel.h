@@ -29,8 +29,9 @@ class LearnPanel : public QWidget {
   struct StepNotes {
     bool isDone = false;     ///< its task was solved
     bool isAsked = false;    ///< for a check or a hint: its task, which ends the text, has to be seen
-    bool isChecking = false; ///< its task
+    bool isChecking = false; ///< its task, or what it speaks of
     QString answer{};        ///< of the last check, in the reader's language
+    QStringList numbers{};   ///< that it speaks of, as measured last: a line of HTML for each
     int hints = 0;           ///< so many of them are shown
     bool isSolutionShown = false;
   };
@@ -44,6 +45,7 @@ class LearnPanel : public QWidget {
   void returnRequested();
   void checkRequested();
   void hintRequested(); ///< after the last hint: the solution
+  void numbersRequested();
   void closeRequested();
 
  private:
@@ -58,7 +60,8 @@ class LearnPanel : public QWidget {
   IconButton* close_ = nullptr;
   QLabel *place_ = nullptr, *answer_ = nullptr;
   LessonText* text_ = nullptr;
-  QPushButton *back_ = nullptr, *next_ = nullptr, *return_ = nullptr, *check_ = nullptr, *hint_ = nullptr;
+  QPushButton *back_ = nullptr, *next_ = nullptr, *return_ = nullptr, *check_ = nullptr, *hint_ = nullptr,
+              *measure_ = nullptr;
 };
 
 } // namespace taa::app

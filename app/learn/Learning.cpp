@@ -2,15 +2,19 @@
 
 #include "app/background/LessonWork.h"
 #include "app/learn/PartFrame.h"
+#include "app/models/verdict/VerdictWords.h"
 #include "app/session/Session.h"
 #include "app/session/keeping/SessionKeeper.h"
+#include "app/style/Numbers.h"
 #include "app/style/Text.h"
 #include "core/settings/Faults.h"
+#include "core/settings/Parameters.h"
 
 #include <QFileDialog>
 #include <QSettings>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <string>
@@ -36,6 +40,40 @@ QString tourKey() {
   return QStringLiteral("lessons/tourOffered");
 }
 
+QString numberText(double value) {
+  return std::isnan(value) ? QStringLiteral("–") : shortText(value, 4);
+}
+
+/// By what the settings of a lane differ from the step's own.
+QString laneText(const LessonLane& lane, const Settings& own) {
+  constexpr std::size_t kMost = 3;
+  const std::vector<std::string> changes = differences(lane.settings, own);
+  if (changes.empty()) return Learning::tr("as the step has it");
+  if (changes.size() > kMost)
+    return Learning::tr("%n settings differ", nullptr, static_cast<int>(changes.size()));
+  QStringList texts;
+  for (const std::string& change : changes) texts << changeText(change);
+  return texts.join(QStringLiteral("; "));
+}
+
+/// A line for each number, then what is compared: HTML.
+QStringList numberLines(const std::vector<LessonNumber>& numbers, const LessonState& step) {
+  QStringList lines;
+  for (const LessonNumber& number : numbers) {
+    QString line = Learning::tr("<b>%1:</b> now %2")
+                       .arg(qtext(number.label).toHtmlEscaped(), numberText(number.values.front()));
+    for (std::size_t lane = 0; lane < step.lanes.size(); ++lane)
+      line += Learning::tr(", <i>%1</i> %2")
+                  .arg(qtext(step.lanes[lane].name).toHtmlEscaped(), numberText(number.values.at(lane + 1)));
+    lines << line;
+  }
+  for (const LessonLane& lane : step.lanes)
+    lines << Learning::tr("<i>%1</i>: %2")
+                 .arg(qtext(lane.name).toHtmlEscaped(),
+                      laneText(lane, step.shot.settings.settings).toHtmlEscaped());
+  return lines;
+}
+
 } // namespace
 
 Learning::Learning(const Holders& of, QWidget* window)
@@ -47,8 +85,10 @@ Learning::Learning(const Holders& of, QWidget* window)
   connect(&panel, &LearnPanel::returnRequested, this, &Learning::setState);
   connect(&panel, &LearnPanel::checkRequested, this, &Learning::check);
   connect(&panel, &LearnPanel::hintRequested, this, &Learning::giveHint);
+  connect(&panel, &LearnPanel::numbersRequested, this, &Learning::measure);
   connect(&panel, &LearnPanel::closeRequested, this, &Learning::close);
   connect(work_, &LessonWork::checked, this, &Learning::takeChecked);
+  connect(work_, &LessonWork::measured, this, &Learning::takeNumbers);
   connect(work_, &LessonWork::recorded, this, [this](const LessonState& state) {
     if (!notes_.isSolutionShown) notes_.answer.clear();
     openOnItsFrames(state);
@@ -203,15 +243,16 @@ bool Learning::isDone(const Lesson& lesson, int step) const {
   return of_.settings && of_.settings->value(doneKey(lesson, step)).toBool();
 }
 
-/// Of what is open now, by the step's own lanes and samples.
-void Learning::check() {
-  notes_.isAsked = true;
+/// What is open now, with the step's own lanes and samples; nothing: it is of something else, which is said.
+std::optional<LessonState> Learning::stateNow() {
   LessonState now = shownStep().state;
   const SessionFile file = of_.session.file();
   now.recording.reset();
+  notes_.numbers.clear();
   if (file.source != opened_.source || file.size != opened_.size) {
     notes_.answer = tr("Another scene or size is open: reset the step first.");
-    return show();
+    show();
+    return {};
   }
   now.shot = file;
   now.probes.clear();
@@ -219,7 +260,22 @@ void Learning::check() {
   notes_.answer.clear();
   notes_.isChecking = true;
   show();
-  work_->begin(now, shownStep().task->conditions);
+  return now;
+}
+
+void Learning::check() {
+  notes_.isAsked = true;
+  if (const auto now = stateNow()) work_->begin(*now, shownStep().task->conditions);
+}
+
+void Learning::measure() {
+  if (const auto now = stateNow()) work_->measure(*now, shownStep().claims);
+}
+
+void Learning::takeNumbers(const std::vector<LessonNumber>& numbers) {
+  notes_.isChecking = false;
+  notes_.numbers = numberLines(numbers, shownStep().state);
+  show();
 }
 
 void Learning::takeChecked(const std::vector<CheckedCondition>& conditions) {
@@ -232,9 +288,10 @@ void Learning::takeChecked(const std::vector<CheckedCondition>& conditions) {
     return show();
   }
   QStringList missing;
+  const SpaceSettings space = of_.session.file().settings.settings.space;
   for (const CheckedCondition& checked : conditions)
-    if (!checked.holds) missing << qtext(checkedText(checked));
-  notes_.answer = tr("Not yet: %1.").arg(missing.join(QStringLiteral("; ")));
+    if (!checked.holds) missing << qtext(lackText(checked, space));
+  notes_.answer = tr("Not yet. %1.").arg(missing.join(QStringLiteral("; ")));
   show();
 }
 

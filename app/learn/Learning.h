@@ -3,12 +3,14 @@
 
 #include "app/learn/LearnPanel.h"
 #include "core/lessons/LessonCheck.h"
+#include "core/lessons/LessonNumbers.h"
 
 #include <QObject>
 #include <QPointer>
 #include <QString>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 class QSettings;
@@ -76,6 +78,9 @@ class Learning : public QObject {
   void showLessons();
   void check();
   void takeChecked(const std::vector<CheckedCondition>& conditions);
+  void measure();
+  void takeNumbers(const std::vector<LessonNumber>& numbers);
+  std::optional<LessonState> stateNow();
   void giveHint();
   void openState(const LessonState& state);
   void openOnItsFrames(const LessonState& state);

@@ -79,9 +79,7 @@ void WeightsPanel::refresh() {
   const std::vector<double> ahead = alphasAtRest(
       series().settings, std::max(static_cast<int>(nominal.size()), kFramesAhead) + kFramesAhead);
   const QColor color = curveColor(0), measuredColor = curveColor(1);
-  std::vector<Curve> weights{{tr("by the settings"), color, Qt::DashLine, backwards(nominalWeights)}};
-  std::vector<Curve> samples{
-      {tr("by the settings"), color, Qt::DashLine, from(first, effectiveSamplesOver(ahead))}};
+  std::vector<Curve> weights, samples;
   QStringList lines;
   lines << tr("Frame %1, %2 after history started. By the settings, where nothing moves or changes: "
               "α = %3; effective samples: %4 now, %5 at last.")
@@ -103,6 +101,9 @@ void WeightsPanel::refresh() {
   } else {
     lines << tr("A probe adds what its pixel measured in the frames that were shown.");
   }
+  // Last, so that its dashes are seen where both are the same.
+  weights.push_back({tr("by the settings"), color, Qt::DashLine, backwards(nominalWeights)});
+  samples.push_back({tr("by the settings"), color, Qt::DashLine, from(first, effectiveSamplesOver(ahead))});
   weights_->setBounds({0.0, static_cast<double>(kShownBack)});
   weights_->setCurves(std::move(weights));
   samples_->setBounds({static_cast<double>(first), first + static_cast<double>(ahead.size()) - 1.0});

@@ -48,18 +48,11 @@ QString channelsText(const glm::vec3& color) {
   return channels.join(QLatin1Char(' '));
 }
 
-/// Of the channel that differs most.
-float largestChannel(const glm::vec3& difference) {
-  float most = difference.x;
-  for (const float channel : {difference.y, difference.z})
-    if (std::fabs(channel) > std::fabs(most)) most = channel;
-  return most;
-}
-
 QString tipOf(const WhatIfRow& row, const WhatIfEntry& entry, const PictureNumbers::Means* means) {
   QStringList lines{
       WhatIfPage::tr("%1: %2").arg(tableText(whatIfGroupLabel(row.group)), tableText(row.label)),
-      WhatIfPage::tr("resolved %1").arg(channelsText(row.resolved))};
+      WhatIfPage::tr("resolved %1").arg(channelsText(row.resolved)),
+      WhatIfPage::tr("changed by %1").arg(channelsText(row.difference))};
   if (entry.error)
     lines << WhatIfPage::tr("from the reference, as shown: %1").arg(shortText(*entry.error, 3));
   for (std::size_t place = 0; means && place < means->size(); ++place)
@@ -72,11 +65,10 @@ QString tipOf(const WhatIfRow& row, const WhatIfEntry& entry, const PictureNumbe
 }
 
 ValueTable::Row lineOf(const WhatIfRow& row, const WhatIfEntry& entry, const PictureNumbers::Means* means) {
-  const float difference = largestChannel(row.difference);
   QString name = (row.isCurrent ? QStringLiteral("▸ ") : QString()) + tableText(row.label);
   if (!row.note.empty()) name += QStringLiteral(" *");
   QStringList cells{name, entry.error ? shortText(*entry.error, 2) : QString(), channelsText(row.resolved),
-                    difference == 0 ? WhatIfPage::tr("same") : shortText(static_cast<double>(difference), 2),
+                    entry.change == 0 ? WhatIfPage::tr("same") : shortText(entry.change, 2),
                     shortText(static_cast<double>(row.alpha), 3)};
   for (std::size_t place = 0; place < kPictureMetrics.size(); ++place)
     cells << (means && (*means)[place] ? shortText(*(*means)[place], 2) : QString());
@@ -105,6 +97,7 @@ WhatIfPage::WhatIfPage(SweepWork::Sweep sweep, QWidget* parent)
   table_->setAccessibleName(tr("The pixel under other choices"));
   table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // else columns change with the number of rows
   table_->headerItem()->setToolTip(ErrorColumn, tr("How far the pixel is from the reference, as shown"));
+  table_->headerItem()->setToolTip(ChangeColumn, tr("How far it moves the pixel, as shown"));
   for (std::size_t place = 0; place < kPictureMetrics.size(); ++place)
     table_->headerItem()->setToolTip(FirstPictureColumn + static_cast<int>(place),
                                      tableText(metricInfo(kPictureMetrics[place]).description));

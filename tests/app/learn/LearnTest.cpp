@@ -11,6 +11,7 @@
 #include "app/widgets/SectionHeader.h"
 #include "app/widgets/parameters/ChoiceButton.h"
 #include "core/lessons/Lesson.h"
+#include "core/lessons/LessonNumbers.h"
 #include "core/settings/Faults.h"
 #include "tests/app/WindowFixture.h"
 
@@ -27,6 +28,8 @@
 #include <QTextDocumentFragment>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <utility>
@@ -253,13 +256,45 @@ TEST_F(LearnTest, SaysWhatATaskLacksAndThatItIsSolved) {
   press(QStringLiteral("Next"));
   taa::CheckedCondition checked{tour().steps[1].task->conditions.front(), 0.0, 1.0, false};
   Q_EMIT learning()->work()->checked({checked});
-  EXPECT_TRUE(says(QStringLiteral("Not yet: verdict picked ghost")));
-  checked.condition.text = "metric a < metric b * 2 * 3";
+  EXPECT_TRUE(says(QStringLiteral("Not yet. Verdict \"Ghost\" at the probe: no, asked for: yes.")));
+  checked.condition = taa::conditionFrom("metric rejected < 1 * 2");
+  checked.left = 3.25;
+  checked.right = 2.0;
   Q_EMIT learning()->work()->checked({checked});
-  EXPECT_TRUE(says(QStringLiteral("Not yet: metric a < metric b * 2 * 3")));
+  EXPECT_TRUE(says(QStringLiteral("Not yet. Rejected, %: 3.25, asked for: less than 2.")));
   checked.holds = true;
   Q_EMIT learning()->work()->checked({checked});
   EXPECT_TRUE(says(QStringLiteral("Solved.")));
+}
+
+TEST_F(LearnTest, TellsTheNumbersOfAStepAndWhatTheyAreComparedWith) {
+  const auto vanished = std::ranges::find(tour().steps, "See it vanish", &taa::LessonStep::title);
+  ASSERT_NE(vanished, tour().steps.end());
+  ASSERT_EQ(vanished->state.lanes.size(), 1u);
+  key(Qt::Key_F12);
+  learning()->openStep(QStringLiteral("first-ghost"), static_cast<int>(vanished - tour().steps.begin()) + 1);
+  Q_EMIT learning()->work()->measured({{"Ghost energy", {0.0123456, 0.25}}, {"PSNR, dB", {31.5, NAN}}});
+  EXPECT_TRUE(says(QStringLiteral("Ghost energy: now 0.01235, before 0.25")));
+  EXPECT_TRUE(says(QStringLiteral("PSNR, dB: now 31.5, before –")));
+  EXPECT_TRUE(says(QStringLiteral("before: Rectify history ▸ Method: None")));
+  press(QStringLiteral("Next"));
+  EXPECT_FALSE(says(QStringLiteral("PSNR"))) << "they are of another step";
+}
+
+// Others of its numbers could tell what it asks for: the bug of a bug hunt, say.
+TEST_F(LearnTest, AStepWithATaskTellsNoNumbersButThoseOfItsCheck) {
+  const auto hasMeasure = [&] {
+    return std::ranges::any_of(panel()->findChildren<QPushButton*>(), [](const QPushButton* button) {
+      return button->text() == QStringLiteral("Measure") && button->isVisible();
+    });
+  };
+  const taa::Lesson& hunt = taa::builtinLessons().back();
+  ASSERT_EQ(hunt.id, "bughunt");
+  for (std::size_t step = 0; step < hunt.steps.size(); ++step) {
+    learning()->openStep(QStringLiteral("bughunt"), static_cast<int>(step) + 1);
+    const bool hasNumbers = !taa::numbersOf(hunt.steps[step].claims).empty();
+    EXPECT_EQ(hasMeasure(), hasNumbers && !hunt.steps[step].task) << step + 1;
+  }
 }
 
 TEST_F(LearnTest, ASceneThatStillLoadsLeavesTheProbesOfTheStepAlone) {

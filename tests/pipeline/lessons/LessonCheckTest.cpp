@@ -2,6 +2,7 @@
 #include "core/lessons/LessonCheck.h"
 #include "core/capture/source/Capture.h"
 #include "core/inspect/Inspector.h"
+#include "core/lessons/LessonNumbers.h"
 #include "core/lessons/RecordedFrames.h"
 #include "tests/support/GlTest.h"
 
@@ -138,4 +139,26 @@ TEST_F(LessonCheck, RungsAreMeasuredEachHoweverManyThereAre) {
   }
   EXPECT_EQ(mistakes("frame: 4\n" + right), std::vector<std::string>{});
   EXPECT_NE(found[0].substr(found[0].find("psnr")), found[1].substr(found[1].find("psnr")));
+}
+
+// The numbers of the first frame follow from the formulas: without history α is 1 for all settings, a mean of
+// n frames has α = 1/n.
+TEST_F(LessonCheck, MeasuresEachNumberOnceForAllLanes) {
+  taa::Inspector inspector;
+  const taa::Lesson lesson = taa::lessonFromText(
+      "# L\n\n## S\n\n```state\nscene: builtin:lights\ncamera: still\nsize: 64x36\npreset: reference\nframe: "
+      "7\n"
+      "lane: half = this weight.alpha=0.5\nlane: off = off\n"
+      "claim: metric meanAlpha < metric meanAlpha of off * 0.5\nclaim: metric meanAlpha of half > 0.1\n"
+      "claim: probe 32,18 historyLength at 3 = 4 within 1e-4\nclaim: not verdict 32,18 ghost\n```\n",
+      "l.md");
+  const taa::LessonStep& step = lesson.steps.front();
+  const auto numbers = taa::measureNumbers(inspector, step.state, step.claims);
+  ASSERT_EQ(numbers.size(), 2u) << "a verdict is no number";
+  EXPECT_EQ(numbers[0].label, "Mean α");
+  ASSERT_EQ(numbers[0].values.size(), 3u);
+  EXPECT_NEAR(numbers[0].values[0], 0.125, 1e-6);
+  EXPECT_EQ(numbers[0].values[2], 1.0);
+  EXPECT_EQ(numbers[1].label, "History length at 32, 18, frames, in frame 3");
+  EXPECT_NEAR(numbers[1].values[0], 4.0, 1e-4);
 }

@@ -1,0 +1,182 @@
+#include "core/lessons/LessonNumbers.h"
+
+#include "core/base/Say.h"
+#include "core/inspect/Inspector.h"
+#include "core/lessons/StateMeasurer.h"
+#include "core/taa/rows/ChannelNames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+namespace taa {
+
+namespace {
+
+bool isNumber(const Quantity& quantity) {
+  return quantity.kind != QuantityKind::Number && quantity.kind != QuantityKind::Verdict &&
+         quantity.kind != QuantityKind::Doctor;
+}
+
+bool isSame(const Quantity& a, const Quantity& b) {
+  const auto parts = [](const Quantity& of) {
+    return std::tuple(of.kind, of.number, of.metric, of.row, of.channel, of.pixel, of.isBelow, of.figure,
+                      of.isSeveral, of.frame);
+  };
+  return parts(a) == parts(b);
+}
+
+std::string numberText(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.4g", value);
+  return text;
+}
+
+/// "History position X", "Motion, its length": what of a row is one number.
+std::string rowText(const Quantity& quantity, const SpaceSettings& space) {
+  const Intermediate& row = intermediate(quantity.row);
+  const std::string label = sayLabel(row.label);
+  if (row.channels == 1) return label;
+  if (quantity.channel >= 0)
+    return label + " " + channelNames(row, space).at(static_cast<std::size_t>(quantity.channel));
+  if (quantity.kind == QuantityKind::Difference) return label;
+  return row.channels == 2 ? say<"%1, its length">(label) : say<"%1, its luma">(label);
+}
+
+std::string lineageText(LineageFigure figure) {
+  switch (figure) {
+  case LineageFigure::Samples:
+    return say<"samples of equal weight">();
+  case LineageFigure::Frames:
+    return say<"frames of equal weight">();
+  case LineageFigure::Radius:
+    return say<"radius of its samples, px">();
+  case LineageFigure::Spread:
+    return say<"blur of the oldest frame, px">();
+  case LineageFigure::Older:
+    return say<"weight of older frames">();
+  }
+  return {};
+}
+
+std::string withUnit(const std::string& text, std::string_view unit) {
+  return unit.empty() ? text : text + ", " + sayLabel(unit);
+}
+
+/// "100, 60", or that it is the one that is probed.
+std::string placeText(const Quantity& quantity) {
+  if (!quantity.pixel) return say<"the probe">();
+  return std::to_string(quantity.pixel->x) + ", " + std::to_string(quantity.pixel->y);
+}
+
+std::string labelInFrame(const Quantity& quantity, const SpaceSettings& space) {
+  const std::string_view unit = intermediate(quantity.row).unit;
+  switch (quantity.kind) {
+  case QuantityKind::Metric:
+    return withUnit(sayLabel(metricInfo(quantity.metric).label), metricInfo(quantity.metric).unit);
+  case QuantityKind::Value:
+    return withUnit(say<"%1 at %2">(rowText(quantity, space), placeText(quantity)), unit);
+  case QuantityKind::Difference:
+    return withUnit(say<"%1 at %2, difference">(rowText(quantity, space), placeText(quantity)), unit);
+  case QuantityKind::Share:
+    return quantity.isBelow
+               ? say<"%1 below %2, % of pixels">(rowText(quantity, space), numberText(quantity.number))
+               : say<"%1 above %2, % of pixels">(rowText(quantity, space), numberText(quantity.number));
+  case QuantityKind::Lineage:
+    return say<"Lineage of %1, %2">(placeText(quantity), lineageText(quantity.figure));
+  case QuantityKind::Volume:
+    return say<"Volume of the box at %1">(placeText(quantity));
+  case QuantityKind::Pushed:
+    return quantity.isSeveral ? say<"Where several pixels are pushed to, %">()
+                              : say<"Where no pixel is pushed to, %">();
+  case QuantityKind::Verdict: {
+    const auto kind = std::ranges::find(kVerdictKinds, quantity.verdict, &VerdictKindInfo::kind);
+    return say<"Verdict \"%1\" at %2">(sayLabel(kind->label), placeText(quantity));
+  }
+  case QuantityKind::Doctor:
+    return say<"Finding \"%1\"">(sayLabel(faultInfo(quantity.fault).label));
+  case QuantityKind::Number:
+    break;
+  }
+  return {};
+}
+
+std::string labelOf(const Quantity& quantity, const SpaceSettings& space) {
+  const std::string label = labelInFrame(quantity, space);
+  return quantity.frame ? say<"%1, in frame %2">(label, *quantity.frame) : label;
+}
+
+std::string askedText(Relation relation, const std::string& value) {
+  switch (relation) {
+  case Relation::Less:
+    return say<"less than %1">(value);
+  case Relation::LessOrEqual:
+    return say<"at most %1">(value);
+  case Relation::Greater:
+    return say<"more than %1">(value);
+  case Relation::GreaterOrEqual:
+    return say<"at least %1">(value);
+  case Relation::Equal:
+    break;
+  }
+  return value;
+}
+
+std::string yesOrNo(double value) {
+  return value != 0.0 ? say<"yes">() : say<"no">();
+}
+
+} // namespace
+
+std::vector<Quantity> numbersOf(const std::vector<Condition>& conditions) {
+  std::vector<Quantity> numbers;
+  for (const Quantity* asked : quantitiesOf(conditions)) {
+    Quantity number = *asked;
+    number.lane.clear();
+    number.factor = 1.0;
+    number.offset = 0.0;
+    if (isNumber(number) &&
+        std::ranges::none_of(numbers, [&](const Quantity& known) { return isSame(known, number); }))
+      numbers.push_back(number);
+  }
+  return numbers;
+}
+
+std::vector<LessonNumber> measureNumbers(Inspector& inspector, const LessonState& state,
+                                         const std::vector<Condition>& conditions, const Progress& progress) {
+  const LessonState opened = openState(inspector, state, progress);
+  const SpaceSettings space = opened.shot.settings.settings.space;
+  StateMeasurer measurer(inspector, opened, progress);
+  const std::vector<Quantity> asked = numbersOf(conditions);
+  std::vector<const Quantity*> planned;
+  for (const Quantity& quantity : asked) planned.push_back(&quantity);
+  measurer.plan(planned);
+  std::vector<LessonNumber> numbers;
+  for (Quantity quantity : asked) {
+    LessonNumber number{labelOf(quantity, space), {}};
+    // From itself nothing differs.
+    number.values.push_back(quantity.kind == QuantityKind::Difference ? 0.0 : measurer.measure(quantity));
+    for (const LessonLane& lane : opened.lanes) {
+      quantity.lane = lane.name;
+      number.values.push_back(measurer.measure(quantity));
+    }
+    numbers.push_back(std::move(number));
+  }
+  return numbers;
+}
+
+std::string lackText(const CheckedCondition& checked, const SpaceSettings& space) {
+  const Condition& condition = checked.condition;
+  const std::string label = labelOf(condition.left, space);
+  if (!isNumber(condition.left))
+    return say<"%1: %2, asked for: %3">(label, yesOrNo(checked.left), yesOrNo(checked.right));
+  if (std::isnan(checked.left)) return say<"%1: not known in this frame">(label);
+  return say<"%1: %2, asked for: %3">(label, numberText(checked.left),
+                                      askedText(condition.relation, numberText(checked.right)));
+}
+
+} // namespace taa

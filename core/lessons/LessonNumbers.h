@@ -1,0 +1,36 @@
+// What a step's text rests on, in numbers: all that its claims speak of, measured of what is open and of the
+// settings that it is compared with.
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/lessons/Condition.h"
+#include "core/lessons/LessonCheck.h"
+#include "core/lessons/LessonState.h"
+
+#include <string>
+#include <vector>
+
+namespace taa {
+
+class Inspector;
+
+/// The quantities that `conditions` measure, each once, in their order, without lane and arithmetic. What is
+/// answered by yes or no, a verdict or a finding of the doctor, is none.
+std::vector<Quantity> numbersOf(const std::vector<Condition>& conditions);
+
+/// A quantity of a state itself and of its lanes.
+struct LessonNumber {
+  std::string label;          ///< "PSNR, dB", "History position X at 100, 60, px"
+  std::vector<double> values; ///< of the state, then of each lane in order; NaN: not known
+};
+
+/// Of the state, which it opens. Throws Error, Cancelled.
+std::vector<LessonNumber> measureNumbers(Inspector& inspector, const LessonState& state,
+                                         const std::vector<Condition>& conditions,
+                                         const Progress& progress = {});
+
+/// What a condition lacks, for a reader: "PSNR, dB: 28.41, asked for: more than 31.2". `space` names the
+/// channels of boxes.
+std::string lackText(const CheckedCondition& checked, const SpaceSettings& space);
+
+} // namespace taa
