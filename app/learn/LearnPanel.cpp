@@ -91,7 +91,7 @@ void LearnPanel::makeTask() {
   answer_ = new QLabel;
   answer_->setWordWrap(true);
   answer_->setTextFormat(Qt::RichText);
-  answer_->setAccessibleName(tr("What became of the task, or was measured"));
+  answer_->setAccessibleName(tr("What became of the task"));
   check_ = new QPushButton(tr("Check"));
   check_->setToolTip(tr("Whether what is open now is what the step asks for"));
   hint_ = new QPushButton(tr("Hint"));
@@ -124,7 +124,8 @@ void LearnPanel::setStep(const Lesson& lesson, int step, const StepNotes& notes)
   place_->setText(tr("%1 of %2").arg(step + 1).arg(lesson.steps.size()));
   // Its title goes with the text, which may have room for few lines.
   const std::string title = "## " + shown.title + "\n\n";
-  text_->setText(qtext(title + (step == 0 ? lesson.summary + "\n" : "") + shown.text));
+  const QString text = qtext(title + (step == 0 ? lesson.summary + "\n" : "") + shown.text);
+  text_->setText(notes.numbers.isEmpty() ? text : text + QStringLiteral("\n\n") + notes.numbers);
   back_->setEnabled(step > 0);
   // After the last step the next lesson comes, where there is one.
   const bool isLast = step + 1 == static_cast<int>(lesson.steps.size());
@@ -136,13 +137,11 @@ void LearnPanel::setStep(const Lesson& lesson, int step, const StepNotes& notes)
 void LearnPanel::showTask(const LessonStep& step, const StepNotes& notes) {
   const bool hasTask = step.task.has_value();
   check_->setVisible(hasTask);
-  check_->setEnabled(!notes.isChecking);
   const int hints = hasTask ? static_cast<int>(step.task->hints.size()) : 0;
   hint_->setVisible(hasTask && !notes.isSolutionShown);
   hint_->setText(notes.hints < hints ? tr("Hint") : tr("Show the solution"));
   // Numbers of a task are told by its check: others could tell its solution.
   measure_->setVisible(!hasTask && !numbersOf(step.claims).empty());
-  measure_->setEnabled(!notes.isChecking);
   QStringList lines;
   for (int hint = 0; hint < std::min(notes.hints, hints); ++hint)
     lines << answerLine(htmlOfMarkdown(
@@ -153,7 +152,6 @@ void LearnPanel::showTask(const LessonStep& step, const StepNotes& notes) {
     lines << plainLine(notes.answer);
   else if (notes.isDone)
     lines << plainLine(tr("Solved."));
-  for (const QString& number : notes.numbers) lines << answerLine("<p>" + number.toStdString() + "</p>");
   // What is checked has a line from the first, so that nothing moves when it is answered.
   answer_->setText(lines.isEmpty() && hasTask ? plainLine(QStringLiteral("\u00a0")) : lines.join(QString()));
   answer_->setVisible(hasTask || !lines.isEmpty());

@@ -31,7 +31,7 @@ class LearnPanel : public QWidget {
     bool isAsked = false;    ///< for a check or a hint: its task, which ends the text, has to be seen
     bool isChecking = false; ///< its task, or what it speaks of
     QString answer{};        ///< of the last check, in the reader's language
-    QStringList numbers{};   ///< that it speaks of, as measured last: a line of HTML for each
+    QString numbers{};       ///< that it speaks of, as measured last: Markdown
     int hints = 0;           ///< so many of them are shown
     bool isSolutionShown = false;
   };

@@ -2,19 +2,15 @@
 
 #include "app/background/LessonWork.h"
 #include "app/learn/PartFrame.h"
-#include "app/models/verdict/VerdictWords.h"
 #include "app/session/Session.h"
 #include "app/session/keeping/SessionKeeper.h"
-#include "app/style/Numbers.h"
 #include "app/style/Text.h"
 #include "core/settings/Faults.h"
-#include "core/settings/Parameters.h"
 
 #include <QFileDialog>
 #include <QSettings>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <string>
@@ -38,40 +34,6 @@ QString lessonFolderKey() {
 }
 QString tourKey() {
   return QStringLiteral("lessons/tourOffered");
-}
-
-QString numberText(double value) {
-  return std::isnan(value) ? QStringLiteral("–") : shortText(value, 4);
-}
-
-/// By what the settings of a lane differ from the step's own.
-QString laneText(const LessonLane& lane, const Settings& own) {
-  constexpr std::size_t kMost = 3;
-  const std::vector<std::string> changes = differences(lane.settings, own);
-  if (changes.empty()) return Learning::tr("as the step has it");
-  if (changes.size() > kMost)
-    return Learning::tr("%n settings differ", nullptr, static_cast<int>(changes.size()));
-  QStringList texts;
-  for (const std::string& change : changes) texts << changeText(change);
-  return texts.join(QStringLiteral("; "));
-}
-
-/// A line for each number, then what is compared: HTML.
-QStringList numberLines(const std::vector<LessonNumber>& numbers, const LessonState& step) {
-  QStringList lines;
-  for (const LessonNumber& number : numbers) {
-    QString line = Learning::tr("<b>%1:</b> now %2")
-                       .arg(qtext(number.label).toHtmlEscaped(), numberText(number.values.front()));
-    for (std::size_t lane = 0; lane < step.lanes.size(); ++lane)
-      line += Learning::tr(", <i>%1</i> %2")
-                  .arg(qtext(step.lanes[lane].name).toHtmlEscaped(), numberText(number.values.at(lane + 1)));
-    lines << line;
-  }
-  for (const LessonLane& lane : step.lanes)
-    lines << Learning::tr("<i>%1</i>: %2")
-                 .arg(qtext(lane.name).toHtmlEscaped(),
-                      laneText(lane, step.shot.settings.settings).toHtmlEscaped());
-  return lines;
 }
 
 } // namespace
@@ -264,17 +226,20 @@ std::optional<LessonState> Learning::stateNow() {
 }
 
 void Learning::check() {
+  if (notes_.isChecking) return;
   notes_.isAsked = true;
   if (const auto now = stateNow()) work_->begin(*now, shownStep().task->conditions);
 }
 
 void Learning::measure() {
+  if (notes_.isChecking) return;
+  notes_.isAsked = true;
   if (const auto now = stateNow()) work_->measure(*now, shownStep().claims);
 }
 
 void Learning::takeNumbers(const std::vector<LessonNumber>& numbers) {
   notes_.isChecking = false;
-  notes_.numbers = numberLines(numbers, shownStep().state);
+  notes_.numbers = qtext(numbersMarkdown(numbers, shownStep().state, tr("now").toStdString()));
   show();
 }
 

@@ -85,6 +85,7 @@ void setTable(QTextTable& table, const ThemeColors& colors) {
   for (int row = 0; row < table.rows(); ++row)
     for (int column = 0; column < table.columns(); ++column) {
       QTextBlockFormat cell;
+      cell.setLineHeight(100.0, QTextBlockFormat::ProportionalHeight);
       cell.setBottomMargin(0.0);
       if (column > 0) cell.setAlignment(Qt::AlignRight);
       table.cellAt(row, column).firstCursorPosition().mergeBlockFormat(cell);

@@ -295,18 +295,19 @@ std::string htmlOfMarkdown(std::string_view markdown, const LinkPlace& place) {
   return writer.finish();
 }
 
-std::string lessonHtml(const Lesson& lesson, const std::vector<std::vector<LessonFigure>>& figures,
-                       const LessonLinks& links) {
+std::string lessonHtml(const Lesson& lesson, const std::vector<StepOnPage>& steps, const LessonLinks& links) {
   std::string body =
       lessonNav(links) + "<h1>" + htmlText(lesson.title) + "</h1>\n" + htmlOfMarkdown(lesson.summary);
   for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
     const LessonStep& shown = lesson.steps[step];
     const std::string number = std::to_string(step + 1);
     body += "<section id=\"step-" + number + "\"><h2><span class=\"number\">" + number + "</span>" +
-            htmlText(shown.title) + "</h2>\n" + figuresHtml(figures.at(step));
-    body += shown.task
-                ? "<div class=\"task\">\n" + htmlOfMarkdown(shown.text) + taskHtml(*shown.task) + "</div>\n"
-                : htmlOfMarkdown(shown.text);
+            htmlText(shown.title) + "</h2>\n" + figuresHtml(steps.at(step).figures);
+    body +=
+        shown.task
+            ? "<div class=\"task\">\n" + htmlOfMarkdown(shown.text) + taskHtml(*shown.task) + "</div>\n"
+            : htmlOfMarkdown(shown.text) +
+                  htmlOfMarkdown(numbersMarkdown(steps.at(step).numbers, shown.state, say<"this step">()));
     body += "<p class=\"aside\">" + htmlText(say<"In the program:">()) + " <code>taa-inspector --lesson " +
             htmlText(lesson.id) + ":" + number + "</code></p>\n</section>\n";
   }

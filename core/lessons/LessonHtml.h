@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/lessons/Lesson.h"
+#include "core/lessons/LessonNumbers.h"
 
 #include <functional>
 #include <string>
@@ -28,6 +29,12 @@ struct LessonFigure {
   int widthPx = 640; ///< on the page; 0: as the file has it
 };
 
+/// What a page shows of a step beside its text.
+struct StepOnPage {
+  std::vector<LessonFigure> figures{};
+  std::vector<LessonNumber> numbers{}; ///< that its text rests on
+};
+
 /// Where a page leads.
 struct LessonLinks {
   std::string manual{};           ///< folder or address with "/" at its end; empty: none
@@ -36,9 +43,8 @@ struct LessonLinks {
   const Lesson* after = nullptr;
 };
 
-/// `figures` of each step.
-std::string lessonHtml(const Lesson& lesson, const std::vector<std::vector<LessonFigure>>& figures,
-                       const LessonLinks& links);
+/// `steps`: as many as the lesson has.
+std::string lessonHtml(const Lesson& lesson, const std::vector<StepOnPage>& steps, const LessonLinks& links);
 
 /// The table of contents, with a link to each lesson's "ID.html", and its picture where there is one.
 std::string contentsHtml(const std::vector<Lesson>& lessons, const std::vector<std::string>& pictures,

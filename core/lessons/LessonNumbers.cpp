@@ -3,12 +3,14 @@
 #include "core/base/Say.h"
 #include "core/inspect/Inspector.h"
 #include "core/lessons/StateMeasurer.h"
+#include "core/settings/AssignmentWords.h"
+#include "core/settings/Parameters.h"
+#include "core/story/StoryText.h"
 #include "core/taa/rows/ChannelNames.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -28,12 +30,6 @@ bool isSame(const Quantity& a, const Quantity& b) {
                       of.isSeveral, of.frame);
   };
   return parts(a) == parts(b);
-}
-
-std::string numberText(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.4g", value);
-  return text;
 }
 
 /// "History position X", "Motion, its length": what of a row is one number.
@@ -110,6 +106,26 @@ std::string labelOf(const Quantity& quantity, const SpaceSettings& space) {
   return quantity.frame ? say<"%1, in frame %2">(label, *quantity.frame) : label;
 }
 
+/// By what the settings of a lane differ from the step's own.
+std::string laneText(const Settings& lane, const Settings& own) {
+  constexpr std::size_t kMost = 3;
+  const std::vector<std::string> changes = differences(lane, own);
+  if (changes.empty()) return say<"as the step has it">();
+  if (changes.size() > kMost) return say<"%1 settings differ">(changes.size());
+  std::string text;
+  for (const std::string& change : changes) text += (text.empty() ? "" : "; ") + assignmentWords(change);
+  return text;
+}
+
+std::string tableRow(const std::vector<std::string>& cells) {
+  std::string row = "|";
+  for (std::string cell : cells) {
+    for (std::size_t at = 0; (at = cell.find('|', at)) != cell.npos; at += 2) cell.insert(at, "\\");
+    row += " " + cell + " |";
+  }
+  return row + "\n";
+}
+
 std::string askedText(Relation relation, const std::string& value) {
   switch (relation) {
   case Relation::Less:
@@ -167,6 +183,22 @@ std::vector<LessonNumber> measureNumbers(Inspector& inspector, const LessonState
     numbers.push_back(std::move(number));
   }
   return numbers;
+}
+
+std::string numbersMarkdown(const std::vector<LessonNumber>& numbers, const LessonState& step,
+                            const std::string& first) {
+  if (numbers.empty()) return {};
+  std::vector<std::string> cells{say<"Measured">(), first};
+  for (const LessonLane& lane : step.lanes) cells.push_back(lane.name);
+  std::string text = tableRow(cells) + tableRow(std::vector<std::string>(cells.size(), "---"));
+  for (const LessonNumber& number : numbers) {
+    cells.assign(1, number.label);
+    for (const double value : number.values) cells.push_back(std::isnan(value) ? "–" : numberText(value));
+    text += tableRow(cells);
+  }
+  for (const LessonLane& lane : step.lanes)
+    text += "\n*" + lane.name + "*: " + laneText(lane.settings, step.shot.settings.settings) + "\n";
+  return text;
 }
 
 std::string lackText(const CheckedCondition& checked, const SpaceSettings& space) {

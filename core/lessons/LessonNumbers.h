@@ -29,6 +29,11 @@ std::vector<LessonNumber> measureNumbers(Inspector& inspector, const LessonState
                                          const std::vector<Condition>& conditions,
                                          const Progress& progress = {});
 
+/// Those as Markdown: a table with a column for the state, called `first`, and one for each of its lanes, then
+/// in which settings these differ from the step's own. Empty where there are no numbers.
+std::string numbersMarkdown(const std::vector<LessonNumber>& numbers, const LessonState& step,
+                            const std::string& first);
+
 /// What a condition lacks, for a reader: "PSNR, dB: 28.41, asked for: more than 31.2". `space` names the
 /// channels of boxes.
 std::string lackText(const CheckedCondition& checked, const SpaceSettings& space);

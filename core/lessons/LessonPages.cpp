@@ -9,6 +9,7 @@
 #include "core/io/PictureFile.h"
 #include "core/lessons/LessonCheck.h"
 #include "core/lessons/LessonHtml.h"
+#include "core/lessons/LessonNumbers.h"
 #include "core/picture/StyleText.h"
 #include "core/report/ManualPages.h"
 #include "core/settings/Presets.h"
@@ -167,6 +168,13 @@ std::vector<LessonFigure> writeFigures(Inspector& inspector, const Lesson& lesso
   return figures;
 }
 
+/// Those of a task could tell its solution.
+std::vector<LessonNumber> numbersOfStep(Inspector& inspector, const LessonStep& step,
+                                        const Progress& progress) {
+  if (step.task || numbersOf(step.claims).empty()) return {};
+  return measureNumbers(inspector, step.state, step.claims, progress);
+}
+
 std::vector<fs::path> manualFiles(const LessonPages& pages) {
   std::vector<fs::path> files;
   if (pages.manual.empty())
@@ -222,14 +230,15 @@ void writeLessonPages(Inspector& inspector, const std::vector<Lesson>& lessons, 
   std::vector<std::string> pictures;
   for (std::size_t index = 0; index < lessons.size(); ++index) {
     const Lesson& lesson = lessons[index];
-    std::vector<std::vector<LessonFigure>> figures;
+    std::vector<StepOnPage> steps;
     for (std::size_t step = 0; step < lesson.steps.size(); ++step)
-      figures.push_back(writeFigures(inspector, lesson, step, pages, progress));
+      steps.push_back({writeFigures(inspector, lesson, step, pages, progress),
+                       numbersOfStep(inspector, lesson.steps[step], progress)});
     links.before = index > 0 ? &lessons[index - 1] : nullptr;
     links.after = index + 1 < lessons.size() ? &lessons[index + 1] : nullptr;
-    writeFile(pages.folder / (lesson.id + ".html"), lessonHtml(lesson, figures, links));
-    pictures.push_back(figures.empty() || figures.front().empty() ? std::string()
-                                                                  : figures.front().front().file);
+    writeFile(pages.folder / (lesson.id + ".html"), lessonHtml(lesson, steps, links));
+    pictures.push_back(steps.empty() || steps.front().figures.empty() ? std::string()
+                                                                      : steps.front().figures.front().file);
   }
   writeFile(pages.folder / "index.html", contentsHtml(lessons, pictures, links));
   writeManual(pages);

@@ -2,6 +2,7 @@
 #include "core/settings/Parameters.h"
 
 #include "core/base/Error.h"
+#include "core/settings/AssignmentWords.h"
 #include "core/settings/Presets.h"
 #include "tests/support/ErrorOf.h"
 
@@ -37,6 +38,14 @@ Settings everythingChanged() {
   Settings settings;
   for (const Parameter& row : parameters()) row.set(settings, otherValue(row, row.defaultValue()));
   return settings;
+}
+
+TEST(Parameters, AnAssignmentIsToldByTheLabelsOfItsTables) {
+  EXPECT_EQ(assignmentWords("rectify.method=clipToFiltered"), "Rectify history ▸ Method: Clip to filtered");
+  EXPECT_EQ(assignmentWords("validate.depth=on"), "Validate history ▸ Depth: on");
+  EXPECT_EQ(assignmentWords("weight.alpha=0.5"), "Blend weight ▸ α: 0.5");
+  EXPECT_EQ(assignmentWords("fault.motionX=-1"), "Faults ▸ Motion x times: −1");
+  EXPECT_THROW(assignmentWords("weight.none=1"), Error);
 }
 
 TEST(Parameters, HaveOneRowForEachFieldOfTheSettings) {

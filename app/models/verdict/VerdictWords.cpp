@@ -3,14 +3,12 @@
 #include "app/style/Numbers.h"
 #include "app/style/Text.h"
 #include "core/inspect/verdicts/RemedyTrial.h"
-#include "core/settings/Parameters.h"
+#include "core/settings/AssignmentWords.h"
 #include "core/taa/rows/Intermediates.h"
 #include "core/taa/twin/Color.h"
 
 #include <QObject>
 #include <QStringList>
-
-#include <cstddef>
 
 namespace taa::app {
 
@@ -25,21 +23,10 @@ QString arrowText(const QString& before, const QString& after) {
   return before + QStringLiteral(" → ") + after;
 }
 
-QString parameterValueText(const Parameter& row, double value) {
-  if (row.kind == ParameterKind::Choice) return tableText(row.choices[static_cast<std::size_t>(value)].label);
-  if (row.kind == ParameterKind::Toggle) return value != 0.0 ? QObject::tr("on") : QObject::tr("off");
-  const QString number = shortText(value, 4);
-  return row.unit.empty() ? number : number + QChar(0x2009) + tableText(row.unit);
-}
-
 } // namespace
 
 QString changeText(const std::string& assignment) {
-  const std::size_t split = assignment.find('=');
-  const Parameter& row = parameter(assignment.substr(0, split));
-  return QObject::tr("%1 ▸ %2: %3")
-      .arg(tableText(stageInfo(row.stage).label), tableText(row.label),
-           parameterValueText(row, parseValue(row, assignment.substr(split + 1))));
+  return qtext(assignmentWords(assignment));
 }
 
 QString changesText(const Remedy& remedy) {

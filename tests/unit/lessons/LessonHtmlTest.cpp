@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <regex>
@@ -47,11 +48,20 @@ TEST(LessonHtml, HasHeadingsNumberedListsAndTablesWhoseRowsAreFoundByNumber) {
 }
 
 TEST(LessonHtml, APageHasItsStepsFiguresNeighborsAndRowsOfTheManual) {
-  const taa::Lesson lesson = taa::lessonFromText(
-      "# T\n\nS.\n\n## One\n\n```state\nscene: builtin:fan\ntechniques: 11.1\n```\n\nText.\n", "01-t.md");
+  const taa::Lesson lesson =
+      taa::lessonFromText("# T\n\nS.\n\n## One\n\n```state\nscene: builtin:fan\npreset: minimal\nlane: half "
+                          "= this weight.alpha=0.5\n"
+                          "techniques: 11.1\n```\n\nText.\n",
+                          "01-t.md");
   taa::LessonLinks links{"../manual/", "html"};
   links.before = &lesson;
-  const std::string page = taa::lessonHtml(lesson, {{{"t-1a.png", "Resolved", 640}}}, links);
+  const std::string page = taa::lessonHtml(
+      lesson, {{{{"t-1a.png", "Resolved", 640}}, {{"PSNR, dB", {31.25, std::nan("")}}}}}, links);
+  EXPECT_NE(page.find("<tr><th>Measured</th><th>this step</th><th>half</th></tr>\n"
+                      "<tr><td>PSNR, dB</td><td>31.25</td><td>–</td></tr>"),
+            std::string::npos)
+      << page;
+  EXPECT_NE(page.find("<em>half</em>: Blend weight ▸ α: 0.5"), std::string::npos) << page;
   EXPECT_NE(page.find("<h2><span class=\"number\">1</span>One</h2>"), std::string::npos) << page;
   EXPECT_NE(page.find("<img src=\"t-1a.png\" alt=\"Resolved\" width=\"640\">"), std::string::npos) << page;
   EXPECT_NE(page.find("<a href=\"../manual/techniques.html#11.1\">11.1</a>"), std::string::npos) << page;

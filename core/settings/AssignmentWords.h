@@ -1,0 +1,12 @@
+// What an assignment of a setting says, in words.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace taa {
+
+/// "path=value" by the table of settings: "Rectify history ▸ Method: Clip to filtered". Throws Error.
+std::string assignmentWords(std::string_view assignment);
+
+} // namespace taa
