@@ -257,7 +257,7 @@ TEST_F(LearnTest, SaysWhatATaskLacksAndThatItIsSolved) {
   taa::CheckedCondition checked{tour().steps[1].task->conditions.front(), 0.0, 1.0, false};
   Q_EMIT learning()->work()->checked({checked});
   EXPECT_TRUE(says(QStringLiteral("Not yet. Verdict \"Ghost\" at the probe: no, asked for: yes.")));
-  checked.condition = taa::conditionFrom("metric rejected < 1 * 2");
+  checked.condition = taa::conditionFrom("metric rejected < 2");
   checked.left = 3.25;
   checked.right = 2.0;
   Q_EMIT learning()->work()->checked({checked});

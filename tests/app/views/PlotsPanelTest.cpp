@@ -284,7 +284,7 @@ TEST_F(Plots, WeightsFollowFramesBeforeThatAreFilledIn) {
   };
   const std::vector<Curve>& curves = window.weights()->weights()->curves();
   const auto measures = [&](std::size_t frames) {
-    return test::waitFor([&] { return curves.size() == 2 && curves[1].points.size() == frames; }, 5000);
+    return test::waitFor([&] { return curves.size() == 2 && curves[0].points.size() == frames; }, 5000);
   };
   tellOf(9);
   EXPECT_TRUE(measures(1));
@@ -298,6 +298,6 @@ TEST_F(Plots, WeightsAreMeasuredAtTheProbe) {
   refresh();
   const std::vector<Curve>& curves = window.weights()->weights()->curves();
   ASSERT_EQ(curves.size(), 2u);
-  EXPECT_TRUE(curves[1].name.contains("(3, 2)")) << curves[1].name.toStdString();
-  EXPECT_EQ(curves[1].points[0].y(), static_cast<double>(test::FakeRenderer::valueAt(3, 2, 3)));
+  EXPECT_TRUE(curves[0].name.contains("(3, 2)")) << curves[0].name.toStdString();
+  EXPECT_EQ(curves[0].points[0].y(), static_cast<double>(test::FakeRenderer::valueAt(3, 2, 3)));
 }
