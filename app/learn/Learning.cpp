@@ -241,6 +241,7 @@ void Learning::takeNumbers(const std::vector<LessonNumber>& numbers) {
   notes_.isChecking = false;
   notes_.numbers = qtext(numbersMarkdown(numbers, shownStep().state, tr("now").toStdString()));
   show();
+  Q_EMIT answered();
 }
 
 void Learning::takeChecked(const std::vector<CheckedCondition>& conditions) {
@@ -250,7 +251,8 @@ void Learning::takeChecked(const std::vector<CheckedCondition>& conditions) {
     notes_.answer = tr("Solved.");
     if (of_.settings) of_.settings->setValue(doneKey(shown(), step_), true);
     showLessons();
-    return show();
+    show();
+    return Q_EMIT answered();
   }
   QStringList missing;
   const SpaceSettings space = of_.session.file().settings.settings.space;
@@ -258,6 +260,7 @@ void Learning::takeChecked(const std::vector<CheckedCondition>& conditions) {
     if (!checked.holds) missing << qtext(lackText(checked, space));
   notes_.answer = tr("Not yet. %1.").arg(missing.join(QStringLiteral("; ")));
   show();
+  Q_EMIT answered();
 }
 
 void Learning::giveHint() {
@@ -265,12 +268,14 @@ void Learning::giveHint() {
   const Task& task = *shownStep().task;
   if (notes_.hints < static_cast<int>(task.hints.size())) {
     ++notes_.hints;
-    return show();
+    show();
+    return Q_EMIT answered();
   }
   notes_.isSolutionShown = true;
   openState(task.solution);
   notes_.answer = tr("This is a solution: check it.");
   show();
+  Q_EMIT answered();
 }
 
 QString Learning::folder() const {

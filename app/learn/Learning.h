@@ -65,6 +65,7 @@ class Learning : public QObject {
   void changed();   ///< opened or closed
   void stepBegun(); ///< another one
   void stepShown(); ///< another one, or what became of its task
+  void answered();  ///< a hint, a check or numbers, which need room
   void said(const QString& sentence);
   void failed(const QString& sentence);
 

@@ -307,7 +307,7 @@ void MainWindow::connectMenus() {
   connect(&session_.probes(), &ProbeChoices::changed, workspace_,
           [this] { workspace_->setProbed(session_.probes().pixel().has_value()); });
   connect(learning_, &Learning::stepBegun, workspace_, &Workspace::shareSide);
-  connect(learn_, &LearnPanel::hintRequested, workspace_, &Workspace::shareSide); // hints need room
+  connect(learning_, &Learning::answered, workspace_, &Workspace::shareSide);
   connect(&session_.verdicts(), &VerdictChoices::changed, all, &Commands::refresh);
   connect(&session_.undoStack(), &UndoStack::changed, all, &Commands::refresh);
   connect(doctorCommands_, &DoctorCommands::reportChanged, all, &Commands::refresh);

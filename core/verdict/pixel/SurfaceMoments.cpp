@@ -42,7 +42,7 @@ double flickerOf(const std::vector<SurfaceMoment>& moments) {
   }
   if (bends.size() < 3) return 0.0;
   std::ranges::sort(bends);
-  return bends[(3 * bends.size()) / 4];
+  return bends[std::min((3 * bends.size()) / 4, bends.size() - 2)]; // one of few is once
 }
 
 bool isHighlight(const std::vector<SurfaceMoment>& moments) {

@@ -35,6 +35,10 @@ TEST(SurfaceMoments, TrembleByWhatTheyStandOutFromThoseBeside) {
   std::vector<SurfaceMoment> moving = alternating(0.1);
   for (SurfaceMoment& moment : moving) moment.reference = moment.resolved;
   EXPECT_EQ(taa::flickerOf(moving), 0.0) << "as truth does";
+  std::vector<SurfaceMoment> appeared = alternating(0.0); // and was of what hid it before, in its first frame
+  appeared.resize(6);
+  appeared.back().resolved = glm::dvec3(0.1);
+  EXPECT_EQ(taa::flickerOf(appeared), 0.0) << "once";
 }
 
 TEST(SurfaceMoments, AreAHighlightWhereAnythingIsBrighterThanWhite) {
