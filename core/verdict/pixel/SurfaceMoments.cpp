@@ -40,9 +40,11 @@ double flickerOf(const std::vector<SurfaceMoment>& moments) {
         bendOf(moments, at, &SurfaceMoment::resolved) - bendOf(moments, at, &SurfaceMoment::reference);
     bends.push_back(std::max({0.0, beyond.x, beyond.y, beyond.z}));
   }
-  if (bends.size() < 3) return 0.0;
+  // A single moment that stands out bends its neighbors, too: of few moments they are no quarter of all.
+  constexpr std::size_t kBendsOfOne = 3;
+  if (bends.size() <= kBendsOfOne) return 0.0;
   std::ranges::sort(bends);
-  return bends[std::min((3 * bends.size()) / 4, bends.size() - 2)]; // one of few is once
+  return bends[std::min((3 * bends.size()) / 4, bends.size() - 1 - kBendsOfOne)];
 }
 
 bool isHighlight(const std::vector<SurfaceMoment>& moments) {

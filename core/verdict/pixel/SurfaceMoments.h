@@ -16,8 +16,8 @@ double largestMagnitude(const glm::dvec3& value);
 double recordValue(const twin::PixelRecord& record, IntermediateId id);
 
 /// The upper quartile of how much more each moment stands out from those beside it than truth does there, as
-/// shown, 0 to 1: what comes and goes with the jitter, not what comes once and fades, nor what a moving edge
-/// or texture does.
+/// shown, 0 to 1, or where there are few of them what no single one makes: what comes and goes with the
+/// jitter, not what comes once and fades, nor what a moving edge or texture does.
 double flickerOf(const std::vector<SurfaceMoment>& moments);
 
 /// Whether white is exceeded anywhere, by truth, by single samples or by those around that the filter takes
