@@ -69,6 +69,9 @@ class Judge {
   void addRow(RowId id, const SurfaceMoment& moment, std::optional<double> limit = {});
   void addGhostRow(RowId id, std::optional<double> limit = {});
   const SurfaceMoment* restart() const;
+  bool isThrownAwayAgain() const;
+  bool areSamplesOff() const;
+  bool isOfOnePlace() const;
   double meanBias() const;
   bool isFiltered() const;
   bool hasJustAppeared() const;
@@ -230,10 +233,12 @@ Stage Judge::stageOfGhost() {
   const bool isUnguarded = !tests && settings_.rectify.method == RectifyMethod::None;
   if (isOfMotion && evidence_.ghostMotion && glm::distance(used, *evidence_.ghostMotion) > 0.5) {
     const bool isNeighbors = twin::at(record, RowId::dilatedOffset) != glm::vec4(0.0f);
+    const glm::dvec2 own(glm::vec2(twin::at(record, RowId::motion)));
+    const bool isOwnWrong = !isNeighbors || glm::distance(own, *evidence_.ghostMotion) > 0.5;
     // Beside edges dilation reads amiss by design: to find that out is what tests and rectification are for.
-    if (!isNeighbors || !isUnguarded) {
+    if (isOwnWrong || !isUnguarded) {
       addGhostRow(RowId::dilatedOffset);
-      return isNeighbors ? Stage::DilateMotion : Stage::Inputs;
+      return isOwnWrong ? Stage::Inputs : Stage::DilateMotion;
     }
   }
   addGhostRow(RowId::depthMismatch, recordValue(record, RowId::depthAllowed));
@@ -245,7 +250,7 @@ Stage Judge::stageOfGhost() {
 
 // Rectification that left history as it was in all but a few frames made none of it.
 Stage Judge::stageOfFlicker() const {
-  if (restart()) return Stage::ValidateHistory;
+  if (isThrownAwayAgain()) return Stage::ValidateHistory;
   const auto clipped = std::ranges::count_if(evidence_.moments, [](const SurfaceMoment& moment) {
     return recordValue(moment.record, RowId::clipAmount) > kClippedShare;
   });
@@ -258,6 +263,37 @@ const SurfaceMoment* Judge::restart() const {
   const auto at = std::ranges::find_if(evidence_.moments,
                                        [](const SurfaceMoment& moment) { return isRestart(moment.record); });
   return at == evidence_.moments.end() ? nullptr : &*at;
+}
+
+/// Whether tests rejected history more than once. Where it starts there is none to throw away.
+bool Judge::isThrownAwayAgain() const {
+  return std::ranges::count_if(evidence_.moments, [](const SurfaceMoment& moment) {
+           return recordValue(moment.record, RowId::rejectReason) > 1.0; // RejectReason::NoHistory
+         }) > 1;
+}
+
+/// Whether it is not the filter of the current frame that is off one way: the samples before it are as well,
+/// by more than half as much.
+bool Judge::areSamplesOff() const {
+  glm::dvec3 way(0.0), sampled(0.0), filtered(0.0);
+  for (const ErrorOfFrame& entry : origin_.frames) way += of(entry.split, ErrorPart::Aliasing);
+  for (const SurfaceMoment& moment : evidence_.moments) {
+    sampled += glm::dvec3(glm::vec3(twin::at(moment.record, RowId::color))) - moment.reference;
+    filtered += glm::dvec3(glm::vec3(twin::at(moment.record, RowId::currentFiltered))) - moment.reference;
+  }
+  return glm::dot(filtered, way) > 0.0 && glm::dot(sampled, way) > 0.5 * glm::dot(filtered, way);
+}
+
+/// Whether all samples have one color, as where the jitter moves nothing.
+bool Judge::isOfOnePlace() const {
+  constexpr double kOneColor = 1.0 / 255.0;
+  const auto shown = [](const SurfaceMoment& moment) {
+    return shownValue(glm::dvec3(glm::vec3(twin::at(moment.record, RowId::color))));
+  };
+  const glm::dvec3 first = shown(now_);
+  return std::ranges::all_of(evidence_.moments, [&](const SurfaceMoment& moment) {
+    return largestMagnitude(shown(moment) - first) < kOneColor;
+  });
 }
 
 /// How much of the samples' errors points one way: 1 where all do, as behind a filter that blurs.
@@ -310,6 +346,11 @@ void Judge::concludeSamples() {
   }
   found_.kind = isFiltered() ? VerdictKind::Blur : VerdictKind::Aliasing;
   found_.stage = isFiltered() ? Stage::FilterCurrent : Stage::BlendWeight;
+  if (isFiltered() && areSamplesOff()) {
+    if (isOfOnePlace()) found_.kind = VerdictKind::Aliasing;
+    found_.stage = isOfOnePlace() ? Stage::Jitter : Stage::Inputs;
+    addRow(RowId::color, now_);
+  }
   addRow(RowId::currentFiltered, now_);
   addRow(RowId::alpha, now_);
   addRow(RowId::historyLength, now_);

@@ -69,13 +69,29 @@ std::string ghostReason(const PixelVerdict& verdict, const Settings& settings) {
   return say<"the tests of geometry let it pass, and %1">(pulledText(verdict, settings));
 }
 
-std::string restartReason(const PixelVerdict& verdict) {
+std::string averagedText(const PixelVerdict& verdict) {
   const std::string samples = story::numberText(decidingValue(verdict, IntermediateId::historyLength), 3);
+  return samples == "1" ? say<"1 sample is shown">() : say<"%1 samples are averaged">(samples);
+}
+
+/// In which way reading history is wrong depends on its filter.
+std::string readingReason(HistoryFilter filter) {
+  switch (filter) {
+  case HistoryFilter::Point:
+    return say<"history is read at the nearest pixel, beside where the surface was">();
+  case HistoryFilter::Bilinear:
+    return say<"reading history between its pixels takes detail">();
+  default:
+    return say<"reading history between its pixels changes detail">();
+  }
+}
+
+std::string restartReason(const PixelVerdict& verdict) {
   const int reason = static_cast<int>(decidingValue(verdict, IntermediateId::rejectReason));
   if (verdict.throwsGoodAway)
-    return say<"history was thrown away (%1), although the surface was there; %2 samples are averaged">(
-        sayLabel(rejectReasonText(reason)), samples);
-  return say<"the surface was not to be seen before, and %1 samples are averaged">(samples);
+    return say<"history was thrown away (%1), although the surface was there; %2">(
+        sayLabel(rejectReasonText(reason)), averagedText(verdict));
+  return say<"the surface was not to be seen before, and %1">(averagedText(verdict));
 }
 
 std::string reasonOf(const PixelVerdict& verdict, const Settings& settings) {
@@ -96,11 +112,13 @@ std::string reasonOf(const PixelVerdict& verdict, const Settings& settings) {
         story::percentText(decidingValue(verdict, IntermediateId::alpha)));
   case VerdictKind::Aliasing:
     if (verdict.stage == Stage::ValidateHistory) return restartReason(verdict);
+    if (verdict.stage == Stage::Jitter) return say<"all samples are of one place in the pixel">();
     return say<"the current frame counts %1">(
         story::percentText(decidingValue(verdict, IntermediateId::alpha)));
   case VerdictKind::Blur:
-    if (verdict.stage == Stage::SampleHistory)
-      return say<"reading history between its pixels takes detail">();
+    if (verdict.stage == Stage::SampleHistory) return readingReason(settings.history.filter);
+    if (verdict.stage == Stage::Inputs)
+      return say<"the samples of all frames are off the same way, so that no number of them mends it">();
     if (verdict.stage == Stage::FilterCurrent)
       return say<"the filter of the current frame takes detail, frame by frame">();
     return say<"rectification takes good history back to the colors around">();

@@ -92,6 +92,9 @@ TEST(PixelVerdict, BlamesMotionThatIsNotTheSurfaces) {
   unguarded.validate.depth = taa::Switch::Off;
   unguarded.rectify.method = taa::RectifyMethod::None;
   EXPECT_EQ(judge(evidence, unguarded).stage, Stage::ValidateHistory) << "dilation reads amiss beside edges";
+  taa::twin::at(evidence.ghostRecord, IntermediateId::motion) = {5.9f, 0.0f, 0.0f, 0.0f};
+  for (const Settings& settings : {Settings{}, unguarded})
+    EXPECT_EQ(judge(evidence, settings).stage, Stage::Inputs) << "its own is wrong, too";
   taa::twin::at(evidence.ghostRecord, IntermediateId::dilatedOffset) = glm::vec4(0.0f);
   EXPECT_EQ(judge(evidence, unguarded).stage, Stage::Inputs) << "no guard mends a wrong motion";
 }
@@ -144,7 +147,14 @@ TEST(PixelVerdict, BlamesRectificationForFlickerWhereItClips) {
     taa::twin::at(clipped.moments[age].record, IntermediateId::clipAmount).x = 0.9f;
   EXPECT_EQ(judge(clipped, Settings{}).stage, Stage::RectifyHistory);
   VerdictEvidence thrown = trembling();
-  taa::twin::at(thrown.moments[3].record, IntermediateId::alpha).x = 1.0f;
+  const auto rejectAt = [&](std::size_t age, float reason) {
+    taa::twin::at(thrown.moments[age].record, IntermediateId::alpha).x = 1.0f;
+    taa::twin::at(thrown.moments[age].record, IntermediateId::rejectReason).x = reason;
+  };
+  rejectAt(15, 1.0f); // there was none
+  rejectAt(3, 4.0f);
+  EXPECT_EQ(judge(thrown, Settings{}).stage, Stage::BlendWeight) << "once is not again and again";
+  rejectAt(9, 4.0f);
   EXPECT_EQ(judge(thrown, Settings{}).stage, Stage::ValidateHistory);
 }
 
@@ -237,6 +247,19 @@ TEST(PixelVerdict, NamesWhatTakesDetail) {
   EXPECT_EQ(judge(filtered, Settings{}).kind, VerdictKind::Blur);
   EXPECT_EQ(judge(filtered, Settings{}).stage, Stage::FilterCurrent);
 
+  // The filter adds nothing to what its samples have.
+  for (taa::SurfaceMoment& moment : filtered.moments)
+    for (const IntermediateId row : {IntermediateId::color, IntermediateId::currentFiltered})
+      taa::twin::at(moment.record, row) = {0.7f, 0.7f, 0.7f, 0.0f};
+  const taa::PixelVerdict still = judge(filtered, Settings{});
+  EXPECT_EQ(still.kind, VerdictKind::Aliasing);
+  EXPECT_EQ(still.stage, Stage::Jitter);
+  EXPECT_TRUE(
+      verdictSentence(still, 40, "", Settings{}).ends_with(": all samples are of one place in the pixel."));
+  taa::twin::at(filtered.moments[5].record, IntermediateId::color).x = 0.65f;
+  EXPECT_EQ(judge(filtered, Settings{}).kind, VerdictKind::Blur);
+  EXPECT_EQ(judge(filtered, Settings{}).stage, Stage::Inputs) << "textures that are too soft, say";
+
   VerdictEvidence pulled = healthy();
   addError(pulled, ErrorPart::Rectification, 1, glm::dvec3(0.2));
   EXPECT_EQ(judge(pulled, Settings{}).stage, Stage::RectifyHistory);
@@ -271,6 +294,21 @@ TEST(PixelVerdict, CallsWhatWasBlendedOverASurfaceAGhost) {
   EXPECT_EQ(verdict.causeFrame, 37);
   const std::string sentence = verdictSentence(verdict, 40, "", Settings{});
   EXPECT_TRUE(sentence.starts_with("Ghost, 3 frames ago: it was blended over the surface")) << sentence;
+}
+
+TEST(PixelVerdict, SaysWhatAFilterOfHistoryDoes) {
+  taa::PixelVerdict verdict;
+  verdict.kind = VerdictKind::Blur;
+  verdict.stage = Stage::SampleHistory;
+  const auto said = [&](taa::HistoryFilter filter) {
+    Settings settings;
+    settings.history.filter = filter;
+    return verdictSentence(verdict, 3, "", settings);
+  };
+  EXPECT_EQ(said(taa::HistoryFilter::Bilinear), "Blur: reading history between its pixels takes detail.");
+  EXPECT_EQ(said(taa::HistoryFilter::Point),
+            "Blur: history is read at the nearest pixel, beside where the surface was.");
+  EXPECT_EQ(said(taa::HistoryFilter::Cubic), "Blur: reading history between its pixels changes detail.");
 }
 
 TEST(PixelVerdict, HasASentenceWithoutPlacesLeftForEveryKindAndStage) {
