@@ -67,7 +67,7 @@ QString pixelText(const ProbeResult& result) {
 constexpr IntermediateId kNeighbors[] = {IntermediateId::color, IntermediateId::historyRectified,
                                          IntermediateId::resolved};
 constexpr int kNarrowProbe = 300; ///< px, of texts of 100 %; with larger ones half as much more
-constexpr int kEnoughRows = 6;    ///< of values, before what is said of them is cut
+constexpr int kEnoughRows = 5;    ///< of values, before what is said of them is cut
 
 } // namespace
 
@@ -138,11 +138,12 @@ FittingArea* ProbePanel::makeConclusions() {
   summary_ = new QLabel;
   summary_->setWordWrap(true);
   summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  summary_->setContentsMargins(2 * kUnit, 0, 2 * kUnit, 2 * kUnit);
+  summary_->setContentsMargins(2 * kUnit, 0, 2 * kUnit, kUnit);
   verdictDetails_ = new VerdictDetails;
   for (QWidget* part : {static_cast<QWidget*>(verdict_), static_cast<QWidget*>(summary_),
                         static_cast<QWidget*>(verdictDetails_), makeNeighbors()})
     column->addWidget(part);
+  column->addStretch(1); // takes what is kept while it plays
   auto* area = new FittingArea(3 * rowHeight());
   area->setWidget(content);
   content->setAutoFillBackground(false);
@@ -160,13 +161,11 @@ QWidget* ProbePanel::makeValues() {
   description_->setWordWrap(true);
   description_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   description_->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
-  // Seven lines high whatever it says, so that the values stay where they are; in a low window one.
-  const int line = QFontMetrics(secondaryFont()).lineSpacing();
-  auto* description = new FittingArea(line + 2 * kUnit, 7 * line + 2 * kUnit);
-  description->setWidget(description_);
+  descriptionArea_ = new FittingArea(QFontMetrics(secondaryFont()).lineSpacing() + 2 * kUnit);
+  descriptionArea_->setWidget(description_);
   description_->setAutoFillBackground(false);
   auto* column =
-      new YieldingColumn(makeConclusions(), table_, new Line, description, kEnoughRows * rowHeight());
+      new YieldingColumn(makeConclusions(), table_, new Line, descriptionArea_, kEnoughRows * rowHeight());
   column->setContentsMargins(0, 2 * kUnit, 0, 0);
   values->setLayout(column);
   return values;
@@ -300,7 +299,8 @@ void ProbePanel::setResult(const ProbeResult& result) {
   whatIf_->setResult(result);
   describeCurrentRow();
   if (isPlaying_)
-    conclusions_->setMinimumHeight(std::max(conclusions_->minimumHeight(), conclusionsHeight()));
+    conclusions_->setMinimumHeight(
+        std::max(conclusions_->minimumHeight(), heightAt(*conclusions_, conclusions_->width())));
 }
 
 void ProbePanel::showSummary(const ProbeResult& result) {
@@ -328,13 +328,6 @@ void ProbePanel::setGlimpse(const Glimpse& known) {
   colorSpace_->setResult({});
   whatIf_->setResult({});
   describeCurrentRow();
-}
-
-// At the width that it has.
-int ProbePanel::conclusionsHeight() const {
-  const int wide = conclusions_->width();
-  return conclusions_->hasHeightForWidth() ? conclusions_->heightForWidth(wide)
-                                           : conclusions_->sizeHint().height();
 }
 
 void ProbePanel::showColors() {
@@ -371,6 +364,8 @@ void ProbePanel::describeCurrentRow() {
   description_->setText(id ? (other.isEmpty() ? other : other.toHtmlEscaped() + QStringLiteral("<br>")) +
                                  storyHtml(*id, model_->storyOf(*id))
                            : tr("Select a row to read about it."));
+  // Seven lines high whatever it says of a row, so that the values stay where they are; in a low window one.
+  descriptionArea_->setAlways(id ? 7 * QFontMetrics(secondaryFont()).lineSpacing() + 2 * kUnit : 0);
 }
 
 QString ProbePanel::story() const {

@@ -96,7 +96,6 @@ class ProbePanel : public QWidget {
 
  private:
   QString placeText(const ProbeResult& result) const;
-  int conclusionsHeight() const; ///< what is said above the values, px
   QWidget* makeTop();
   QWidget* makeInvitation();
   void makePages();
@@ -118,6 +117,7 @@ class ProbePanel : public QWidget {
   VerdictDetails* verdictDetails_ = nullptr;
   ElidedLabel* place_ = nullptr;
   QLabel *summary_ = nullptr, *description_ = nullptr;
+  FittingArea* descriptionArea_ = nullptr; ///< what is said of a row
   QWidget *content_ = nullptr, *invitation_ = nullptr, *conclusions_ = nullptr, *head_ = nullptr;
   bool isPlaying_ = false, areFaultsNamed_ = true;
   QTabBar* tabs_ = nullptr;

@@ -3,15 +3,50 @@
 
 #include "app/style/Theme.h"
 
+#include <QAbstractButton>
 #include <QEvent>
-#include <QLayout>
+#include <QLabel>
 #include <QResizeEvent>
 #include <QScrollArea>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 namespace taa::app {
+
+/// px, of a widget or an item of a layout that is `wide` px wide.
+template <class Part>
+int heightAt(const Part& part, int wide) {
+  return part.hasHeightForWidth() ? part.heightForWidth(wide) : part.sizeHint().height();
+}
+
+/// Bottoms of the parts of a column that begins at `top`, in order, px: a column in it has those of its own
+/// parts, too, and a text those of its lines. A button is one part, whatever stands on it.
+inline void addBottoms(const QLayout& column, int wide, int top, std::vector<int>& bottoms) {
+  const QMargins margins = column.contentsMargins();
+  wide -= margins.left() + margins.right();
+  top += margins.top();
+  for (int place = 0; place < column.count(); ++place) {
+    QLayoutItem* item = column.itemAt(place);
+    if (item->isEmpty()) continue;
+    QWidget* part = item->widget();
+    if (part && !qobject_cast<QAbstractButton*>(part))
+      if (const auto* inside = qobject_cast<QVBoxLayout*>(part->layout()))
+        addBottoms(*inside, wide, top, bottoms);
+    const int bottom = top + heightAt(*item, wide);
+    if (const auto* text = qobject_cast<QLabel*>(part)) {
+      const int line = text->fontMetrics().lineSpacing(), end = bottom - text->contentsMargins().bottom();
+      for (int next = top + text->contentsMargins().top() + line; next < end; next += line)
+        bottoms.push_back(next);
+    }
+    bottoms.push_back(bottom);
+    top = bottom;
+    top += column.spacing();
+  }
+}
 
 class FittingArea : public QScrollArea {
  public:
@@ -31,25 +66,21 @@ class FittingArea : public QScrollArea {
   QSize sizeHint() const override {
     const int wide = viewport()->width();
     if (alwaysPx_ > 0.0) return {wide, rounded(alwaysPx_)};
-    const QWidget* shown = widget();
-    const int high = shown->hasHeightForWidth() ? shown->heightForWidth(wide) : shown->sizeHint().height();
-    return {wide, std::max(high, shown->minimumHeight())};
+    return {wide, std::max(heightAt(*widget(), wide), widget()->minimumHeight())};
   }
   QSize minimumSizeHint() const override { return {120, std::min(sizeHint().height(), rounded(minPx_))}; }
   /// px, at most `most`: so high it cuts none of the parts of the column that it shows. `most` where that
   /// would leave none.
   int wholeHeight(int most) const {
-    const QLayout* column = widget()->layout();
-    int whole = 0, bottom = 0;
-    for (int part = 0; part < column->count() && bottom <= most; ++part) {
-      const QLayoutItem* item = column->itemAt(part);
-      if (item->isEmpty()) continue;
-      whole = bottom;
-      bottom +=
-          item->hasHeightForWidth() ? item->heightForWidth(viewport()->width()) : item->sizeHint().height();
-    }
-    if (bottom <= most) whole = bottom;
-    return whole > 0 ? whole : most;
+    std::vector<int> bottoms;
+    addBottoms(*widget()->layout(), viewport()->width(), 0, bottoms);
+    const auto cut = std::ranges::upper_bound(bottoms, most);
+    return cut == bottoms.begin() ? most : *std::prev(cut);
+  }
+  /// Another height where there is room, as the constructor takes it.
+  void setAlways(int alwaysPx) {
+    alwaysPx_ = alwaysPx / textScale();
+    updateGeometry();
   }
 
  protected:

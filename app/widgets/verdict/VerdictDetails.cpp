@@ -3,6 +3,7 @@
 #include "app/models/verdict/VerdictWords.h"
 #include "app/style/Theme.h"
 #include "app/widgets/SectionHeader.h"
+#include "app/widgets/areas/FittingArea.h"
 #include "app/widgets/verdict/ErrorBars.h"
 #include "app/widgets/verdict/EvidenceRow.h"
 #include "app/widgets/verdict/RemedyButton.h"
@@ -16,23 +17,21 @@
 
 namespace taa::app {
 
-VerdictDetails::VerdictDetails(QWidget* parent) : FittingArea(2 * rowHeight(), 0, parent) {
-  auto* content = new QWidget;
-  auto* column = new QVBoxLayout(content);
+VerdictDetails::VerdictDetails(QWidget* parent) : QWidget(parent) {
+  auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 2 * kUnit);
   column->setSpacing(0);
   remediesPart_ = makeRemedies();
+  evidencePart_ = makeEvidence();
   column->addWidget(remediesPart_);
-  column->addWidget(makeEvidence());
-  setWidget(content);
-  content->setAutoFillBackground(false);
+  column->addWidget(evidencePart_);
   setVerdict(nullptr);
 }
 
 QWidget* VerdictDetails::makeRemedies() {
   auto* part = new QWidget;
   auto* column = new QVBoxLayout(part);
-  column->setContentsMargins(2 * kUnit, 0, 2 * kUnit, 2 * kUnit);
+  column->setContentsMargins(2 * kUnit, 0, 2 * kUnit, kUnit);
   column->setSpacing(kUnit);
   note_ = new QLabel;
   note_->setFont(secondaryFont());
@@ -93,17 +92,18 @@ QString VerdictDetails::note() const {
 void VerdictDetails::setVerdict(const VerdictDelivery* verdict) {
   setVisible(verdict && verdict->answer);
   if (!verdict || !verdict->answer) return;
-  widget()->show();
+  setMinimumHeight(0);
   showRemedies(*verdict);
   showEvidence(*verdict->answer);
-  updateGeometry();
+  evidencePart_->show();
 }
 
 void VerdictDetails::wait() {
-  if (isHidden() || widget()->isHidden()) return;
-  kept_ = sizeHint().height();
-  keptRemedies_ = remediesPart_->height();
-  widget()->hide();
+  if (isHidden() || evidencePart_->isHidden()) return;
+  setMinimumHeight(heightAt(*this, width()));
+  keptRemedies_ = remediesPart_->isHidden() ? 0 : heightAt(*remediesPart_, width());
+  remediesPart_->hide();
+  evidencePart_->hide();
 }
 
 void VerdictDetails::showRemedies(const VerdictDelivery& verdict) {
@@ -126,6 +126,7 @@ void VerdictDetails::showRemedies(const VerdictDelivery& verdict) {
     note = tr("None of %n changes that were tried mends it.", nullptr, verdict.remedies->tried);
   note_->setText(note);
   note_->setVisible(!note.isEmpty());
+  remediesPart_->setVisible(isPending || count > 0 || !note.isEmpty());
 }
 
 void VerdictDetails::showEvidence(const VerdictAnswer& answer) {
@@ -135,10 +136,6 @@ void VerdictDetails::showEvidence(const VerdictAnswer& answer) {
     if (row < decided.size()) rows_[row]->setRow(decided[row]);
   }
   bars_->setError(answer.error);
-}
-
-QSize VerdictDetails::sizeHint() const {
-  return widget()->isHidden() ? QSize(viewport()->width(), kept_) : FittingArea::sizeHint();
 }
 
 } // namespace taa::app

@@ -2,8 +2,9 @@
 // the error.
 #pragma once
 
-#include "app/widgets/areas/FittingArea.h"
 #include "core/requests/Results.h"
+
+#include <QWidget>
 
 #include <array>
 #include <cstddef>
@@ -20,7 +21,7 @@ class SectionHeader;
 inline constexpr std::size_t kMaxRemedies = 3;
 inline constexpr std::size_t kMaxEvidence = 5;
 
-class VerdictDetails : public FittingArea {
+class VerdictDetails : public QWidget {
   Q_OBJECT
  public:
   explicit VerdictDetails(QWidget* parent = nullptr);
@@ -38,7 +39,6 @@ class VerdictDetails : public FittingArea {
   ErrorBars* bars() const { return bars_; }
   SectionHeader* header() const { return header_; }
   QString note() const; ///< why there are no remedies; empty: there are, or none is needed
-  QSize sizeHint() const override;
 
  Q_SIGNALS:
   void remedyChosen(int remedy);
@@ -50,9 +50,8 @@ class VerdictDetails : public FittingArea {
   void showRemedies(const VerdictDelivery& verdict);
   void showEvidence(const VerdictAnswer& answer);
 
-  int kept_ = 0;         ///< px, its height while it waits
-  int keptRemedies_ = 0; ///< px, that of the buttons before
-  QWidget* remediesPart_ = nullptr;
+  int keptRemedies_ = 0; ///< px, the height of the buttons before it waited
+  QWidget *remediesPart_ = nullptr, *evidencePart_ = nullptr;
   QLabel* note_ = nullptr;
   std::array<RemedyButton*, kMaxRemedies> remedies_{};
   SectionHeader* header_ = nullptr;

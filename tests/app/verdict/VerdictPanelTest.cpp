@@ -3,6 +3,7 @@
 #include "app/panels/ProbePanel.h"
 #include "app/style/Numbers.h"
 #include "app/style/Text.h"
+#include "app/style/Theme.h"
 #include "app/views/ViewArea.h"
 #include "app/widgets/SectionHeader.h"
 #include "app/widgets/Swatches.h"
@@ -13,6 +14,7 @@
 #include "app/widgets/verdict/VerdictDetails.h"
 #include "app/widgets/verdict/VerdictLine.h"
 #include "tests/app/WindowFixture.h"
+#include "tests/app/verdict/FakeVerdict.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -99,13 +101,61 @@ TEST_F(VerdictPanel, ColorsBelowItAreWholeOrOutOfSight) {
   }
 }
 
+// They scroll with the sentence above them, in one area: its end cuts none of them.
+TEST_F(VerdictPanel, RemediesBelowItAreWholeOrOutOfSight) {
+  renderer->verdict.remedies->best.assign(kMaxRemedies,
+                                          taa::app::test::fakeRemedy({"rectify.method=clamp"}, 10.0));
+  probe();
+  window.resize(1280, 800);
+  settle();
+  ASSERT_EQ(shownRemedies(), 3);
+  EXPECT_EQ(details()->header()->visibleRegion().boundingRect().height(), details()->header()->height())
+      << "what decided can be unfolded";
+  for (int height = 1000; height >= 600; height -= 20) {
+    window.resize(1280, height);
+    settle();
+    for (const QWidget* each : details()->remedies()) {
+      const int seen = each->visibleRegion().boundingRect().height();
+      EXPECT_TRUE(seen == each->height() || (seen == 0 && height < 780)) << seen << " px at " << height;
+    }
+  }
+}
+
+// What is said of the pixel is cut between its lines, not before all of them.
+TEST_F(VerdictPanel, SaysWhatFitsOfAPixelBelowAnOpenPage) {
+  probe();
+  window.resize(1280, 800);
+  key(Qt::Key_F6);
+  const auto labels = window.probe()->findChildren<QLabel*>();
+  const auto summary = std::ranges::find_if(
+      labels, [&](const QLabel* each) { return each->text() == window.probe()->summary(); });
+  ASSERT_NE(summary, labels.end());
+  const int line = (*summary)->fontMetrics().lineSpacing();
+  const int seen = (*summary)->visibleRegion().boundingRect().height();
+  EXPECT_TRUE(seen == (*summary)->height() || (seen >= line && seen % line == 0))
+      << seen << " px, of " << line;
+}
+
+TEST_F(VerdictPanel, LeavesNoRoomToARowThatIsNotSelected) {
+  probe();
+  window.resize(1280, 1300);
+  settle();
+  QTreeView* table = window.probe()->table();
+  const int high = table->height();
+  const QModelIndex row = table->model()->index(0, 0, table->model()->index(0, 0));
+  table->scrollTo(row);
+  QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(row).center());
+  settle();
+  EXPECT_LT(table->height(), high - 3 * rowHeight()) << "what is said of the row has its lines";
+}
+
 TEST_F(VerdictPanel, SaysThatAReasonIsLookedForUntilThereIsOne) {
   const VerdictDelivery found = std::exchange(renderer->verdict, {});
   probe();
   EXPECT_TRUE(line()->isVisible());
   EXPECT_EQ(line()->sentence(), "");
   EXPECT_EQ(line()->work(), "Looking for the reason…");
-  EXPECT_FALSE(details()->widget()->isVisible());
+  EXPECT_FALSE(details()->header()->isVisible());
   renderer->verdict = found;
   renderer->verdict.remedies.reset();
   renderer->deliver();
