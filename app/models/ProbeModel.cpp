@@ -121,6 +121,12 @@ QString ProbeModel::objectName(int object) const {
   return node < 0 ? QString() : qtext(outline_->nodes[static_cast<std::size_t>(node)].key);
 }
 
+// The 0 of a depth that is none.
+bool ProbeModel::isSky(const Intermediate& row) const {
+  return record_ && row.visual == Visual::Depth && twin::isKnown(*record_, row.id) &&
+         twin::at(*record_, row.id).x == 0.0f;
+}
+
 // Of a row that is the number of an object; empty for others.
 QString ProbeModel::objectMeaning(const Intermediate& row) const {
   if (row.id != IntermediateId::objectId && row.id != IntermediateId::historyObjectId) return {};
@@ -225,7 +231,7 @@ QVariant ProbeModel::foldData(const Branch& branch, int column, int role) const 
 
 QString ProbeModel::cell(const Intermediate& row, int column) const {
   if (column == Name) return tableText(row.label);
-  if (column == Unit) return tableText(row.unit);
+  if (column == Unit) return isSky(row) ? tr("sky") : tableText(row.unit);
   if (const auto known = glimpse_.values.find(row.id); known != glimpse_.values.end() && column == Value)
     return cellText(row, known->second, glimpse_.space);
   if (!record_) return {};

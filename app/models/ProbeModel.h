@@ -86,6 +86,7 @@ class ProbeModel : public QAbstractItemModel {
   void setOff(const Settings& settings);
   QVariant foldData(const Branch& branch, int column, int role) const;
   QString objectMeaning(const Intermediate& row) const;
+  bool isSky(const Intermediate& row) const;
   QVariant stageData(const Branch& branch, int column, int role) const;
   QString cell(const Intermediate& row, int column) const;
   QString toolTip(const Intermediate& row) const;

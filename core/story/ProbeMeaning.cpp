@@ -45,7 +45,6 @@ std::string depthMeaning(Id id, const Values& v) {
   case Id::depthMismatch:
     if (!isOther) return say<"same surface">();
     if (v.of(Id::geometricFlicker) > 0) return say<"a thin feature at rest">();
-    if (v.of(Id::geometricFlicker) > 0) return say<"a thin feature at rest">();
     return isTested ? say<"another surface">() : say<"another surface, not tested">();
   case Id::depthAllowed:
     return isTested ? "" : say<"not tested">();

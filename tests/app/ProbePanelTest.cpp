@@ -138,6 +138,17 @@ TEST(ProbeModel, SaysWhereThereIsNoHistoryYet) {
   EXPECT_NE(cell(&model, IntermediateId::resolved, ProbeModel::Value), "—");
 }
 
+// A narrow panel has no room for meanings.
+TEST(ProbeModel, ADepthOfTheSkyIsNoLength) {
+  ProbeModel model;
+  twin::PixelRecord record{};
+  model.setRecord(record);
+  EXPECT_EQ(cell(&model, IntermediateId::depthView, ProbeModel::Unit), "sky");
+  twin::at(record, IntermediateId::depthView).x = 2.0f;
+  model.setRecord(record);
+  EXPECT_EQ(cell(&model, IntermediateId::depthView, ProbeModel::Unit), "m");
+}
+
 TEST_F(ProbeTableTest, SaysWhatTheCoreSaysOfItsValues) {
   session.probes().setPixel(glm::ivec2(12, 7));
   settle();
