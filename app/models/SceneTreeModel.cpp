@@ -42,6 +42,7 @@ void SceneTreeModel::setOutline(std::shared_ptr<const SceneOutline> outline) {
   classes_.clear();
   given_.assign(count, std::nullopt);
   drawn_.assign(count, true);
+  isolated_.assign(count, true);
   endResetModel();
 }
 
@@ -53,6 +54,7 @@ void SceneTreeModel::setState(const ObjectFilter& filter, const std::vector<Moti
   classes_ = classes;
   given_ = givenClasses(*outline_, classes);
   drawn_ = drawnNodes(*outline_, filter);
+  isolated_ = drawnNodes(*outline_, {.hidden = {}, .isolated = filter.isolated});
   const auto tell = [this](const auto& self, const QModelIndex& parent) -> void {
     const int rows = rowCount(parent);
     if (rows == 0) return;
@@ -143,7 +145,7 @@ QVariant SceneTreeModel::data(const QModelIndex& index, int role) const {
   }
   if (role == Qt::ToolTipRole || role == Qt::AccessibleDescriptionRole) return explanation(node);
   if (role == Qt::CheckStateRole && index.column() == Name)
-    return holds(filter_.hidden, item.key) ? Qt::Unchecked : Qt::Checked;
+    return holds(filter_.hidden, item.key) || isLeftOut(node) ? Qt::Unchecked : Qt::Checked;
   if (role == Qt::ForegroundRole && !isDrawn(node)) return themeColors(qApp->palette()).secondary;
   if (role == Qt::FontRole) {
     QFont font = qApp->font();
@@ -172,7 +174,14 @@ Qt::ItemFlags SceneTreeModel::flags(const QModelIndex& index) const {
 bool SceneTreeModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   const int node = nodeOf(index);
   if (node < 0 || role != Qt::CheckStateRole) return false;
-  Q_EMIT hiddenAsked(outline_->nodes[static_cast<std::size_t>(node)].key, value.toInt() == Qt::Unchecked);
+  const std::string& key = outline_->nodes[static_cast<std::size_t>(node)].key;
+  if (isLeftOut(node)) {
+    std::vector<std::string> isolated = filter_.isolated;
+    isolated.push_back(key);
+    Q_EMIT isolationAsked(isolated);
+    if (!holds(filter_.hidden, key)) return true;
+  }
+  Q_EMIT hiddenAsked(key, value.toInt() == Qt::Unchecked);
   return true;
 }
 

@@ -45,15 +45,18 @@ class SceneTreeModel : public QAbstractItemModel {
  Q_SIGNALS:
   /// A check mark was changed: the session decides.
   void hiddenAsked(const std::string& object, bool hidden);
+  /// The check mark of one that is left out, since others are isolated, was set.
+  void isolationAsked(const std::vector<std::string>& objects);
 
  private:
   QString label(int node) const;
   QString explanation(int node) const;
+  bool isLeftOut(int node) const { return !isolated_.at(static_cast<std::size_t>(node)); }
 
   std::shared_ptr<const SceneOutline> outline_;
   std::vector<std::vector<int>> children_; ///< of each node; the roots last
   std::vector<int> places_;                ///< of each node among its siblings
-  std::vector<bool> drawn_;
+  std::vector<bool> drawn_, isolated_;     ///< isolated: all where none is
   ObjectFilter filter_;
   std::vector<MotionOverride> modes_;
   std::vector<ClassOverride> classes_;

@@ -114,6 +114,7 @@ QWidget* ScenePanel::makeBottom() {
 
 void ScenePanel::connectTree() {
   connect(model_, &SceneTreeModel::hiddenAsked, this, &ScenePanel::hiddenAsked);
+  connect(model_, &SceneTreeModel::isolationAsked, this, &ScenePanel::isolationAsked);
   connect(filter_, &SearchField::textChanged, this, [this](const QString& text) {
     shown_->setFilterFixedString(text.trimmed());
     if (!text.isEmpty()) tree_->expandAll();

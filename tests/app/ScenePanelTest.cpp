@@ -89,6 +89,22 @@ TEST_F(SceneTreeTest, IsolatesTheSelectedObjectAndShowsAllAgain) {
   EXPECT_EQ(renderer->status.filter, ObjectFilter{});
 }
 
+TEST_F(SceneTreeTest, WhatIsLeftOutHasNoCheckMarkAndIsIsolatedTooByIt) {
+  click(row("rotor & hub"));
+  key(Qt::Key_I, Qt::ControlModifier);
+  EXPECT_EQ(row("rotor & hub").data(Qt::CheckStateRole).toInt(), Qt::Checked);
+  EXPECT_EQ(row("floor").data(Qt::CheckStateRole).toInt(), Qt::Unchecked) << "it is not drawn";
+  QStyleOptionViewItem option;
+  option.rect = tree()->visualRect(row("floor"));
+  option.features = QStyleOptionViewItem::HasCheckIndicator;
+  const QRect mark = tree()->style()->subElementRect(QStyle::SE_ItemViewItemCheckIndicator, &option, tree());
+  QTest::mouseClick(tree()->viewport(), Qt::LeftButton, {}, mark.center());
+  settle();
+  EXPECT_EQ(renderer->status.filter.isolated, (std::vector<std::string>{"rotor & hub", "floor"}));
+  EXPECT_TRUE(renderer->status.filter.hidden.empty());
+  EXPECT_EQ(row("floor").data(Qt::CheckStateRole).toInt(), Qt::Checked);
+}
+
 TEST_F(SceneTreeTest, GivesAnObjectAnotherMotion) {
   click(row("rotor & hub", SceneTreeModel::Motion));
   auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
