@@ -1,13 +1,13 @@
 #include "app/style/Theme.h"
 
+#include "app/style/FlatStyle.h"
+
 #include <QApplication>
 #include <QDBusConnection>
 #include <QDBusMessage>
 #include <QDBusVariant>
 #include <QFontDatabase>
 #include <QPalette>
-#include <QStyle>
-#include <QStyleFactory>
 #include <QWidget>
 
 #include <cmath>
@@ -31,9 +31,10 @@ QMenu::item:disabled { color: @secondary; background: transparent; }
 QMenu::separator { height: 1px; background: @line; margin: 4px 0; }
 QMenu::indicator { left: 8px; width: 12px; height: 12px; }
 QMenu::icon { left: 8px; }
-QLineEdit { background: @field; color: @text; border: 1px solid @line; padding: 0 6px; min-height: 20px;
+QLineEdit { background: @field; border: 1px solid @line; padding: 0 6px; min-height: 20px;
   selection-background-color: @accent; selection-color: @onAccent; }
 QLineEdit:focus { border-color: @accent; }
+QAbstractSpinBox QLineEdit { border: none; background: transparent; min-height: 0; padding: 0 4px; }
 QLineEdit#valueEditor { padding: 0 3px; min-height: 0; border-color: @accent; }
 QPushButton { background: @panel; color: @text; border: 1px solid @line; padding: 4px 12px; min-height: @buttonpx; }
 QPushButton:hover { background: @hover; }
@@ -79,7 +80,8 @@ QHeaderView::section { background: @panel; color: @secondary; border: none; bord
   padding: 2px 4px; font-size: @smallpt; }
 )";
 
-constexpr int kCheckBox = 14; ///< px
+constexpr int kCheckBox = 14;                     ///< px
+constexpr const char* kIsStyled = "hasFlatStyle"; ///< of the application, whose style is set once
 
 QString filled(QString sheet, const ThemeColors& colors) {
   const std::pair<const char*, QColor> names[] = {
@@ -172,8 +174,8 @@ bool isSystemDark() {
 void applyTheme(QApplication& application, ThemeChoice choice) {
   const bool dark = choice == ThemeChoice::System ? isSystemDark() : choice == ThemeChoice::Dark;
   const ThemeColors& colors = dark ? darkColors() : lightColors();
-  if (application.style()->objectName() != QLatin1String("fusion"))
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  if (!application.property(kIsStyled).toBool()) QApplication::setStyle(new FlatStyle);
+  application.setProperty(kIsStyled, true);
   QApplication::setFont(sized(QFontDatabase::systemFont(QFontDatabase::GeneralFont), 10));
   QApplication::setPalette(paletteOf(colors));
   application.setStyleSheet(filled(QLatin1String(kStyleSheet), colors));
