@@ -2,6 +2,7 @@
 
 #include "app/importing/ImportPage.h"
 #include "app/session/keeping/SessionKeeper.h"
+#include "app/style/DialogSize.h"
 #include "core/capture/format/Manifest.h"
 
 #include <QDir>
@@ -44,7 +45,7 @@ void ImportFrames::open(const QString& folder) {
   connect(page, &ImportPage::openRequested, &keeper_, &SessionKeeper::openSource);
   if (!folder.isEmpty()) page->openFolder(folder);
   // Qt would take two thirds of the screen, in which hypotheses have no room.
-  page->resize(page->sizeHint().boundedTo(window_->size()));
+  page->resize(largeOver(window_, page->sizeHint()));
   page->show();
 }
 

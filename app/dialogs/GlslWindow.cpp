@@ -53,7 +53,7 @@ GlslWindow::GlslWindow(Session& session, QWidget* parent)
     : QDialog(parent), session_(session), files_(new QComboBox), text_(new SourceText),
       search_(new QLineEdit), note_(new QLabel) {
   setWindowTitle(tr("GLSL"));
-  resize(sizeOver(parent, {220 * kUnit, 180 * kUnit}));
+  resize(largeOver(parent, {220 * kUnit, 180 * kUnit}));
   files_->setAccessibleName(tr("What is shown"));
   files_->addItem(tr("The program of these settings, as it is compiled"), kProgram);
   files_->addItem(tr("The file that Export GLSL writes"), kExport);

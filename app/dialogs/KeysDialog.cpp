@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <memory>
 
 namespace taa::app {
 
@@ -24,8 +25,22 @@ constexpr int kMaxColumns = 3;
 struct Group {
   QString name;
   std::vector<KeyLine> lines;
-  int height() const { return static_cast<int>(lines.size()) + 2; }
+  int height() const {
+    return static_cast<int>(lines.size()) + 2;
+  } ///< in lines: its name and what is free below
 };
+using Columns = std::vector<std::vector<Group>>;
+
+QFont nameFont() {
+  QFont font;
+  font.setBold(true);
+  return font;
+}
+
+/// All lines are as high, so that those of all columns end at one place.
+int lineHeight() {
+  return std::max(QFontMetrics(nameFont()).height(), QFontMetrics(secondaryFont()).height() + 2);
+}
 
 // A menu's keys stay together though its submenus lie between them.
 std::vector<Group> grouped(const std::vector<KeyLine>& lines) {
@@ -50,22 +65,23 @@ int keysWidth(const std::vector<Group>& groups) {
 QWidget* groupWidget(const Group& group, int keysWidth) {
   auto* widget = new QWidget;
   auto* grid = new QGridLayout(widget);
-  grid->setContentsMargins(0, 0, 0, 3 * kUnit);
+  grid->setContentsMargins(0, 0, 0, lineHeight());
   grid->setHorizontalSpacing(3 * kUnit);
-  grid->setVerticalSpacing(2);
+  grid->setVerticalSpacing(0);
   auto* title = new QLabel(group.name);
-  QFont bold = title->font();
-  bold.setBold(true);
-  title->setFont(bold);
+  title->setFont(nameFont());
+  title->setFixedHeight(lineHeight());
   grid->addWidget(title, 0, 0, 1, 2);
   int row = 1;
   for (const KeyLine& line : group.lines) {
     auto* keys = new QLabel(line.keys);
-    keys->setFont(secondaryFont());
     keys->setMinimumWidth(keysWidth);
     auto* text = new QLabel(line.text);
-    text->setFont(secondaryFont());
     text->setForegroundRole(QPalette::PlaceholderText);
+    for (QLabel* label : {keys, text}) {
+      label->setFont(secondaryFont());
+      label->setFixedHeight(lineHeight());
+    }
     grid->addWidget(keys, row, 0);
     grid->addWidget(text, row++, 1);
   }
@@ -74,10 +90,10 @@ QWidget* groupWidget(const Group& group, int keysWidth) {
 }
 
 /// In order, in columns of which each takes groups until its share of the lines is reached.
-std::vector<std::vector<Group>> inColumns(const std::vector<Group>& groups, int count) {
+Columns inColumns(const std::vector<Group>& groups, int count) {
   int total = 0, used = 0;
   for (const Group& group : groups) total += group.height();
-  std::vector<std::vector<Group>> columns;
+  Columns columns;
   for (const Group& group : groups) {
     const int begun = static_cast<int>(columns.size());
     if (begun == 0 || (begun < count && used >= total * begun / count)) columns.emplace_back();
@@ -87,12 +103,12 @@ std::vector<std::vector<Group>> inColumns(const std::vector<Group>& groups, int 
   return columns;
 }
 
-QWidget* columnsOf(const std::vector<Group>& groups, int count) {
+QWidget* pageOf(const Columns& parts) {
   auto* page = new QWidget;
   auto* columns = new QHBoxLayout(page);
   columns->setContentsMargins(0, 0, 2 * kUnit, 0);
   columns->setSpacing(8 * kUnit);
-  for (const std::vector<Group>& part : inColumns(groups, count)) {
+  for (const std::vector<Group>& part : parts) {
     auto* column = new QVBoxLayout;
     column->setSpacing(0);
     for (const Group& group : part) column->addWidget(groupWidget(group, keysWidth(part)));
@@ -102,14 +118,29 @@ QWidget* columnsOf(const std::vector<Group>& groups, int count) {
   return page;
 }
 
-/// In as many columns as lie beside each other in `room` px.
-QWidget* pageOf(const std::vector<Group>& groups, int room) {
+/// As many columns as lie beside each other in `room` px.
+Columns columnsIn(int room, const std::vector<Group>& groups) {
   for (int count = kMaxColumns; count > 1; --count) {
-    QWidget* page = columnsOf(groups, count);
-    if (page->sizeHint().width() <= room) return page;
-    delete page;
+    const Columns columns = inColumns(groups, count);
+    const std::unique_ptr<QWidget> page(pageOf(columns));
+    if (page->sizeHint().width() <= room) return columns;
   }
-  return columnsOf(groups, 1);
+  return inColumns(groups, 1);
+}
+
+/// px, at most `most`: so high no line is cut, and below no group's name its keys are out of sight.
+int wholeHeight(const Columns& columns, int most) {
+  int lines = most / lineHeight();
+  const auto endsInName = [&](const std::vector<Group>& column) {
+    int top = 0;
+    for (const Group& group : column) {
+      if (top == lines - 1) return true;
+      top += group.height();
+    }
+    return false;
+  };
+  while (lines > 1 && std::ranges::any_of(columns, endsInName)) --lines;
+  return lines * lineHeight();
 }
 
 } // namespace
@@ -130,7 +161,9 @@ KeysDialog::KeysDialog(const std::vector<KeyLine>& lines, QWidget* parent)
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   const int besides = 8 * kUnit + scroll_->verticalScrollBar()->sizeHint().width();
   room_ = sizeOver(parent, {QWIDGETSIZE_MAX, 0}).width() - besides;
-  QWidget* page = pageOf(grouped(lines), room_);
+  const Columns columns = columnsIn(room_, grouped(lines));
+  QWidget* page = pageOf(columns);
+  scroll_->verticalScrollBar()->setSingleStep(lineHeight());
   scroll_->setWidget(page);
   scroll_->setMinimumWidth(page->sizeHint().width() + scroll_->verticalScrollBar()->sizeHint().width());
   layout->addWidget(scroll_, 1);
@@ -139,10 +172,11 @@ KeysDialog::KeysDialog(const std::vector<KeyLine>& lines, QWidget* parent)
   connect(close, &QPushButton::clicked, this, &QDialog::close);
   connect(search, &SearchField::textChanged, this, &KeysDialog::find);
   layout->addWidget(close, 0, Qt::AlignRight);
-  const int whole =
-      page->sizeHint().height() + search->sizeHint().height() + close->sizeHint().height() + 16 * kUnit;
-  const int room = (parent ? parent->height() : whole) - 8 * kUnit;
-  resize(sizeHint().width(), std::min(whole, std::max(room, 60 * kUnit)));
+  const int rest = layout->sizeHint().height() - scroll_->sizeHint().height();
+  const int least = std::max(60 * kUnit - rest, lineHeight());
+  const int room = parent ? parent->height() - 8 * kUnit - rest : page->sizeHint().height();
+  const int high = std::min(page->sizeHint().height(), wholeHeight(columns, std::max(room, least)));
+  resize(sizeHint().width(), high + rest);
   scroll_->setFocus();
 }
 
@@ -155,7 +189,7 @@ void KeysDialog::find(const QString& text) {
                             [&](const QString& word) { return known.contains(word, Qt::CaseInsensitive); }))
       found.push_back(line);
   }
-  scroll_->setWidget(pageOf(grouped(found), room_));
+  scroll_->setWidget(pageOf(columnsIn(room_, grouped(found))));
   noHits_->tell(text.trimmed(), !found.empty());
 }
 

@@ -83,7 +83,7 @@ PresetsDialog::PresetsDialog(Session& session, QString folder, QWidget* parent)
     error_->setVisible(true);
   });
   readPresets();
-  resize(sizeOver(parent, {scaled(190 * kUnit), scaled(170 * kUnit)}));
+  resize(sizeOver(parent, {scaled(190 * kUnit), largeOver(parent, {0, scaled(170 * kUnit)}).height()}));
 }
 
 QWidget* PresetsDialog::makeButtons() {

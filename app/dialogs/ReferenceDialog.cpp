@@ -56,7 +56,7 @@ void styleTables(QTextDocument* document, const QColor& line) {
 ReferenceDialog::ReferenceDialog(QWidget* parent) : QDialog(parent), pages_(manualPages()) {
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Manual"));
-  resize(sizeOver(parent, {scaled(250 * kUnit), scaled(170 * kUnit)}));
+  resize(largeOver(parent, {scaled(250 * kUnit), scaled(170 * kUnit)}));
   std::erase_if(pages_, isOfTables);
   list_ = new QListWidget;
   list_->setAccessibleName(tr("Pages of the manual"));

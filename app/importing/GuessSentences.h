@@ -17,7 +17,12 @@ class GuessSentences : public QListWidget {
   void setGuess(const capture::Guess& guess);
   QSize sizeHint() const override { return {400, 84}; }
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
  private:
+  void fitHeight(); ///< as many whole sentences as have room
   void add(const QString& icon, const QString& text, const QString& sentence);
 };
 

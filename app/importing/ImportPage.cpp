@@ -60,7 +60,6 @@ ImportPage::ImportPage(QWidget* parent, ImportFunctions functions)
   problem_->setObjectName(QStringLiteral("problem"));
   problem_->setWordWrap(true);
   problem_->setVisible(false);
-  sentences_->setFixedHeight(84);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(3 * kUnit, 3 * kUnit, 3 * kUnit, 3 * kUnit);
   layout->setSpacing(2 * kUnit);

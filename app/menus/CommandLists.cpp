@@ -66,7 +66,7 @@ CommandLists::CommandLists(const Commands& commands, PresetChoices& presets, QWi
 void CommandLists::choose() {
   std::vector<ChooserEntry> entries;
   for (const Commands::Command& command : commands_.all())
-    entries.push_back({withoutMnemonic(command.action->text()),
+    entries.push_back({command.name.isEmpty() ? withoutMnemonic(command.action->text()) : command.name,
                        keysOf(command.action),
                        command.menu,
                        {},

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QVariant>
 
+#include <algorithm>
 #include <utility>
 
 namespace taa::app {
@@ -37,6 +38,10 @@ QAction* Commands::addCheck(QMenu* menu, const QString& text, const QKeySequence
   // Not toggled: that also tells of marks that only follow what is on show.
   connect(action, &QAction::triggered, this, [act = std::move(act)](bool on) { act(on); });
   return action;
+}
+
+void Commands::setName(const QAction* action, const QString& name) {
+  std::ranges::find(all_, action, &Command::action)->name = name;
 }
 
 void Commands::onRefresh(std::function<void()> bringUpToDate) {

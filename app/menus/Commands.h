@@ -30,12 +30,15 @@ class Commands : public QObject {
   struct Command {
     QString menu;
     QAction* action;
+    QString name{}; ///< in lists of all commands; empty: the action's text
   };
   /// In the order of the menus.
   const std::vector<Command>& all() const { return all_; }
 
   QAction* add(QMenu* menu, const QString& text, const QList<QKeySequence>& keys, std::function<void()> act);
   QAction* addCheck(QMenu* menu, const QString& text, const QKeySequence& key, std::function<void(bool)> act);
+  /// What a list of all commands calls one whose text says too little outside of its menu.
+  void setName(const QAction* action, const QString& name);
   /// What refresh() does for a part of a menu.
   void onRefresh(std::function<void()> bringUpToDate);
   /// Brings checks, texts and lists up to date with what the commands work on.

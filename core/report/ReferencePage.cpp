@@ -46,9 +46,16 @@ std::string intermediateHtml(const Intermediate& row) {
 
 constexpr std::string_view kTableTag = "<table cellpadding=\"4\" cellspacing=\"0\" width=\"100%\">\n";
 
-std::string headHtml(const std::vector<std::string>& columns) {
+struct Column {
+  std::string title;
+  int percent; ///< of the width: sentences have more than names, which are as wide where nothing is said
+};
+
+std::string headHtml(const std::vector<Column>& columns) {
   std::string text = "<tr>";
-  for (const std::string& column : columns) text += "<th align=\"left\">" + htmlText(column) + "</th>";
+  for (const Column& column : columns)
+    text += "<th align=\"left\" width=\"" + std::to_string(column.percent) + "%\">" + htmlText(column.title) +
+            "</th>";
   return text + "</tr>\n";
 }
 
@@ -61,11 +68,17 @@ std::string stageHtml(const StageInfo& stage) {
   std::string text = "<h2>" + htmlLabel(stage.label) + "</h2>\n<p>" + htmlLabel(stage.description) + "</p>\n";
   if (!parametersText.empty())
     text += std::string(kTableTag) +
-            headHtml({say<"Parameter">(), say<"What it does">(), say<"Range">(), say<"Default">()}) +
+            headHtml({{say<"Parameter">(), 22},
+                      {say<"What it does">(), 38},
+                      {say<"Range">(), 28},
+                      {say<"Default">(), 12}}) +
             parametersText + "</table>\n";
   if (!intermediatesText.empty())
     text += std::string(kTableTag) +
-            headHtml({say<"Intermediate">(), say<"What it is">(), say<"Channels">(), say<"Unit">()}) +
+            headHtml({{say<"Intermediate">(), 22},
+                      {say<"What it is">(), 54},
+                      {say<"Channels">(), 12},
+                      {say<"Unit">(), 12}}) +
             intermediatesText + "</table>\n";
   return text;
 }

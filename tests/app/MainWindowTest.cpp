@@ -27,8 +27,11 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPlainTextEdit>
+#include <QScrollArea>
 #include <QTextBrowser>
 #include <QTextCursor>
+#include <QTextFrame>
+#include <QTextTable>
 #include <QUrl>
 #include <QWheelEvent>
 
@@ -318,11 +321,20 @@ TEST_F(Window, KeysAreListedAndCommandsAreFound) {
       EXPECT_TRUE(titles.insert(label->text()).second) << label->text().toStdString() << " comes twice";
     }
   EXPECT_TRUE(titles.contains("File") && titles.contains("Export"));
+  const auto* area = dialog->findChild<QScrollArea*>();
+  for (const QLabel* label : area->findChildren<QLabel*>()) {
+    const int left =
+        area->viewport()->height() - label->mapTo(area->viewport(), QPoint(0, label->height())).y();
+    EXPECT_TRUE(left >= 0 || left <= -label->height()) << label->text().toStdString() << " is cut";
+    EXPECT_FALSE(label->font().bold() && left == 0) << "the keys of " << label->text().toStdString();
+  }
   dialog->close();
   window.lists()->choose();
   auto* chooser = window.findChild<Chooser*>();
   ASSERT_TRUE(chooser);
   auto* field = chooser->findChild<QLineEdit*>();
+  EXPECT_EQ(chooser->findChild<QListWidget*>()->findItems("Scene: Cut", Qt::MatchExactly).size(), 1)
+      << "a word that could be anything says what it is";
   QTest::keyClicks(field, "reload");
   QTest::keyClick(field, Qt::Key_Return);
   EXPECT_TRUE(test::waitFor([&] { return renderer->reloads == 1; }, 5000));
@@ -340,6 +352,11 @@ TEST_F(Window, TheReferencePageHoldsBothTablesAndFindsWords) {
   for (const Intermediate& row : kIntermediates)
     EXPECT_TRUE(text.contains(QString::fromUtf8(row.name.data(), static_cast<int>(row.name.size()))))
         << row.name;
+  for (QTextFrame* frame : page->document()->rootFrame()->childFrames())
+    if (const auto* table = qobject_cast<QTextTable*>(frame)) {
+      const QList<QTextLength> columns = table->format().columnWidthConstraints();
+      EXPECT_GT(columns.at(1).rawValue(), columns.at(0).rawValue()) << "sentences are longer than names";
+    }
   QTest::keyClicks(dialog->findChild<QLineEdit*>(), "clipToFiltered");
   EXPECT_EQ(page->textCursor().selectedText(), "clipToFiltered");
 }

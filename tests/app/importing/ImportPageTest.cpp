@@ -28,6 +28,20 @@ TEST_F(ImportPageTest, ShowsWhatIsSureAndWhatIsNot) {
   EXPECT_EQ(problem(), "");
 }
 
+TEST_F(ImportPageTest, NoSentenceIsCut) {
+  auto* sentences = page->findChild<QListWidget*>(QStringLiteral("sentences"));
+  for (const int width : {1400, 1000, 700}) {
+    page->resize(width, 800);
+    QCoreApplication::processEvents();
+    for (int line = 0; line < sentences->count(); ++line) {
+      const QRect place = sentences->visualItemRect(sentences->item(line));
+      EXPECT_TRUE(place.bottom() < sentences->viewport()->height() ||
+                  place.top() >= sentences->viewport()->height())
+          << line << " at " << width;
+    }
+  }
+}
+
 TEST_F(ImportPageTest, NoRowIsCutOffHoweverNarrowThePageIs) {
   page->resize(page->minimumSizeHint());
   QCoreApplication::processEvents();
