@@ -18,8 +18,8 @@ Span roundedSpan(const Span& values, int maxSteps) {
   if (span.low > 0.0 && span.low < 0.6 * span.high) span.low = 0.0;
   if (span.high < 0.0 && span.high > 0.6 * span.low) span.high = 0.0;
   if (span.length() <= 1e-6 * std::max(std::abs(span.low), std::abs(span.high))) { // one value
-    const double half = span.high == 0.0 ? 1.0 : 0.5 * std::abs(span.high);
-    span = {span.low - half, span.high + half};
+    const double half = 0.5 * std::abs(span.high);
+    span = half == 0.0 ? Span{0.0, 1.0} : Span{span.low - half, span.high + half};
   }
   const double step = roundStep(span.length(), maxSteps);
   return {std::floor(span.low / step + 1e-9) * step, std::ceil(span.high / step - 1e-9) * step};

@@ -128,6 +128,12 @@ TEST_F(Lower, NumbersOfTheJitterPatternAreReadable) {
   view->setPattern(pattern, 1);
   EXPECT_EQ(indices(), (std::set{0, 1, 2, 3})) << "few have all of them";
 
+  pattern.samples = {{glm::dvec2(0.95, 0.5), 0.0}};
+  view->setPattern(pattern, 0);
+  ASSERT_EQ(view->numbers().size(), 1u);
+  EXPECT_LT(view->numbers()[0].place.right(), view->pointOf({1.0, 0.5}).x())
+      << "the edge is not drawn over it";
+
   window.setTextPercent(200);
   pattern.samples.resize(64);
   for (std::size_t index = 0; index < 64; ++index)

@@ -145,12 +145,11 @@ std::vector<Segment> hullEdges(const std::vector<glm::vec3>& points,
   return edges;
 }
 
-std::array<std::pair<int, int>, 12> boxEdges() {
-  std::array<std::pair<int, int>, 12> edges;
-  std::size_t count = 0;
-  for (int corner = 0; corner < 8; ++corner)
-    for (const int axis : {1, 2, 4})
-      if (!(corner & axis)) edges[count++] = {corner, corner | axis};
+std::vector<Segment> edgesOf(const Corners& corners) {
+  std::vector<Segment> edges;
+  for (std::size_t corner = 0; corner < corners.size(); ++corner)
+    for (const std::size_t axis : {1u, 2u, 4u})
+      if (!(corner & axis)) edges.emplace_back(corners[corner], corners[corner | axis]);
   return edges;
 }
 
@@ -183,6 +182,14 @@ ColorRange rangeOf(const ColorScene& scene) {
   return {low, high};
 }
 
+Corners cornersOf(const ColorRange& range) {
+  Corners corners;
+  for (std::size_t corner = 0; corner < corners.size(); ++corner)
+    for (int axis = 0; axis < 3; ++axis)
+      corners[corner][axis] = corner >> axis & 1u ? range.high[axis] : range.low[axis];
+  return corners;
+}
+
 glm::dvec3 ColorRange::unit(const glm::vec3& color) const {
   return 2.0 * (glm::dvec3(color) - glm::dvec3(low)) / (glm::dvec3(high) - glm::dvec3(low)) - 1.0;
 }
@@ -208,6 +215,28 @@ Projected projected(const glm::dvec3& unit, const Turn& turn) {
   const double x = c * right + s * near, depth = c * near - s * right;
   const double cp = std::cos(turn.pitch), sp = std::sin(turn.pitch);
   return {{x, cp * up - sp * depth}, sp * up + cp * depth};
+}
+
+glm::vec3 outerEdge(const ColorRange& range, const Turn& turn, int axis) {
+  const int first = (axis + 1) % 3, second = (axis + 2) % 3;
+  glm::vec3 outermost = range.low;
+  double farthest = -1.0, lowest = 0.0;
+  for (unsigned corner = 0; corner < 4; ++corner) {
+    glm::vec3 begin = range.low;
+    if (corner & 1u) begin[first] = range.high[first];
+    if (corner & 2u) begin[second] = range.high[second];
+    glm::vec3 end = begin;
+    end[axis] = range.high[axis];
+    // The four are as long, so that the area between each and the middle says how far out it lies.
+    const glm::dvec2 a = projected(range.unit(begin), turn).place, b = projected(range.unit(end), turn).place;
+    const double far = std::abs(a.x * b.y - a.y * b.x), low = -0.5 * (a.y + b.y) - 0.05 * (a.x + b.x);
+    constexpr double kSame = 1e-6; // opposite ones are as far
+    if (far < farthest - kSame || (far < farthest + kSame && low <= lowest)) continue;
+    outermost = begin;
+    farthest = far;
+    lowest = low;
+  }
+  return outermost;
 }
 
 } // namespace taa::app

@@ -44,8 +44,8 @@ ColorScene colorScene(const twin::PixelRecord& record, const twin::Details& deta
 /// Edges of the intersection of the slabs across `directions` that hold `points` (manual 9.7, 10.12).
 std::vector<Segment> hullEdges(const std::vector<glm::vec3>& points,
                                const std::vector<glm::vec3>& directions);
-/// The twelve edges of a box, as indices of its corners.
-std::array<std::pair<int, int>, 12> boxEdges();
+/// The twelve edges of a box.
+std::vector<Segment> edgesOf(const Corners& corners);
 
 /// What the axes span: everything in the scene and a little more.
 struct ColorRange {
@@ -54,6 +54,7 @@ struct ColorRange {
   glm::dvec3 unit(const glm::vec3& color) const;
 };
 ColorRange rangeOf(const ColorScene& scene);
+Corners cornersOf(const ColorRange& range);
 
 /// Round numbers on the axes, from low to high; a few each.
 std::array<std::vector<double>, 3> ticksOf(const ColorRange& range, int most);
@@ -73,6 +74,10 @@ struct Projected {
   double nearness = 0.0;
 };
 Projected projected(const glm::dvec3& unit, const Turn& turn);
+
+/// Where, in the plot's space, the edge along `axis` begins that has its ticks: of those at the outside of
+/// the range as it is seen the lower one, of two as low the left one. Labels beside it cover nothing.
+glm::vec3 outerEdge(const ColorRange& range, const Turn& turn, int axis);
 
 /// The two axes of a flat projection: right, up.
 inline constexpr std::array<std::pair<int, int>, 3> kProjections{{{1, 0}, {2, 0}, {1, 2}}};

@@ -1,10 +1,9 @@
 #include "app/views/plots/ColorSpaceView.h"
 
+#include "app/models/ColorItems.h"
 #include "app/style/Numbers.h"
 #include "app/style/PaintedAsFigure.h"
 #include "app/style/Theme.h"
-
-#include "core/picture/ColorMap.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -21,18 +20,6 @@
 
 namespace taa::app {
 
-enum class PlotShape { Dot, Ring, Diamond, FilledDiamond, Square, Cross, Dotted, Dashed, Solid, Thin, Arrow };
-
-/// What the plot shows one of: its points, lines, and their styles.
-struct PlotItem {
-  PlotShape shape;
-  QString label;
-  QColor color;
-  std::vector<glm::vec3> points{};
-  std::vector<Segment> lines{};
-  std::vector<QColor> fills{}; ///< of the points; empty: they are as the others of their shape
-};
-
 namespace {
 
 QPen penOf(PlotShape shape, const QColor& color) {
@@ -40,23 +27,6 @@ QPen penOf(PlotShape shape, const QColor& color) {
   if (shape == PlotShape::Dotted) pen.setStyle(Qt::DotLine);
   if (shape == PlotShape::Dashed) pen.setStyle(Qt::DashLine);
   return pen;
-}
-
-/// As a screen shows it; what is brighter than white, or negative, at its end.
-QColor shownColor(const glm::vec3& linear) {
-  std::array<int, 3> bytes{};
-  for (int channel = 0; channel < 3; ++channel) {
-    const float value = linear[channel] > 0.0f ? std::min(linear[channel], 1.0f) : 0.0f; // NaN too
-    bytes[static_cast<std::size_t>(channel)] = static_cast<int>(std::lround(255.0f * srgbEncoded(value)));
-  }
-  return QColor(bytes[0], bytes[1], bytes[2]);
-}
-
-template <class Colors>
-std::vector<QColor> shownColors(const Colors& linear) {
-  std::vector<QColor> colors;
-  for (const glm::vec3& color : linear) colors.push_back(shownColor(color));
-  return colors;
 }
 
 /// A disk in its own color, with a rim that any ground lets see.
@@ -89,52 +59,6 @@ void drawMark(QPainter& painter, QPointF place, PlotShape shape, const QColor& c
     painter.drawLine(place + QPointF(-3, -3), place + QPointF(3, 3));
     painter.drawLine(place + QPointF(-3, 3), place + QPointF(3, -3));
   }
-}
-
-std::vector<Segment> edgesOf(const Corners& corners) {
-  std::vector<Segment> edges;
-  for (const auto& [a, b] : boxEdges())
-    edges.emplace_back(corners[static_cast<std::size_t>(a)], corners[static_cast<std::size_t>(b)]);
-  return edges;
-}
-
-std::vector<PlotItem> itemsOf(const ColorScene& scene, const ThemeColors& colors) {
-  std::vector<PlotItem> items{
-      {PlotShape::Dotted, ColorSpaceView::tr("min-max box"), colors.secondary, {}, edgesOf(scene.minMax)},
-      {PlotShape::Dashed, ColorSpaceView::tr("variance box"), colors.secondary, {}, edgesOf(scene.variance)},
-      {PlotShape::Solid, ColorSpaceView::tr("final box"), colors.text, {}, edgesOf(scene.box)}};
-  if (!scene.hull.empty())
-    items.push_back({PlotShape::Thin, ColorSpaceView::tr("hull"), colors.accent, {}, scene.hull});
-  if (!scene.variants.empty())
-    items.push_back({PlotShape::Cross, ColorSpaceView::tr("what if"), colors.secondary, scene.variants});
-  items.push_back({PlotShape::Ring,
-                   ColorSpaceView::tr("samples"),
-                   colors.text,
-                   {scene.samples.begin(), scene.samples.end()},
-                   {},
-                   shownColors(scene.sampleColors)});
-  if (!scene.taps.empty())
-    items.push_back({PlotShape::Ring,
-                     ColorSpaceView::tr("taps"),
-                     colors.accent,
-                     scene.taps,
-                     {},
-                     shownColors(scene.tapColors)});
-  if (scene.historyRaw && scene.historyRectified) {
-    PlotItem way{PlotShape::Arrow, ColorSpaceView::tr("clip ray"), colors.caution, {}, {}};
-    if (*scene.historyRaw != *scene.historyRectified)
-      way.lines.emplace_back(*scene.historyRaw, *scene.historyRectified);
-    if (scene.target) way.lines.emplace_back(*scene.historyRectified, *scene.target);
-    if (!way.lines.empty()) items.push_back(std::move(way));
-    items.push_back({PlotShape::Diamond, ColorSpaceView::tr("history"), colors.caution, {*scene.historyRaw}});
-    items.push_back({PlotShape::FilledDiamond,
-                     ColorSpaceView::tr("rectified"),
-                     colors.caution,
-                     {*scene.historyRectified}});
-  }
-  items.push_back({PlotShape::Dot, ColorSpaceView::tr("current"), colors.text, {scene.current}});
-  items.push_back({PlotShape::Square, ColorSpaceView::tr("resolved"), colors.accent, {scene.resolved}});
-  return items;
 }
 
 using Place = std::function<QPointF(const glm::vec3&)>;
@@ -222,10 +146,25 @@ QRectF ColorSpaceView::plotRect() const {
 }
 
 QRectF ColorSpaceView::projectionRect(int index) const {
-  const double side = std::min((width() - 4.0 * 2 * kUnit) / 3, 0.34 * (height() - legendHeight()));
+  double labels = 0.0, before = 0.0; // left of all three, and of those up to this one
+  for (int each = 0; each < 3; ++each) {
+    labels += upLabelsWidth(each);
+    if (each == index) before = labels;
+  }
+  const double side = std::min((width() - labels - 4.0 * kUnit) / 3, 0.34 * (height() - legendHeight()));
   const double top = height() - legendHeight() - side - 2 * fontMetrics().height() - kUnit;
-  const double gap = (width() - 3 * side) / 4;
-  return {gap + index * (side + gap), top, side, side};
+  const double gap = (width() - labels - 3 * side) / 4;
+  return {before + gap + index * (side + gap), top, side, side};
+}
+
+// Of what stands left of a projection.
+double ColorSpaceView::upLabelsWidth(int projection) const {
+  const int up = kProjections[static_cast<std::size_t>(projection)].second;
+  const auto ticks = ticksOf(range_, kMaxTicks);
+  int widest = 0;
+  for (const double tick : ticks[static_cast<std::size_t>(up)])
+    widest = std::max(widest, fontMetrics().horizontalAdvance(shortText(tick)));
+  return widest + kUnit;
 }
 
 QPointF ColorSpaceView::placeOf(const glm::vec3& color) const {
@@ -244,30 +183,27 @@ QPointF ColorSpaceView::flatPlace(const glm::vec3& color, int projection) const 
 
 void ColorSpaceView::paintPlot(QPainter& painter, const Content& content) const {
   const Place place = [this](const glm::vec3& color) { return placeOf(color); };
-  const glm::vec3 low = range_.low, size = range_.high - range_.low;
   painter.setPen(QPen(content.colors.line, 1));
-  Corners frame;
-  for (std::size_t corner = 0; corner < 8; ++corner)
-    frame[corner] = low + size * glm::vec3(corner & 1 ? 1 : 0, corner & 2 ? 1 : 0, corner & 4 ? 1 : 0);
-  for (const auto& [a, b] : edgesOf(frame)) painter.drawLine(placeOf(a), placeOf(b));
+  for (const auto& [a, b] : edgesOf(cornersOf(range_))) painter.drawLine(placeOf(a), placeOf(b));
   for (const PlotItem& item : content.items) paintItem(painter, item, place);
   paintAxes(painter, content);
 }
 
-// Ticks stand on the three edges of the frame that begin at its lowest corner, labels away from its middle.
+// Labels stand away from the middle.
 void ColorSpaceView::paintAxes(QPainter& painter, const Content& content) const {
-  const glm::vec3 low = range_.low, size = range_.high - range_.low;
+  const glm::vec3 size = range_.high - range_.low;
   const auto ticks = ticksOf(range_, kMaxTicks);
-  const QPointF middle = placeOf(low + 0.5f * size);
+  const QPointF middle = placeOf(range_.low + 0.5f * size);
   for (int axis = 0; axis < 3; ++axis) {
-    glm::vec3 end = low;
+    const glm::vec3 begin = outerEdge(range_, turn_, axis);
+    glm::vec3 end = begin;
     end[axis] = range_.high[axis] + 0.12f * size[axis];
     painter.setPen(content.colors.text);
     painter.drawText(QRectF(placeOf(end) - QPointF(20, 10), QSizeF(40, 20)),
                      Qt::AlignCenter | Qt::TextDontClip, axisName(axis));
     painter.setPen(content.colors.secondary);
     for (const double tick : ticks[static_cast<std::size_t>(axis)]) {
-      glm::vec3 at = low;
+      glm::vec3 at = begin;
       at[axis] = static_cast<float>(tick);
       const QPointF place = placeOf(at), away = place - middle;
       painter.drawLine(place, place + away / std::max(1.0, std::hypot(away.x(), away.y())) * kUnit);
@@ -293,7 +229,7 @@ void ColorSpaceView::paintProjection(QPainter& painter, const Content& content, 
   paintFlatAxes(painter, content, index);
 }
 
-// Ticks stand inside of the frame; labels of the upright axis, too, since there is little room beside it.
+// Ticks stand inside of the frame, labels outside.
 void ColorSpaceView::paintFlatAxes(QPainter& painter, const Content& content, int index) const {
   const QRectF rect = projectionRect(index);
   const auto& [right, up] = kProjections[static_cast<std::size_t>(index)];
@@ -318,8 +254,8 @@ void ColorSpaceView::paintFlatAxes(QPainter& painter, const Content& content, in
     const double y = flatPlace(at, index).y();
     painter.drawLine(QPointF(rect.left(), y), QPointF(rect.left() + kUnit, y));
     const double top = std::clamp(y - line / 2, rect.top(), rect.bottom() - line);
-    painter.drawText(QRectF(rect.left() + 2 * kUnit, top, rect.width(), line),
-                     Qt::AlignLeft | Qt::AlignVCenter, shortText(tick));
+    painter.drawText(QRectF(rect.left() - kUnit, top, 0, line),
+                     Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, shortText(tick));
   }
   painter.setPen(content.colors.text);
   painter.drawText(QRectF(rect.left(), rect.bottom() + 1 + line, rect.width(), line), Qt::AlignHCenter,
@@ -356,7 +292,7 @@ void ColorSpaceView::paintEvent(QPaintEvent*) {
     return;
   }
   painter.setRenderHint(QPainter::Antialiasing);
-  const Content content{colors, itemsOf(*scene_, colors)};
+  const Content content{colors, colorItems(*scene_, colors)};
   paintPlot(painter, content);
   for (int index = 0; index < projections(); ++index) paintProjection(painter, content, index);
   paintLegend(painter, content);
@@ -371,7 +307,7 @@ QString ColorSpaceView::textAt(QPointF place) const {
   constexpr double kNear = 9.0;
   double least = kNear;
   QString text;
-  for (const PlotItem& item : itemsOf(*scene_, themeColors(this)))
+  for (const PlotItem& item : colorItems(*scene_, themeColors(this)))
     for (const glm::vec3& point : item.points)
       for (int plot = -1; plot < projections(); ++plot) {
         const QPointF away = (plot < 0 ? placeOf(point) : flatPlace(point, plot)) - place;

@@ -49,6 +49,7 @@ class ColorSpaceView : public QWidget {
   struct Content;
   QRectF plotRect() const;
   QRectF projectionRect(int index) const;
+  double upLabelsWidth(int projection) const;
   int projections() const; ///< how many are shown
   int legendHeight() const;
   QPointF flatPlace(const glm::vec3& color, int projection) const;

@@ -21,7 +21,7 @@ constexpr double kMinSpan = 4.0, kZoomStep = 1.25;
 constexpr double kColumnSpace = 56.0, kValueSpace = 28.0; ///< px between ticks at least
 constexpr double kDotRadius = 2.5;                        ///< px
 constexpr int kLeastWidth = 180;                          ///< px
-constexpr int kLeastPlot = 16, kLeastBeside = 40; ///< px high; beside: with half a label at either end
+constexpr int kLeastPlot = 16, kLeastBeside = 52; ///< px high; beside: with half a label at either end
 constexpr double kTickRoom = 48.0;                ///< px left of the plot, where values of y stand
 } // namespace
 

@@ -74,8 +74,10 @@ std::optional<int> JitterView::sampleAt(const QPointF& point) const {
 QRectF JitterView::numberPlace(int index, const QRectF& disk) const {
   const QFontMetricsF metrics(secondaryFont());
   const QSizeF size(metrics.horizontalAdvance(QString::number(index)), metrics.ascent());
-  const double right = disk.right() + kNumberGap;
-  const double left = right + size.width() <= width() ? right : disk.left() - kNumberGap - size.width();
+  const double right = disk.right() + kNumberGap, edge = square().right();
+  const bool isOnEdge = right <= edge && right + size.width() >= edge; // of the pixel, a line
+  const bool fits = right + size.width() <= width() && !isOnEdge;
+  const double left = fits ? right : disk.left() - kNumberGap - size.width();
   const double lowest = std::max(0.0, height() - size.height());
   return {{left, std::clamp(disk.center().y() - 0.5 * size.height(), 0.0, lowest)}, size};
 }

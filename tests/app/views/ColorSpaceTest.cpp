@@ -245,3 +245,23 @@ TEST(ColorSpace, TicksAreRoundNumbersOnEachAxis) {
   ASSERT_EQ(ticks[2].size(), 3u) << "0, 0.1, 0.2";
   EXPECT_NEAR(ticks[2][2], 0.2, 1e-12);
 }
+
+// Labels of ticks stand beside it, on the side away from the middle.
+TEST(ColorSpace, TicksStandAtTheOutsideOfTheRangeHoweverItIsTurned) {
+  const ColorRange range{{0.0f, -0.25f, 0.0f}, {1.0f, 0.25f, 0.25f}};
+  for (const Turn turn : {Turn{}, Turn{2.0, 0.3}, Turn{-1.0, -0.5}, Turn{0.0, 0.0}})
+    for (int axis = 0; axis < 3; ++axis) {
+      const glm::vec3 begin = outerEdge(range, turn, axis);
+      glm::vec3 end = begin;
+      end[axis] = range.high[axis];
+      const glm::dvec2 a = projected(range.unit(begin), turn).place;
+      const glm::dvec2 b = projected(range.unit(end), turn).place;
+      const auto side = [&](const glm::dvec2& of) {
+        return (b.x - a.x) * (of.y - a.y) - (b.y - a.y) * (of.x - a.x);
+      };
+      const double middle = side({0.0, 0.0});
+      for (const glm::vec3& corner : cornersOf(range))
+        EXPECT_GE(side(projected(range.unit(corner), turn).place) * middle, -1e-6)
+            << "axis " << axis << " at " << turn.yaw << ", " << turn.pitch;
+    }
+}

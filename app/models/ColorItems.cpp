@@ -1,0 +1,69 @@
+#include "app/models/ColorItems.h"
+
+#include "core/picture/ColorMap.h"
+
+#include <QObject>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace taa::app {
+
+namespace {
+
+/// As a screen shows it; what is brighter than white, or negative, at its end.
+QColor shownColor(const glm::vec3& linear) {
+  std::array<int, 3> bytes{};
+  for (int channel = 0; channel < 3; ++channel) {
+    const float value = linear[channel] > 0.0f ? std::min(linear[channel], 1.0f) : 0.0f; // NaN too
+    bytes[static_cast<std::size_t>(channel)] = static_cast<int>(std::lround(255.0f * srgbEncoded(value)));
+  }
+  return QColor(bytes[0], bytes[1], bytes[2]);
+}
+
+template <class Colors>
+std::vector<QColor> shownColors(const Colors& linear) {
+  std::vector<QColor> colors;
+  for (const glm::vec3& color : linear) colors.push_back(shownColor(color));
+  return colors;
+}
+
+} // namespace
+
+std::vector<PlotItem> colorItems(const ColorScene& scene, const ThemeColors& colors) {
+  std::vector<PlotItem> items{
+      {PlotShape::Dotted, QObject::tr("min-max box"), colors.secondary, {}, edgesOf(scene.minMax)},
+      {PlotShape::Dashed, QObject::tr("variance box"), colors.secondary, {}, edgesOf(scene.variance)},
+      {PlotShape::Solid, QObject::tr("final box"), colors.text, {}, edgesOf(scene.box)}};
+  if (!scene.hull.empty())
+    items.push_back({PlotShape::Thin, QObject::tr("hull"), colors.accent, {}, scene.hull});
+  if (!scene.variants.empty())
+    items.push_back({PlotShape::Cross, QObject::tr("resolved, what if"), colors.secondary, scene.variants});
+  items.push_back({PlotShape::Ring,
+                   QObject::tr("samples"),
+                   colors.text,
+                   {scene.samples.begin(), scene.samples.end()},
+                   {},
+                   shownColors(scene.sampleColors)});
+  if (!scene.taps.empty())
+    items.push_back(
+        {PlotShape::Ring, QObject::tr("taps"), colors.accent, scene.taps, {}, shownColors(scene.tapColors)});
+  if (scene.historyRaw && scene.historyRectified) {
+    PlotItem way{PlotShape::Arrow, QObject::tr("clip ray"), colors.caution, {}, {}};
+    if (*scene.historyRaw != *scene.historyRectified)
+      way.lines.emplace_back(*scene.historyRaw, *scene.historyRectified);
+    if (scene.target) way.lines.emplace_back(*scene.historyRectified, *scene.target);
+    if (!way.lines.empty()) items.push_back(std::move(way));
+    items.push_back({PlotShape::Diamond, QObject::tr("history"), colors.caution, {*scene.historyRaw}});
+    items.push_back(
+        {PlotShape::FilledDiamond, QObject::tr("rectified"), colors.caution, {*scene.historyRectified}});
+  }
+  items.push_back({PlotShape::Dot, QObject::tr("current"), colors.text, {scene.current}});
+  items.push_back({PlotShape::Square, QObject::tr("resolved"), colors.accent, {scene.resolved}});
+  return items;
+}
+
+} // namespace taa::app
