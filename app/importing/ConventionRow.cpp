@@ -208,7 +208,7 @@ void ConventionRow::display(const capture::Conventions& stated, const capture::C
 
 void ConventionRow::setVerdict(Verdict verdict, const QString& reason) {
   verdict_ = verdict;
-  verdictText_->setText(markedText(verdict, themeColors(this)));
+  verdictText_->setText(markedText(verdict_, themeColors(verdictText_)));
   verdictText_->setToolTip(reason.isEmpty() ? tr("The pixels of these frames were not asked, or cannot tell.")
                                             : reason);
   editor_->setAccessibleDescription(wordsOf(verdict));
@@ -223,7 +223,7 @@ bool ConventionRow::eventFilter(QObject* watched, QEvent* event) {
   if (watched == editor_ && event->type() == QEvent::FocusIn) Q_EMIT entered(path());
   // Another theme gives it the color that it had at first.
   if (watched == verdictText_ && event->type() == QEvent::PaletteChange)
-    verdictText_->setText(markedText(verdict_, themeColors(this)));
+    verdictText_->setText(markedText(verdict_, themeColors(verdictText_)));
   // A field in which nothing was typed leaves undo to the page.
   const auto* field = qobject_cast<QLineEdit*>(watched);
   if (field && event->type() == QEvent::ShortcutOverride && isUndoKey(static_cast<QKeyEvent&>(*event)) &&
