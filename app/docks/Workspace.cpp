@@ -27,6 +27,7 @@ constexpr double kLeftShare = 0.22, kProbeShare = 0.33; ///< of the width, at mo
 constexpr QSize kReachable(120, 40);    ///< logical px of a window that have to be on a screen
 constexpr QSize kFirstWindow(720, 360); ///< of a page that is torn off
 constexpr int kLeastProbe = 70;         ///< logical px of texts of 100 %, beside a lesson
+constexpr int kPageOfProbe = 300;       ///< likewise, of a page of the probe that is not of its words
 constexpr int kTightProbe = 30;         ///< likewise, where there is no room for that
 constexpr int kNoProbe = 40;            ///< likewise, while no pixel is probed
 constexpr int kHiddenProbe = 2;         ///< likewise, where a lesson would have hardly a line
@@ -87,6 +88,10 @@ void Workspace::setProbed(bool isProbed) {
   if (isProbed != std::exchange(isProbed_, isProbed)) shareSide();
 }
 
+void Workspace::setPageShown(bool isShown) {
+  if (isShown != std::exchange(isPageShown_, isShown)) shareSide();
+}
+
 void Workspace::changeEvent(QEvent* event) {
   QMainWindow::changeEvent(event);
   if (event->type() == QEvent::FontChange) shareSide();
@@ -111,7 +116,8 @@ void Workspace::shareSideNow() {
       std::max(static_cast<int>(kLessonShare * column), kLessonLines * fontMetrics().lineSpacing());
   const int room = column - probe_->titleBarWidget()->height();
   const int wanted = std::min(head + of_.learn->sizeHint().height(), most);
-  const int fair = std::min(room - scaled(kTightProbe), std::max(few, room - scaled(kLeastProbe)));
+  const int forProbe = scaled(isPageShown_ ? kPageOfProbe : kLeastProbe);
+  const int fair = std::min(room - scaled(kTightProbe), std::max(few, room - forProbe));
   const int needed = std::min(few, room - scaled(kHiddenProbe));
   const int learn =
       isProbed_ ? std::min(wanted, std::max(fair, needed)) : std::max(room - scaled(kNoProbe), needed);

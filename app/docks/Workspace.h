@@ -55,6 +55,9 @@ class Workspace : public QMainWindow {
 
   /// Whether a pixel is probed: the probe needs no room beside a lesson while none is.
   void setProbed(bool isProbed);
+  /// Whether the probe shows a plot or a table of a page of its own, which need more room than its first
+  /// words.
+  void setPageShown(bool isShown);
   /// A lesson and the probe on one side: the lesson has what its text needs, and the probe the rest.
   void shareSide();
 
@@ -87,7 +90,7 @@ class Workspace : public QMainWindow {
   PanelDock *left_, *learn_, *probe_, *lower_;
   std::array<PanelDock*, kLowerPageCount> pages_{};
   std::vector<PanelDock*> docks_;
-  bool isProbed_ = false;
+  bool isProbed_ = false, isPageShown_ = false;
   QSize savedSize_; ///< of the window whose layout was restored last
 };
 

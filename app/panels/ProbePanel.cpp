@@ -37,6 +37,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace taa::app {
@@ -267,6 +268,7 @@ void ProbePanel::resizeEvent(QResizeEvent*) {
 }
 
 void ProbePanel::setPixel(std::optional<glm::ivec2> pixel) {
+  pixel_ = pixel;
   content_->setVisible(pixel.has_value());
   invitation_->setVisible(!pixel);
   bar_->setVisible(pixel.has_value());
@@ -301,6 +303,8 @@ void ProbePanel::setResult(const ProbeResult& result) {
   if (isPlaying_)
     conclusions_->setMinimumHeight(
         std::max(conclusions_->minimumHeight(), heightAt(*conclusions_, conclusions_->width())));
+  if (at_ && pixel_ == glm::ivec2(result.x, result.y))
+    scrollTo(table_, model_->indexOf(*std::exchange(at_, {})));
 }
 
 void ProbePanel::showSummary(const ProbeResult& result) {
@@ -425,6 +429,7 @@ void ProbePanel::setState(const QJsonObject& state) {
       static_cast<PlotSpace>(placeOf(kSpaces, state.value(QLatin1String("space"))).value_or(1)));
   const QJsonArray turn = state.value(QLatin1String("turn")).toArray();
   colorSpace_->view()->setTurn({finite(turn.at(0), Turn{}.yaw), finite(turn.at(1), Turn{}.pitch)});
+  at_ = findIntermediate(state.value(QLatin1String("at")).toString().toStdString());
   scrollTo(table_->verticalScrollBar(), state.value(QLatin1String("scroll")).toInt());
   scrollTo(whatIf_->table()->verticalScrollBar(), state.value(QLatin1String("whatIfScroll")).toInt());
 }

@@ -110,6 +110,8 @@ class ProbePanel : public QWidget {
   void showSummary(const ProbeResult& result);
 
   std::optional<ProbeResult> result_;
+  std::optional<glm::ivec2> pixel_;  ///< that is asked for
+  std::optional<IntermediateId> at_; ///< that its next values are scrolled to
   Comparison comparison_;
   ProbeModel* model_;
   ProbeBar* bar_ = nullptr;

@@ -1,5 +1,7 @@
 #include "app/widgets/ScrollPlace.h"
 
+#include <QAbstractItemView>
+#include <QPersistentModelIndex>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTimer>
@@ -31,6 +33,12 @@ void scrollTo(QScrollBar* bar, int value) {
 void scrollTo(QScrollArea* area, QWidget* part) {
   QScrollBar* bar = area->verticalScrollBar();
   scrollInTheNextMoment(bar, [bar, part, area] { bar->setValue(part->mapTo(area->widget(), QPoint()).y()); });
+}
+
+void scrollTo(QAbstractItemView* list, const QModelIndex& row) {
+  scrollInTheNextMoment(list->verticalScrollBar(), [list, row = QPersistentModelIndex(row)] {
+    list->scrollTo(row, QAbstractItemView::PositionAtTop);
+  });
 }
 
 } // namespace taa::app

@@ -306,6 +306,7 @@ void MainWindow::connectMenus() {
   connect(&session_.probes(), &ProbeChoices::changed, all, &Commands::refresh);
   connect(&session_.probes(), &ProbeChoices::changed, workspace_,
           [this] { workspace_->setProbed(session_.probes().pixel().has_value()); });
+  connect(probe_, &ProbePanel::whatIfWanted, workspace_, &Workspace::setPageShown);
   connect(learning_, &Learning::stepBegun, workspace_, &Workspace::shareSide);
   connect(learning_, &Learning::answered, workspace_, &Workspace::shareSide);
   connect(&session_.verdicts(), &VerdictChoices::changed, all, &Commands::refresh);

@@ -85,7 +85,9 @@ ordered_json probeStateJson(const LessonState& state) {
     if (!state.values.empty() && std::ranges::none_of(state.values, isOfStage)) folded.push_back(info.id);
   }
   const bool isRgb = state.shot.settings.settings.space.color == ColorSpace::Rgb;
-  return {{"tab", state.tab}, {"space", isRgb ? "rgb" : "ycocg"}, {"folded", folded}};
+  ordered_json probe{{"tab", state.tab}, {"space", isRgb ? "rgb" : "ycocg"}, {"folded", folded}};
+  if (!state.values.empty()) probe["at"] = intermediate(state.values.front()).name;
+  return probe;
 }
 
 } // namespace

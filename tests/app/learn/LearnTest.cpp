@@ -5,6 +5,7 @@
 #include "app/learn/LessonText.h"
 #include "app/learn/PartFrame.h"
 #include "app/menus/faults/FaultsMenu.h"
+#include "app/models/ProbeModel.h"
 #include "app/panels/ProbePanel.h"
 #include "app/panels/StatusLine.h"
 #include "app/style/Text.h"
@@ -26,6 +27,7 @@
 #include <QTemporaryDir>
 #include <QTextBlock>
 #include <QTextDocumentFragment>
+#include <QTreeView>
 
 #include <algorithm>
 #include <cmath>
@@ -116,6 +118,27 @@ TEST_F(LearnTest, AStepUnfoldsItsStageInThePipelineAndScrollsToIt) {
   ASSERT_TRUE(header);
   EXPECT_TRUE(header->isChecked());
   EXPECT_TRUE(waitFor([&] { return header->visibleRegion().boundingRect() == header->rect(); }));
+}
+
+TEST_F(LearnTest, TheValuesThatAStepSpeaksOfAreInSight) {
+  key(Qt::Key_F12);
+  const auto reads = std::ranges::find(tour().steps, "Read what happened", &taa::LessonStep::title);
+  ASSERT_NE(reads, tour().steps.end());
+  ASSERT_FALSE(reads->state.values.empty());
+  learning()->openStep(QStringLiteral("first-ghost"), static_cast<int>(reads - tour().steps.begin()) + 1);
+  const QTreeView* table = window.probe()->table();
+  const QModelIndex first = window.probe()->model()->indexOf(reads->state.values.front());
+  EXPECT_TRUE(waitFor([&] {
+    const QRect row = table->visualRect(first);
+    return row.isValid() && table->viewport()->rect().contains(row) && row.top() < 2 * row.height();
+  })) << table->visualRect(first).top();
+}
+
+TEST_F(LearnTest, APlotOfTheProbeHasRoomBesideALesson) {
+  learning()->openStep(QStringLiteral("box"), 1);
+  ASSERT_EQ(window.probe()->tab(), ProbeTab::ColorSpace);
+  const QWidget* probe = window.probe();
+  EXPECT_TRUE(waitFor([&] { return probe->height() >= 260; })) << probe->height();
 }
 
 TEST_F(LearnTest, HasTheRoomOfAProbeThatHasNoPixel) {

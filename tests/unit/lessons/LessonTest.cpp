@@ -277,10 +277,15 @@ TEST(Lesson, FoldsTheStagesThatNoValueItSpeaksOfIsOf) {
   const taa::Lesson lesson = taa::lessonFromText(step("scene: builtin:fan\nvalues: rejectReason alpha\n") +
                                                      "## Then\n\n```state\nframe: 3\n```\n\nText.\n",
                                                  "some.md");
-  const auto folded = [&](std::size_t number) {
+  const auto probe = [&](std::size_t number) {
     const taa::SessionFile session = taa::lessonSession(lesson.steps.at(number).state);
-    return nlohmann::json::parse(session.window).at("probe").at("folded").get<std::set<std::string>>();
+    return nlohmann::json::parse(session.window).at("probe");
   };
+  const auto folded = [&](std::size_t number) {
+    return probe(number).at("folded").get<std::set<std::string>>();
+  };
+  EXPECT_EQ(probe(0).at("at"), "rejectReason") << "it is scrolled to";
+  EXPECT_FALSE(probe(1).contains("at"));
   std::set<std::string> others;
   for (const taa::StageInfo& info : taa::kStages) others.emplace(info.id);
   for (const taa::IntermediateId id : {taa::IntermediateId::rejectReason, taa::IntermediateId::alpha})
