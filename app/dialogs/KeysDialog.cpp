@@ -38,7 +38,7 @@ QFont nameFont() {
 }
 
 /// All lines are as high, so that those of all columns end at one place.
-int lineHeight() {
+int keyLineHeight() {
   return std::max(QFontMetrics(nameFont()).height(), QFontMetrics(secondaryFont()).height() + 2);
 }
 
@@ -65,12 +65,12 @@ int keysWidth(const std::vector<Group>& groups) {
 QWidget* groupWidget(const Group& group, int keysWidth) {
   auto* widget = new QWidget;
   auto* grid = new QGridLayout(widget);
-  grid->setContentsMargins(0, 0, 0, lineHeight());
+  grid->setContentsMargins(0, 0, 0, keyLineHeight());
   grid->setHorizontalSpacing(3 * kUnit);
   grid->setVerticalSpacing(0);
   auto* title = new QLabel(group.name);
   title->setFont(nameFont());
-  title->setFixedHeight(lineHeight());
+  title->setFixedHeight(keyLineHeight());
   grid->addWidget(title, 0, 0, 1, 2);
   int row = 1;
   for (const KeyLine& line : group.lines) {
@@ -80,7 +80,7 @@ QWidget* groupWidget(const Group& group, int keysWidth) {
     text->setForegroundRole(QPalette::PlaceholderText);
     for (QLabel* label : {keys, text}) {
       label->setFont(secondaryFont());
-      label->setFixedHeight(lineHeight());
+      label->setFixedHeight(keyLineHeight());
     }
     grid->addWidget(keys, row, 0);
     grid->addWidget(text, row++, 1);
@@ -130,7 +130,7 @@ Columns columnsIn(int room, const std::vector<Group>& groups) {
 
 /// px, at most `most`: so high no line is cut, and below no group's name its keys are out of sight.
 int wholeHeight(const Columns& columns, int most) {
-  int lines = most / lineHeight();
+  int lines = most / keyLineHeight();
   const auto endsInName = [&](const std::vector<Group>& column) {
     int top = 0;
     for (const Group& group : column) {
@@ -140,7 +140,7 @@ int wholeHeight(const Columns& columns, int most) {
     return false;
   };
   while (lines > 1 && std::ranges::any_of(columns, endsInName)) --lines;
-  return lines * lineHeight();
+  return lines * keyLineHeight();
 }
 
 } // namespace
@@ -163,7 +163,7 @@ KeysDialog::KeysDialog(const std::vector<KeyLine>& lines, QWidget* parent)
   room_ = sizeOver(parent, {QWIDGETSIZE_MAX, 0}).width() - besides;
   const Columns columns = columnsIn(room_, grouped(lines));
   QWidget* page = pageOf(columns);
-  scroll_->verticalScrollBar()->setSingleStep(lineHeight());
+  scroll_->verticalScrollBar()->setSingleStep(keyLineHeight());
   scroll_->setWidget(page);
   scroll_->setMinimumWidth(page->sizeHint().width() + scroll_->verticalScrollBar()->sizeHint().width());
   layout->addWidget(scroll_, 1);
@@ -173,7 +173,7 @@ KeysDialog::KeysDialog(const std::vector<KeyLine>& lines, QWidget* parent)
   connect(search, &SearchField::textChanged, this, &KeysDialog::find);
   layout->addWidget(close, 0, Qt::AlignRight);
   const int rest = layout->sizeHint().height() - scroll_->sizeHint().height();
-  const int least = std::max(60 * kUnit - rest, lineHeight());
+  const int least = std::max(60 * kUnit - rest, keyLineHeight());
   const int room = parent ? parent->height() - 8 * kUnit - rest : page->sizeHint().height();
   const int high = std::min(page->sizeHint().height(), wholeHeight(columns, std::max(room, least)));
   resize(sizeHint().width(), high + rest);

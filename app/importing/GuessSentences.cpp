@@ -12,8 +12,8 @@
 namespace taa::app {
 
 namespace {
-constexpr int kIcon = 16;    ///< px
-constexpr int kMaxHigh = 92; ///< px, both where text has its own size
+constexpr int kSentenceIcon = 16;     ///< px
+constexpr int kMaxSentencesHigh = 92; ///< px, both where text has its own size
 } // namespace
 
 GuessSentences::GuessSentences(QWidget* parent) : QListWidget(parent) {
@@ -22,7 +22,7 @@ GuessSentences::GuessSentences(QWidget* parent) : QListWidget(parent) {
   setWordWrap(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setSelectionMode(QAbstractItemView::SingleSelection);
-  setIconSize({scaled(kIcon), scaled(kIcon)});
+  setIconSize({scaled(kSentenceIcon), scaled(kSentenceIcon)});
   setResizeMode(QListView::Adjust);
 }
 
@@ -46,7 +46,7 @@ void GuessSentences::fitHeight() {
   int high = 0;
   for (int row = 0; row < count(); ++row) {
     const int more = sizeHintForRow(row);
-    if (row > 0 && high + more > scaled(kMaxHigh)) break;
+    if (row > 0 && high + more > scaled(kMaxSentencesHigh)) break;
     high += more;
   }
   setFixedHeight(std::max(high, rowHeight()) + 2 * frameWidth());

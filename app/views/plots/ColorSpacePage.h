@@ -1,7 +1,7 @@
 // The page of the probe panel that shows the pixel in a color space, there or in a window of its own.
 #pragma once
 
-#include "app/views/plots/ColorSpaceMath.h"
+#include "app/models/ColorSpaceMath.h"
 #include "core/requests/Results.h"
 
 #include <QPointer>

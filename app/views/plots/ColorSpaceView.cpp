@@ -1,9 +1,9 @@
 #include "app/views/plots/ColorSpaceView.h"
 
-#include "app/models/ColorItems.h"
 #include "app/style/Numbers.h"
 #include "app/style/PaintedAsFigure.h"
 #include "app/style/Theme.h"
+#include "app/views/plots/ColorItems.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>

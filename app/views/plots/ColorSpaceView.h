@@ -2,7 +2,7 @@
 // projections.
 #pragma once
 
-#include "app/views/plots/ColorSpaceMath.h"
+#include "app/models/ColorSpaceMath.h"
 
 #include <QPointF>
 #include <QString>

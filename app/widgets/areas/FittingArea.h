@@ -38,9 +38,10 @@ inline void addBottoms(const QLayout& column, int wide, int top, std::vector<int
         addBottoms(*inside, wide, top, bottoms);
     const int bottom = top + heightAt(*item, wide);
     if (const auto* text = qobject_cast<QLabel*>(part)) {
-      const int line = text->fontMetrics().lineSpacing(), end = bottom - text->contentsMargins().bottom();
-      for (int next = top + text->contentsMargins().top() + line; next < end; next += line)
-        bottoms.push_back(next);
+      const QMargins around = text->contentsMargins();
+      const int high = bottom - top - around.top() - around.bottom();
+      const int lines = high / std::max(1, text->fontMetrics().lineSpacing());
+      for (int line = 1; line < lines; ++line) bottoms.push_back(top + around.top() + high * line / lines);
     }
     bottoms.push_back(bottom);
     top = bottom;

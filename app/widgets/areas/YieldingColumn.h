@@ -32,7 +32,7 @@ ColumnHeights sharedHeights(int room, const ColumnHeights& least, const ColumnHe
   raise(heights.table, enough);
   raise(heights.said, wanted.said);
   if (heights.said < wanted.said) {
-    const int whole = std::max(least.said, wholePart(heights.said));
+    const int whole = wholePart(heights.said); // less than the least rather than a part of a line
     rest += heights.said - whole;
     heights.said = whole;
   }

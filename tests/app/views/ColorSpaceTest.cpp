@@ -1,5 +1,5 @@
 // The color space plot: geometry of boxes and hull, projection, and turning it with mouse and keys.
-#include "app/views/plots/ColorSpaceMath.h"
+#include "app/models/ColorSpaceMath.h"
 #include "app/views/plots/ColorSpaceView.h"
 #include "core/taa/twin/Color.h"
 

@@ -1,4 +1,4 @@
-#include "app/views/plots/ColorSpaceMath.h"
+#include "app/models/ColorSpaceMath.h"
 
 #include "app/models/ChartMath.h"
 #include "core/taa/twin/Color.h"

@@ -1,4 +1,4 @@
-#include "app/models/ColorItems.h"
+#include "app/views/plots/ColorItems.h"
 
 #include "core/picture/ColorMap.h"
 

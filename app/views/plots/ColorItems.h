@@ -1,8 +1,8 @@
 // What the color space plot shows of a pixel: points and lines, their names, marks and colors.
 #pragma once
 
+#include "app/models/ColorSpaceMath.h"
 #include "app/style/Theme.h"
-#include "app/views/plots/ColorSpaceMath.h"
 
 #include <QColor>
 #include <QString>
