@@ -141,7 +141,7 @@ void LearnPanel::showTask(const LessonStep& step, const StepNotes& notes) {
   hint_->setVisible(hasTask && !notes.isSolutionShown);
   hint_->setText(notes.hints < hints ? tr("Hint") : tr("Show the solution"));
   // Numbers of a task are told by its check: others could tell its solution.
-  measure_->setVisible(!hasTask && !numbersOf(step.claims).empty());
+  measure_->setVisible(!hasTask && !measuredQuantities(step.claims).empty());
   QStringList lines;
   for (int hint = 0; hint < std::min(notes.hints, hints); ++hint)
     lines << answerLine(htmlOfMarkdown(

@@ -24,7 +24,7 @@ bool isNumber(const Quantity& quantity) {
          quantity.kind != QuantityKind::Doctor;
 }
 
-bool isSame(const Quantity& a, const Quantity& b) {
+bool isSameQuantity(const Quantity& a, const Quantity& b) {
   const auto parts = [](const Quantity& of) {
     return std::tuple(of.kind, of.number, of.metric, of.row, of.channel, of.pixel, of.isBelow, of.figure,
                       of.isSeveral, of.frame);
@@ -64,7 +64,7 @@ std::string withUnit(const std::string& text, std::string_view unit) {
 }
 
 /// "100, 60", or that it is the one that is probed.
-std::string placeText(const Quantity& quantity) {
+std::string probedText(const Quantity& quantity) {
   if (!quantity.pixel) return say<"the probe">();
   return std::to_string(quantity.pixel->x) + ", " + std::to_string(quantity.pixel->y);
 }
@@ -75,24 +75,24 @@ std::string labelInFrame(const Quantity& quantity, const SpaceSettings& space) {
   case QuantityKind::Metric:
     return withUnit(sayLabel(metricInfo(quantity.metric).label), metricInfo(quantity.metric).unit);
   case QuantityKind::Value:
-    return withUnit(say<"%1 at %2">(rowText(quantity, space), placeText(quantity)), unit);
+    return withUnit(say<"%1 at %2">(rowText(quantity, space), probedText(quantity)), unit);
   case QuantityKind::Difference:
-    return withUnit(say<"%1 at %2, difference">(rowText(quantity, space), placeText(quantity)), unit);
+    return withUnit(say<"%1 at %2, difference">(rowText(quantity, space), probedText(quantity)), unit);
   case QuantityKind::Share:
     return quantity.isBelow
                ? say<"%1 below %2, % of pixels">(rowText(quantity, space), story::numberText(quantity.number))
                : say<"%1 above %2, % of pixels">(rowText(quantity, space),
                                                  story::numberText(quantity.number));
   case QuantityKind::Lineage:
-    return say<"Lineage of %1, %2">(placeText(quantity), lineageText(quantity.figure));
+    return say<"Lineage of %1, %2">(probedText(quantity), lineageText(quantity.figure));
   case QuantityKind::Volume:
-    return say<"Volume of the box at %1">(placeText(quantity));
+    return say<"Volume of the box at %1">(probedText(quantity));
   case QuantityKind::Pushed:
     return quantity.isSeveral ? say<"Where several pixels are pushed to, %">()
                               : say<"Where no pixel is pushed to, %">();
   case QuantityKind::Verdict: {
     const auto kind = std::ranges::find(kVerdictKinds, quantity.verdict, &VerdictKindInfo::kind);
-    return say<"Verdict \"%1\" at %2">(sayLabel(kind->label), placeText(quantity));
+    return say<"Verdict \"%1\" at %2">(sayLabel(kind->label), probedText(quantity));
   }
   case QuantityKind::Doctor:
     return say<"Finding \"%1\"">(sayLabel(faultInfo(quantity.fault).label));
@@ -102,7 +102,7 @@ std::string labelInFrame(const Quantity& quantity, const SpaceSettings& space) {
   return {};
 }
 
-std::string labelOf(const Quantity& quantity, const SpaceSettings& space) {
+std::string quantityLabel(const Quantity& quantity, const SpaceSettings& space) {
   const std::string label = labelInFrame(quantity, space);
   return quantity.frame ? say<"%1, in frame %2">(label, *quantity.frame) : label;
 }
@@ -149,7 +149,7 @@ std::string yesOrNo(double value) {
 
 } // namespace
 
-std::vector<Quantity> numbersOf(const std::vector<Condition>& conditions) {
+std::vector<Quantity> measuredQuantities(const std::vector<Condition>& conditions) {
   std::vector<Quantity> numbers;
   for (const Quantity* asked : quantitiesOf(conditions)) {
     Quantity number = *asked;
@@ -157,7 +157,7 @@ std::vector<Quantity> numbersOf(const std::vector<Condition>& conditions) {
     number.factor = 1.0;
     number.offset = 0.0;
     if (isNumber(number) &&
-        std::ranges::none_of(numbers, [&](const Quantity& known) { return isSame(known, number); }))
+        std::ranges::none_of(numbers, [&](const Quantity& known) { return isSameQuantity(known, number); }))
       numbers.push_back(number);
   }
   return numbers;
@@ -168,13 +168,13 @@ std::vector<LessonNumber> measureNumbers(Inspector& inspector, const LessonState
   const LessonState opened = openState(inspector, state, progress);
   const SpaceSettings space = opened.shot.settings.settings.space;
   StateMeasurer measurer(inspector, opened, progress);
-  const std::vector<Quantity> asked = numbersOf(conditions);
+  const std::vector<Quantity> asked = measuredQuantities(conditions);
   std::vector<const Quantity*> planned;
   for (const Quantity& quantity : asked) planned.push_back(&quantity);
   measurer.plan(planned);
   std::vector<LessonNumber> numbers;
   for (Quantity quantity : asked) {
-    LessonNumber number{labelOf(quantity, space), {}};
+    LessonNumber number{quantityLabel(quantity, space), {}};
     // From itself nothing differs.
     number.values.push_back(quantity.kind == QuantityKind::Difference ? 0.0 : measurer.measure(quantity));
     for (const LessonLane& lane : opened.lanes) {
@@ -205,7 +205,7 @@ std::string numbersMarkdown(const std::vector<LessonNumber>& numbers, const Less
 
 std::string lackText(const CheckedCondition& checked, const SpaceSettings& space) {
   const Condition& condition = checked.condition;
-  const std::string label = labelOf(condition.left, space);
+  const std::string label = quantityLabel(condition.left, space);
   if (!isNumber(condition.left))
     return say<"%1: %2, asked for: %3">(label, yesOrNo(checked.left), yesOrNo(checked.right));
   if (std::isnan(checked.left)) return say<"%1: not known in this frame">(label);

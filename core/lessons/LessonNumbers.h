@@ -16,7 +16,7 @@ class Inspector;
 
 /// The quantities that `conditions` measure, each once, in their order, without lane and arithmetic. What is
 /// answered by yes or no, a verdict or a finding of the doctor, is none.
-std::vector<Quantity> numbersOf(const std::vector<Condition>& conditions);
+std::vector<Quantity> measuredQuantities(const std::vector<Condition>& conditions);
 
 /// A quantity of a state itself and of its lanes.
 struct LessonNumber {
@@ -29,8 +29,8 @@ std::vector<LessonNumber> measureNumbers(Inspector& inspector, const LessonState
                                          const std::vector<Condition>& conditions,
                                          const Progress& progress = {});
 
-/// Those as Markdown: a table with a column for the state, called `first`, and one for each of its lanes, then
-/// in which settings these differ from the step's own. Empty where there are no numbers.
+/// Those as Markdown: a table with a column for the state, called `first`, and one for each of its lanes,
+/// then in which settings these differ from the step's own. Empty where there are no numbers.
 std::string numbersMarkdown(const std::vector<LessonNumber>& numbers, const LessonState& step,
                             const std::string& first);
 

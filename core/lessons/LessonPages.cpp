@@ -171,7 +171,7 @@ std::vector<LessonFigure> writeFigures(Inspector& inspector, const Lesson& lesso
 /// Those of a task could tell its solution.
 std::vector<LessonNumber> numbersOfStep(Inspector& inspector, const LessonStep& step,
                                         const Progress& progress) {
-  if (step.task || numbersOf(step.claims).empty()) return {};
+  if (step.task || measuredQuantities(step.claims).empty()) return {};
   return measureNumbers(inspector, step.state, step.claims, progress);
 }
 

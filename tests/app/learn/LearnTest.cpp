@@ -316,7 +316,7 @@ TEST_F(LearnTest, AStepWithATaskTellsNoNumbersButThoseOfItsCheck) {
   ASSERT_EQ(hunt.id, "bughunt");
   for (std::size_t step = 0; step < hunt.steps.size(); ++step) {
     learning()->openStep(QStringLiteral("bughunt"), static_cast<int>(step) + 1);
-    const bool hasNumbers = !taa::numbersOf(hunt.steps[step].claims).empty();
+    const bool hasNumbers = !taa::measuredQuantities(hunt.steps[step].claims).empty();
     EXPECT_EQ(hasMeasure(), hasNumbers && !hunt.steps[step].task) << step + 1;
   }
 }
