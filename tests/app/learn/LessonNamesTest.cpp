@@ -10,6 +10,7 @@
 #include <QAction>
 #include <QLabel>
 #include <QMenu>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QSet>
 #include <QString>
@@ -55,6 +56,7 @@ QSet<QString> namesOfWindow(const QWidget& window) {
   for (const auto* tabs : window.findChildren<QTabBar*>())
     for (int tab = 0; tab < tabs->count(); ++tab) names << plain(tabs->tabText(tab));
   for (const auto* label : window.findChildren<QLabel*>()) names << plain(label->text());
+  for (const auto* button : window.findChildren<QPushButton*>()) names << plain(button->text());
   return names;
 }
 
