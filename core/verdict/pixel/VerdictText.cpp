@@ -76,14 +76,10 @@ std::string averagedText(const PixelVerdict& verdict) {
 
 /// In which way reading history is wrong depends on its filter.
 std::string readingReason(HistoryFilter filter) {
-  switch (filter) {
-  case HistoryFilter::Point:
+  if (filter == HistoryFilter::Point)
     return say<"history is read at the nearest pixel, beside where the surface was">();
-  case HistoryFilter::Bilinear:
-    return say<"reading history between its pixels takes detail">();
-  default:
-    return say<"reading history between its pixels changes detail">();
-  }
+  if (filter == HistoryFilter::Bilinear) return say<"reading history between its pixels takes detail">();
+  return say<"reading history between its pixels changes detail">();
 }
 
 std::string restartReason(const PixelVerdict& verdict) {
