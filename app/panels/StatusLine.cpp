@@ -102,8 +102,9 @@ StatusLine::StatusLine(QWidget* parent)
   pair->addWidget(badge_);
   layout->addLayout(pair);
   setFixedHeight(scaled(24));
-  times_->setTip(tr("Time of the last frame by the clock: drawing the scene, and the resolve. Both hold what lies "
-                    "between their passes; the profiler times each pass alone and has that in its own row."));
+  times_->setTip(
+      tr("Time of the last frame by the clock: drawing the scene, and the resolve. Both hold what lies "
+         "between their passes; the profiler times each pass alone and has that in its own row."));
   badge_->setTip(tr("Whether the picture is exactly what these settings give from frame 0 on. "
                     "After a change the old history is used until it has been made anew, and on the way to a "
                     "frame the nearest one that was kept is shown."));
