@@ -1,5 +1,5 @@
-// Fusion with flat lists to choose from and numbers to count up: as the fields and buttons of the style sheet,
-// which has no way to color an arrow.
+// Fusion with flat lists to choose from and numbers to count up: as the fields and buttons of the style
+// sheet, which has no way to color an arrow.
 #pragma once
 
 #include <QProxyStyle>
