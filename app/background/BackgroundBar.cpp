@@ -3,6 +3,7 @@
 #include "app/background/BackgroundWork.h"
 #include "app/style/Theme.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -13,8 +14,9 @@ namespace taa::app {
 
 BackgroundBar::BackgroundBar(BackgroundWork& work, const QString& startText, NotePlace notePlace,
                              QWidget* parent)
-    : QWidget(parent), work_(work), startText_(startText), start_(new QPushButton(startText)),
-      progress_(new QProgressBar), note_(new QLabel), line_(new QHBoxLayout) {
+    : QWidget(parent), notePlace_(notePlace), work_(work), startText_(startText),
+      start_(new QPushButton(startText)), progress_(new QProgressBar), note_(new QLabel),
+      line_(new QHBoxLayout) {
   auto* lines = new QVBoxLayout(this);
   lines->setContentsMargins(0, 0, 0, 0);
   lines->setSpacing(kUnit);
@@ -63,6 +65,30 @@ void BackgroundBar::setReady(bool canStart, const QString& note) {
 
 void BackgroundBar::setNote(const QString& note) {
   note_->setText(note);
+}
+
+QSize BackgroundBar::minimumSizeHint() const {
+  const QSize least = QWidget::minimumSizeHint();
+  return notePlace_ == NotePlace::Beside ? least : QSize(start_->sizeHint().width(), least.height());
+}
+
+bool BackgroundBar::event(QEvent* event) {
+  if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest) arrange();
+  return QWidget::event(event);
+}
+
+void BackgroundBar::arrange() {
+  if (notePlace_ == NotePlace::Beside) return;
+  const auto direction =
+      buttonsWidth() > contentsRect().width() ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
+  if (line_->direction() != direction) line_->setDirection(direction);
+}
+
+int BackgroundBar::buttonsWidth() const {
+  int width = -line_->spacing();
+  for (int item = 0; item < line_->count(); ++item)
+    if (!line_->itemAt(item)->isEmpty()) width += line_->itemAt(item)->sizeHint().width() + line_->spacing();
+  return width;
 }
 
 QString BackgroundBar::note() const {

@@ -14,7 +14,8 @@ namespace taa::app {
 
 class BackgroundWork;
 
-enum class NotePlace { Beside, Below }; ///< of its buttons; below on a page that is narrow
+/// Of its buttons; below on a page that is narrow, where buttons stand below each other if they have to.
+enum class NotePlace { Beside, Below };
 
 class BackgroundBar : public QWidget {
   Q_OBJECT
@@ -30,11 +31,20 @@ class BackgroundBar : public QWidget {
   /// Until setReady() says something else.
   void setNote(const QString& note);
   QString note() const;
+  /// Of one button, where they may stand below each other.
+  QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
   void startRequested();
 
+ protected:
+  bool event(QEvent* event) override;
+
  private:
+  void arrange();
+  int buttonsWidth() const;
+
+  NotePlace notePlace_;
   BackgroundWork& work_;
   QString startText_;
   QPushButton* start_;

@@ -130,6 +130,35 @@ TEST(WhatIfPage, SaysWhatItIsSortedByAndOffersTheReferenceThatIsMissing) {
   EXPECT_EQ(page.order(), "Sorted by the error to the reference, the nearest first.");
 }
 
+// The last column that gives way is the one by which rows are in their order.
+TEST(WhatIfPage, ShowsWhatItIsSortedByWhereNotAllFits) {
+  constexpr int kChangeCell = 3, kAlphaCell = 4;
+  WhatIfPage page;
+  page.setResult(resultWith(kUnknown, {}));
+  page.QWidget::show();
+  for (int width = 700; width > 250; width -= 10) {
+    page.resize(width, 400);
+    const auto isHidden = [&](int column) { return page.table()->isColumnHidden(column); };
+    EXPECT_TRUE(isHidden(kAlphaCell) || !isHidden(kChangeCell)) << width;
+  }
+}
+
+TEST(WhatIfPage, CutsNoButtonHoweverNarrowItIs) {
+  WhatIfPage page;
+  page.setResult(resultWith(kUnknown, {}));
+  page.QWidget::show();
+  for (const int width : {700, 200}) {
+    page.resize(width, 400);
+    QTest::qWait(1);
+    for (const char* text : {"Measure pictures", "Draw the reference"}) {
+      const QPushButton* button = buttonOf(page, text);
+      ASSERT_NE(button, nullptr);
+      EXPECT_GE(button->width(), button->sizeHint().width()) << text << " at " << width;
+      EXPECT_LE(button->geometry().right(), width) << text << " at " << width;
+    }
+  }
+}
+
 // Of a narrow probe the text beside two buttons would be a word wide.
 TEST(WhatIfPage, ItsNoteStandsBelowTheButtons) {
   WhatIfPage page;

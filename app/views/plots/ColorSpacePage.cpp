@@ -37,7 +37,7 @@ ColorSpacePage::ColorSpacePage(QWidget* parent, Qt::WindowFlags flags) : QWidget
   spaces_->setAccessibleName(tr("Axes of the color space plot"));
   note_ = makeNote();
   line->addWidget(spaces_);
-  line->addWidget(note_, 1);
+  line->addStretch(1);
   opens_ = new QToolButton;
   opens_->setText(tr("In a window"));
   opens_->setToolTip(tr("The plot in a window of its own, as large as you like (Ctrl+F3)"));
@@ -46,6 +46,8 @@ ColorSpacePage::ColorSpacePage(QWidget* parent, Qt::WindowFlags flags) : QWidget
   connect(opens_, &QToolButton::clicked, this, &ColorSpacePage::openWindow);
   line->addWidget(opens_);
   column->addLayout(line);
+  note_->setContentsMargins(2 * kUnit, 0, 2 * kUnit, 0);
+  column->addWidget(note_);
   view_ = new ColorSpaceView;
   view_->setToolTip(tr("Drag to turn, double-click to turn back"));
   column->addWidget(view_, 1);

@@ -84,7 +84,8 @@ void paintItem(QPainter& painter, const PlotItem& item, const Place& placeOf) {
 
 constexpr double kTickShare = 0.45;         ///< of half an edge: room around the frame for its ticks
 constexpr int kLowestWithProjections = 320; ///< px where text has its own size
-constexpr int kMaxTicks = 4;                ///< on an axis; where there is little room, half as many
+constexpr int kMaxTicks = 4;                ///< on an axis
+constexpr int kLowestWithTicks = 9;         ///< lines of text, of the plot
 
 /// A label by a tick, on the side of it that `away` points to.
 void drawTickLabel(QPainter& painter, QPointF tick, QPointF away, const QString& text) {
@@ -202,6 +203,7 @@ void ColorSpaceView::paintAxes(QPainter& painter, const Content& content) const 
     painter.drawText(QRectF(placeOf(end) - QPointF(20, 10), QSizeF(40, 20)),
                      Qt::AlignCenter | Qt::TextDontClip, axisName(axis));
     painter.setPen(content.colors.secondary);
+    if (plotRect().height() < kLowestWithTicks * fontMetrics().height()) continue; // they would hide it
     for (const double tick : ticks[static_cast<std::size_t>(axis)]) {
       glm::vec3 at = begin;
       at[axis] = static_cast<float>(tick);
@@ -258,8 +260,11 @@ void ColorSpaceView::paintFlatAxes(QPainter& painter, const Content& content, in
                      Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, shortText(tick));
   }
   painter.setPen(content.colors.text);
-  painter.drawText(QRectF(rect.left(), rect.bottom() + 1 + line, rect.width(), line), Qt::AlignHCenter,
-                   tr("%1 right, %2 up").arg(axisName(right), axisName(up)));
+  const QString name = tr("%1 right, %2 up").arg(axisName(right), axisName(up));
+  const double wide = fontMetrics().horizontalAdvance(name); // it may be wider than its plot
+  const double left = std::clamp(rect.center().x() - wide / 2, 0.0, std::max(0.0, width() - wide));
+  painter.drawText(QRectF(left, rect.bottom() + 1 + line, wide, line), Qt::AlignCenter | Qt::TextDontClip,
+                   name);
 }
 
 void ColorSpaceView::paintLegend(QPainter& painter, const Content& content) const {

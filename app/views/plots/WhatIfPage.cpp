@@ -26,8 +26,11 @@ namespace {
 
 enum WhatIfColumn { NameColumn, ErrorColumn, ResolvedColumn, ChangeColumn, AlphaColumn, FirstPictureColumn };
 constexpr int kWhatIfColumns = FirstPictureColumn + static_cast<int>(kPictureMetrics.size());
-/// Those that make room first where a name would be cut: swatch and tip say them, too.
+/// Those that make room first where a name would be cut: swatch and tip say them, too. What rows are sorted
+/// by stays longest.
 constexpr std::array<int, 3> kGivingWay{ResolvedColumn, ChangeColumn, AlphaColumn};
+constexpr std::array<int, 3> kGivingWayByChange{ResolvedColumn, AlphaColumn, ChangeColumn};
+constexpr int kLowestWithNote = 12;     ///< rows
 constexpr int kCellMargins = 3 * kUnit; ///< both sides
 constexpr int kPictureFrames = 8;       ///< up to the probed one
 
@@ -104,6 +107,7 @@ WhatIfPage::WhatIfPage(SweepWork::Sweep sweep, QWidget* parent)
   note_->setText(
       tr("This frame again on the history it had, one choice replaced. ▸ is in force, a click or Enter tries "
          "another. * uses jitter and inputs as they are now, or misses what this history does not keep."));
+  table_->setToolTip(note_->text());
   layOut();
   connect(table_, &QTreeWidget::currentItemChanged, this,
           [this](QTreeWidgetItem* item) { chosen_ = keyOf(table_->indexOfTopLevelItem(item)); });
@@ -217,7 +221,7 @@ void WhatIfPage::fitColumns() {
     width += kCellMargins;
     if (!table_->isColumnHidden(column)) room -= width;
   }
-  for (const int column : kGivingWay) {
+  for (const int column : table_->isColumnHidden(ErrorColumn) ? kGivingWayByChange : kGivingWay) {
     if (room >= 0) break;
     table_->setColumnHidden(column, true);
     room += widths[static_cast<std::size_t>(column)];
@@ -277,6 +281,7 @@ void WhatIfPage::refresh() {
 
 void WhatIfPage::resizeEvent(QResizeEvent*) {
   fitColumns();
+  note_->setVisible(height() >= kLowestWithNote * rowHeight()); // the table's tip says it, too
 }
 
 QString WhatIfPage::text() const {

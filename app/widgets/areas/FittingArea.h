@@ -86,6 +86,8 @@ class FittingArea : public QScrollArea {
 
  protected:
   void resizeEvent(QResizeEvent* event) override {
+    // Else what has no room at its least width would be cut at the side, with all that could do with less.
+    if (widget()) widget()->setMaximumWidth(viewport()->width());
     QScrollArea::resizeEvent(event);
     if (event->oldSize().width() != event->size().width()) updateGeometry();
   }

@@ -7,6 +7,7 @@
 #include "app/views/ViewArea.h"
 #include "app/widgets/SectionHeader.h"
 #include "app/widgets/Swatches.h"
+#include "app/widgets/areas/FittingArea.h"
 #include "app/widgets/areas/YieldingColumn.h"
 #include "app/widgets/verdict/ErrorBars.h"
 #include "app/widgets/verdict/EvidenceRow.h"
@@ -21,6 +22,7 @@
 #include <QJsonObject>
 #include <QLabel>
 #include <QTreeView>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cstddef>
@@ -405,4 +407,23 @@ TEST_F(VerdictPanel, KeepsItsRoomWhileTheNextFrameIsJudged) {
   EXPECT_NE(line()->sentence(), "");
   EXPECT_EQ(shownRemedies(), 0);
   EXPECT_GE(window.probe()->table()->mapToGlobal(QPoint()).y(), top) << "remedies are still to come";
+}
+
+// With a bar at its side it has less than what is widest in it asks for: texts wrap all the same.
+TEST(FittingAreaTest, ShowsNothingBeyondItsSide) {
+  FittingArea area(20);
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  auto* sentence =
+      new QLabel(QStringLiteral("a sentence that is long enough for some lines of its own here"));
+  sentence->setWordWrap(true);
+  auto* wide = new QWidget;
+  wide->setMinimumWidth(600);
+  column->addWidget(sentence);
+  column->addWidget(wide);
+  area.setWidget(content);
+  area.resize(300, 40);
+  area.show();
+  QTest::qWait(1);
+  EXPECT_LE(sentence->geometry().right(), area.viewport()->width());
 }
