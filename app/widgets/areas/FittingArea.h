@@ -64,6 +64,14 @@ class FittingArea : public QScrollArea {
     viewport()->setAutoFillBackground(false);
   }
 
+  /// As wide as there is room: where a part has less than its least, the others are not cut at the side, too.
+  void setWidget(QWidget* shown) {
+    QSizePolicy policy = shown->sizePolicy();
+    policy.setHorizontalPolicy(QSizePolicy::Ignored);
+    shown->setSizePolicy(policy);
+    QScrollArea::setWidget(shown);
+  }
+
   QSize sizeHint() const override {
     const int wide = viewport()->width();
     if (alwaysPx_ > 0.0) return {wide, rounded(alwaysPx_)};
@@ -86,8 +94,6 @@ class FittingArea : public QScrollArea {
 
  protected:
   void resizeEvent(QResizeEvent* event) override {
-    // Else what has no room at its least width would be cut at the side, with all that could do with less.
-    if (widget()) widget()->setMaximumWidth(viewport()->width());
     QScrollArea::resizeEvent(event);
     if (event->oldSize().width() != event->size().width()) updateGeometry();
   }
