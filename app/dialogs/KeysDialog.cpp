@@ -25,9 +25,8 @@ constexpr int kMaxColumns = 3;
 struct Group {
   QString name;
   std::vector<KeyLine> lines;
-  int height() const {
-    return static_cast<int>(lines.size()) + 2;
-  } ///< in lines: its name and what is free below
+  /// In lines, with its name and what is free below.
+  int height() const { return static_cast<int>(lines.size()) + 2; }
 };
 using Columns = std::vector<std::vector<Group>>;
 

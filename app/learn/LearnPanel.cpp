@@ -140,8 +140,7 @@ void LearnPanel::showTask(const LessonStep& step, const StepNotes& notes) {
   const int hints = hasTask ? static_cast<int>(step.task->hints.size()) : 0;
   hint_->setVisible(hasTask && !notes.isSolutionShown);
   hint_->setText(notes.hints < hints ? tr("Hint") : tr("Show the solution"));
-  // Numbers of a task are told by its check: others could tell its solution.
-  measure_->setVisible(!hasTask && !measuredQuantities(step.claims).empty());
+  measure_->setVisible(hasNumbers(step));
   QStringList lines;
   for (int hint = 0; hint < std::min(notes.hints, hints); ++hint)
     lines << answerLine(htmlOfMarkdown(

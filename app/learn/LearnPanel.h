@@ -28,7 +28,7 @@ class LearnPanel : public QWidget {
   /// What may be said of a step besides its text.
   struct StepNotes {
     bool isDone = false;     ///< its task was solved
-    bool isAsked = false;    ///< for a check or a hint: its task, which ends the text, has to be seen
+    bool isAsked = false;    ///< for a check, a hint or numbers: the end of the text has to be seen
     bool isChecking = false; ///< its task, or what it speaks of
     QString answer{};        ///< of the last check, in the reader's language
     QString numbers{};       ///< that it speaks of, as measured last: Markdown

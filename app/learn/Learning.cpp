@@ -159,6 +159,11 @@ void Learning::show() {
   Q_EMIT stepShown();
 }
 
+void Learning::tellAnswer() {
+  show();
+  Q_EMIT answered();
+}
+
 bool Learning::hidesFault() const {
   return isOpen() && shownStep().task && isFaulty(shownStep().state.shot.settings.settings) &&
          !notes_.isDone && !notes_.isSolutionShown;
@@ -240,8 +245,7 @@ void Learning::measure() {
 void Learning::takeNumbers(const std::vector<LessonNumber>& numbers) {
   notes_.isChecking = false;
   notes_.numbers = qtext(numbersMarkdown(numbers, shownStep().state, tr("now").toStdString()));
-  show();
-  Q_EMIT answered();
+  tellAnswer();
 }
 
 void Learning::takeChecked(const std::vector<CheckedCondition>& conditions) {
@@ -251,16 +255,14 @@ void Learning::takeChecked(const std::vector<CheckedCondition>& conditions) {
     notes_.answer = tr("Solved.");
     if (of_.settings) of_.settings->setValue(doneKey(shown(), step_), true);
     showLessons();
-    show();
-    return Q_EMIT answered();
+    return tellAnswer();
   }
   QStringList missing;
   const SpaceSettings space = of_.session.file().settings.settings.space;
   for (const CheckedCondition& checked : conditions)
     if (!checked.holds) missing << qtext(lackText(checked, space));
   notes_.answer = tr("Not yet. %1.").arg(missing.join(QStringLiteral("; ")));
-  show();
-  Q_EMIT answered();
+  tellAnswer();
 }
 
 void Learning::giveHint() {
@@ -268,14 +270,12 @@ void Learning::giveHint() {
   const Task& task = *shownStep().task;
   if (notes_.hints < static_cast<int>(task.hints.size())) {
     ++notes_.hints;
-    show();
-    return Q_EMIT answered();
+    return tellAnswer();
   }
   notes_.isSolutionShown = true;
   openState(task.solution);
   notes_.answer = tr("This is a solution: check it.");
-  show();
-  Q_EMIT answered();
+  tellAnswer();
 }
 
 QString Learning::folder() const {

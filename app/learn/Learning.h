@@ -76,6 +76,7 @@ class Learning : public QObject {
   void beginStep();
   void setState();
   void show();
+  void tellAnswer();
   void showLessons();
   void check();
   void takeChecked(const std::vector<CheckedCondition>& conditions);

@@ -163,6 +163,10 @@ std::vector<Quantity> measuredQuantities(const std::vector<Condition>& condition
   return numbers;
 }
 
+bool hasNumbers(const LessonStep& step) {
+  return !step.task && !measuredQuantities(step.claims).empty();
+}
+
 std::vector<LessonNumber> measureNumbers(Inspector& inspector, const LessonState& state,
                                          const std::vector<Condition>& conditions, const Progress& progress) {
   const LessonState opened = openState(inspector, state, progress);

@@ -4,6 +4,7 @@
 
 #include "core/base/Progress.h"
 #include "core/lessons/Condition.h"
+#include "core/lessons/Lesson.h"
 #include "core/lessons/LessonCheck.h"
 #include "core/lessons/LessonState.h"
 
@@ -17,6 +18,9 @@ class Inspector;
 /// The quantities that `conditions` measure, each once, in their order, without lane and arithmetic. What is
 /// answered by yes or no, a verdict or a finding of the doctor, is none.
 std::vector<Quantity> measuredQuantities(const std::vector<Condition>& conditions);
+
+/// Whether its claims have numbers that may be told: those of a step with a task could tell its solution.
+bool hasNumbers(const LessonStep& step);
 
 /// A quantity of a state itself and of its lanes.
 struct LessonNumber {

@@ -168,10 +168,9 @@ std::vector<LessonFigure> writeFigures(Inspector& inspector, const Lesson& lesso
   return figures;
 }
 
-/// Those of a task could tell its solution.
 std::vector<LessonNumber> numbersOfStep(Inspector& inspector, const LessonStep& step,
                                         const Progress& progress) {
-  if (step.task || measuredQuantities(step.claims).empty()) return {};
+  if (!hasNumbers(step)) return {};
   return measureNumbers(inspector, step.state, step.claims, progress);
 }
 

@@ -3,21 +3,34 @@
 #include "core/base/Say.h"
 #include "core/settings/Parameters.h"
 
+#include <cmath>
 #include <cstddef>
+#include <cstdio>
 
 namespace taa {
+
+namespace {
+
+/// Four significant digits, with a typographic minus.
+std::string roundedText(double number) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.4g", std::fabs(number));
+  return (number < 0.0 ? "−" : "") + std::string(text);
+}
+
+} // namespace
 
 std::string assignmentWords(std::string_view assignment) {
   const std::size_t split = assignment.find('=');
   const Parameter& row = parameter(assignment.substr(0, split));
-  const std::string text(assignment.substr(split + 1));
-  std::string value = text;
+  const double number = parseValue(row, assignment.substr(split + 1));
+  std::string value;
   if (row.kind == ParameterKind::Choice)
-    value = sayLabel(row.choices[static_cast<std::size_t>(parseValue(row, text))].label);
+    value = sayLabel(row.choices[static_cast<std::size_t>(number)].label);
   else if (row.kind == ParameterKind::Toggle)
-    value = parseValue(row, text) != 0.0 ? say<"on">() : say<"off">();
-  else if (text.starts_with('-'))
-    value = "−" + text.substr(1);
+    value = number != 0.0 ? say<"on">() : say<"off">();
+  else
+    value = roundedText(number);
   if (!row.unit.empty()) value += "\u2009" + sayLabel(row.unit);
   return say<"%1 ▸ %2: %3">(sayLabel(stageInfo(row.stage).label), sayLabel(row.label), value);
 }

@@ -6,7 +6,8 @@
 
 namespace taa {
 
-/// "path=value" by the table of settings: "Rectify history ▸ Method: Clip to filtered". Throws Error.
+/// "path=value" by the table of settings: "Rectify history ▸ Method: Clip to filtered"; numbers have
+/// four significant digits. Throws Error.
 std::string assignmentWords(std::string_view assignment);
 
 } // namespace taa

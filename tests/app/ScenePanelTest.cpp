@@ -44,6 +44,15 @@ class SceneTreeTest : public FakeWindow {
         model()->match(model()->index(0, 0), Qt::DisplayRole, name, 1, Qt::MatchExactly | Qt::MatchRecursive);
     return found.isEmpty() ? QModelIndex() : found.first().siblingAtColumn(column);
   }
+  void clickMark(const QModelIndex& index) {
+    QStyleOptionViewItem option;
+    option.rect = tree()->visualRect(index);
+    option.features = QStyleOptionViewItem::HasCheckIndicator;
+    const QRect mark =
+        tree()->style()->subElementRect(QStyle::SE_ItemViewItemCheckIndicator, &option, tree());
+    QTest::mouseClick(tree()->viewport(), Qt::LeftButton, {}, mark.center());
+    settle();
+  }
   void click(const QModelIndex& index) {
     QTest::mouseClick(tree()->viewport(), Qt::LeftButton, {}, tree()->visualRect(index).center());
     settle();
@@ -65,12 +74,7 @@ TEST_F(SceneTreeTest, ShowsTheWholeTree) {
 
 TEST_F(SceneTreeTest, HidesByTheCheckMarkAndByKey) {
   click(row("floor"));
-  QStyleOptionViewItem option;
-  option.rect = tree()->visualRect(row("floor"));
-  option.features = QStyleOptionViewItem::HasCheckIndicator;
-  const QRect mark = tree()->style()->subElementRect(QStyle::SE_ItemViewItemCheckIndicator, &option, tree());
-  QTest::mouseClick(tree()->viewport(), Qt::LeftButton, {}, mark.center());
-  settle();
+  clickMark(row("floor"));
   EXPECT_EQ(renderer->status.filter.hidden, std::vector<std::string>{"floor"});
   EXPECT_EQ(row("floor").data(Qt::CheckStateRole).toInt(), Qt::Unchecked);
   key(Qt::Key_H, Qt::ControlModifier);
@@ -94,12 +98,7 @@ TEST_F(SceneTreeTest, WhatIsLeftOutHasNoCheckMarkAndIsIsolatedTooByIt) {
   key(Qt::Key_I, Qt::ControlModifier);
   EXPECT_EQ(row("rotor & hub").data(Qt::CheckStateRole).toInt(), Qt::Checked);
   EXPECT_EQ(row("floor").data(Qt::CheckStateRole).toInt(), Qt::Unchecked) << "it is not drawn";
-  QStyleOptionViewItem option;
-  option.rect = tree()->visualRect(row("floor"));
-  option.features = QStyleOptionViewItem::HasCheckIndicator;
-  const QRect mark = tree()->style()->subElementRect(QStyle::SE_ItemViewItemCheckIndicator, &option, tree());
-  QTest::mouseClick(tree()->viewport(), Qt::LeftButton, {}, mark.center());
-  settle();
+  clickMark(row("floor"));
   EXPECT_EQ(renderer->status.filter.isolated, (std::vector<std::string>{"rotor & hub", "floor"}));
   EXPECT_TRUE(renderer->status.filter.hidden.empty());
   EXPECT_EQ(row("floor").data(Qt::CheckStateRole).toInt(), Qt::Checked);

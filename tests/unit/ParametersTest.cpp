@@ -44,6 +44,7 @@ TEST(Parameters, AnAssignmentIsToldByTheLabelsOfItsTables) {
   EXPECT_EQ(assignmentWords("rectify.method=clipToFiltered"), "Rectify history ▸ Method: Clip to filtered");
   EXPECT_EQ(assignmentWords("validate.depth=on"), "Validate history ▸ Depth: on");
   EXPECT_EQ(assignmentWords("weight.alpha=0.5"), "Blend weight ▸ α: 0.5");
+  EXPECT_EQ(assignmentWords("weight.alpha=0.071428575"), "Blend weight ▸ α: 0.07143");
   EXPECT_EQ(assignmentWords("fault.motionX=-1"), "Faults ▸ Motion x times: −1");
   EXPECT_THROW(assignmentWords("weight.none=1"), Error);
 }

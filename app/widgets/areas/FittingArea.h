@@ -44,8 +44,7 @@ inline void addBottoms(const QLayout& column, int wide, int top, std::vector<int
       for (int line = 1; line < lines; ++line) bottoms.push_back(top + around.top() + high * line / lines);
     }
     bottoms.push_back(bottom);
-    top = bottom;
-    top += column.spacing();
+    top = bottom + column.spacing();
   }
 }
 
