@@ -45,7 +45,7 @@ void WorkBar::setWork(const QString& what, int done, int total) {
   if (what.isEmpty()) {
     delay_.stop();
     hide();
-    parentWidget()->update(geometry());
+    uncover();
     return;
   }
   fraction_ = total > 0 ? std::clamp(static_cast<double>(done) / total, 0.0, 1.0) : 0.0;
@@ -65,9 +65,16 @@ QRect WorkBar::words() const {
           rowHeight() + 2};
 }
 
+// Words that were longer leave what they covered: a picture hides its parent, and is asked by itself.
+void WorkBar::uncover() {
+  for (QWidget* below : parentWidget()->findChildren<QWidget*>())
+    if (below != this && !isAncestorOf(below))
+      below->update(QRect(below->mapFrom(parentWidget(), pos()), size()));
+}
+
 void WorkBar::place() {
   setGeometry(0, top_, parentWidget()->width(), kBar + kWordsGap + rowHeight() + 2);
-  parentWidget()->update(geometry()); // words that were longer leave what they covered
+  uncover();
   // Only the bar and the words take room from what is below.
   setMask(QRegion(0, 0, width(), kBar) + words());
 }

@@ -29,6 +29,7 @@ class WorkBar : public QWidget {
 
  private:
   void place();
+  void uncover();
   QRect words() const; ///< what label and button lie on
 
   int top_;
