@@ -7,6 +7,7 @@
 #include "app/style/Theme.h"
 #include "app/widgets/ConfirmReplace.h"
 #include "app/widgets/Prompt.h"
+#include "app/widgets/areas/FittingArea.h"
 #include "core/base/ShownText.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
@@ -29,6 +30,8 @@ namespace taa::app {
 
 namespace {
 
+constexpr int kDescriptionLines = 4; ///< in a low window
+
 enum Column { StageName, Setting, Present, InPreset };
 
 /// As the window shows it: the label of a choice, a number with its unit.
@@ -45,7 +48,7 @@ QString shownValue(const Parameter& row, double value) {
 
 PresetsDialog::PresetsDialog(Session& session, QString folder, QWidget* parent)
     : QDialog(parent), session_(session), folder_(std::move(folder)), list_(new QListWidget),
-      table_(new QTreeWidget), heading_(new QLabel), error_(new QLabel) {
+      table_(new QTreeWidget), description_(new QLabel), heading_(new QLabel), error_(new QLabel) {
   setWindowTitle(tr("Presets"));
   setAttribute(Qt::WA_DeleteOnClose);
   list_->setAccessibleName(tr("Presets"));
@@ -57,7 +60,15 @@ PresetsDialog::PresetsDialog(Session& session, QString folder, QWidget* parent)
   table_->setRootIsDecorated(false);
   table_->setHeaderLabels({tr("Stage"), tr("Setting"), tr("Now"), tr("Preset")});
   table_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  heading_->setWordWrap(true);
+  for (QLabel* text : {description_, heading_}) {
+    text->setWordWrap(true);
+    text->setTextFormat(Qt::PlainText); // a preset of a file says what its writer liked
+  }
+  description_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  auto* description = new FittingArea(kDescriptionLines * fontMetrics().lineSpacing());
+  description->setAccessibleName(tr("What the preset is"));
+  description->setFocusPolicy(Qt::StrongFocus); // keys scroll a long one
+  description->setWidget(description_);
   error_->setWordWrap(true);
   error_->setVisible(false);
   auto* sides = new QHBoxLayout;
@@ -65,8 +76,10 @@ PresetsDialog::PresetsDialog(Session& session, QString folder, QWidget* parent)
   sides->addWidget(list_);
   auto* right = new QVBoxLayout;
   right->setSpacing(2 * kUnit);
+  right->addWidget(description);
   right->addWidget(heading_);
   right->addWidget(table_, 1);
+  right->addStretch(); // where nothing differs
   sides->addLayout(right, 1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(3 * kUnit, 3 * kUnit, 3 * kUnit, 3 * kUnit);
@@ -122,9 +135,11 @@ void PresetsDialog::readPresets(const QString& wanted) {
                                            : QString::fromStdString(session_.presets().presetId());
   entries_.clear();
   for (const Preset& preset : builtinPresets())
-    entries_.push_back({tableText(preset.label), QString::fromStdString(preset.id), preset.settings, false});
+    entries_.push_back({tableText(preset.label), QString::fromStdString(preset.id),
+                        tableText(preset.description), preset.settings, false});
   for (const UserPreset& own : userPresets(folder_)) try {
-      entries_.push_back({own.label, own.path, preset(own.path.toStdString()).settings, true});
+      const Preset read = preset(own.path.toStdString());
+      entries_.push_back({own.label, own.path, tableText(read.description), read.settings, true});
     } catch (const std::exception&) {
       continue; // it went away meanwhile
     }
@@ -164,7 +179,8 @@ void PresetsDialog::compare() {
     }
   if (table_->topLevelItemCount() > 0) table_->setCurrentItem(table_->topLevelItem(0));
   const int count = table_->topLevelItemCount();
-  table_->header()->setVisible(count > 0); // of nothing
+  table_->setVisible(count > 0);
+  description_->setText(entry ? entry->description : QString());
   heading_->setText(!entry ? QString()
                     : count > 0
                         ? tr("%1 differs from the present settings. Values: %2.").arg(entry->label).arg(count)

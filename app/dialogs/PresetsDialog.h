@@ -32,7 +32,7 @@ class PresetsDialog : public QDialog {
 
  private:
   struct Entry {
-    QString label, idOrPath;
+    QString label, idOrPath, description;
     Settings settings;
     bool isOwn = false;
   };
@@ -52,7 +52,7 @@ class PresetsDialog : public QDialog {
   std::vector<Entry> entries_;
   QListWidget* list_;
   QTreeWidget* table_;
-  QLabel *heading_, *error_;
+  QLabel *description_, *heading_, *error_;
   QPushButton *apply_, *value_, *rename_, *delete_;
 };
 

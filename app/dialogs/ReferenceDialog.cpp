@@ -14,6 +14,7 @@
 #include <QTextBrowser>
 #include <QTextDocument>
 #include <QTextFrame>
+#include <QTextOption>
 #include <QTextTable>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -27,7 +28,7 @@ namespace taa::app {
 
 namespace {
 
-constexpr double kTitlesShare = 0.4; ///< of the width, that titles of pages take at most: large ones wrap
+constexpr double kTitlesShare = 0.3; ///< of the width, that titles of pages take at most: long ones wrap
 
 /// The reference page tells them in the user's language.
 bool isOfTables(const ManualPage& page) {
@@ -64,9 +65,9 @@ ReferenceDialog::ReferenceDialog(QWidget* parent) : QDialog(parent), pages_(manu
   for (const ManualPage& page : pages_) list_->addItem(QString::fromStdString(page.title));
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setWordWrap(true);
-  // Every title is whole.
   list_->setFixedWidth(
       std::min(list_->sizeHintForColumn(0) + 4 * kUnit, static_cast<int>(kTitlesShare * width())));
+  giveTitlesRoom();
   search_ = new QLineEdit;
   search_->setPlaceholderText(tr("Find in this page; Enter goes on"));
   search_->setAccessibleName(tr("Find in this page"));
@@ -75,6 +76,7 @@ ReferenceDialog::ReferenceDialog(QWidget* parent) : QDialog(parent), pages_(manu
   browser_ = new QTextBrowser;
   browser_->setAccessibleName(tr("Page of the manual"));
   browser_->setOpenLinks(false);
+  browser_->setWordWrapMode(QTextOption::WordWrap); // a column is as wide as its longest word
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(2 * kUnit, 2 * kUnit, 2 * kUnit, 2 * kUnit);
   layout->setSpacing(2 * kUnit);
@@ -97,6 +99,17 @@ ReferenceDialog::ReferenceDialog(QWidget* parent) : QDialog(parent), pages_(manu
   connect(search_, &QLineEdit::returnPressed, this, [this] { find(true); });
   list_->setCurrentRow(0);
   search_->setFocus();
+}
+
+// Every title is whole: a row's own hint has one line fewer where its padding is what makes the text wrap.
+void ReferenceDialog::giveTitlesRoom() {
+  constexpr int kPaddingX = 8, kPaddingY = 3, kScrollBar = 10; // px, as the style sheet has them
+  const int wide = list_->width() - 2 * kPaddingX - kScrollBar - 2 * kUnit;
+  for (int row = 0; row < list_->count(); ++row) {
+    QListWidgetItem* item = list_->item(row);
+    const QRect text = list_->fontMetrics().boundingRect({0, 0, wide, 0}, Qt::TextWordWrap, item->text());
+    item->setSizeHint({wide, text.height() + 2 * kPaddingY});
+  }
 }
 
 // Made before it is shown: a document on show is laid out anew for each cell of a table, and pages have

@@ -122,6 +122,7 @@ void JitterPanel::refresh() {
                .arg(fixedText(100.0 * pattern.coverage, 0))
                .arg(pattern.cells);
   lines << tr("Middle %1 px, with weights %2 px.").arg(pair(pattern.mean), pair(pattern.weightedMean));
+  if (isMeasured) lines << stillNote();
   if (series().jitterPx.empty() && jitter.sequence == JitterSequence::Perpendicular)
     lines << (series().jitterWay ? tr("The samples lie across the way the camera moves in this frame.")
                                  : tr("The samples are shown as for a camera that moves to the right."));

@@ -45,8 +45,9 @@ QString number(double value) {
 } // namespace
 
 WeightsPanel::WeightsPanel(QWidget* parent)
-    : AlphaPage(parent), weights_(new CurveChart(tr("Weight in the picture"), tr("frames back"))),
-      samples_(new CurveChart(tr("Effective samples"), tr("frame"))) {
+    : AlphaPage(parent),
+      weights_(new CurveChart(tr("Weight in the picture by frames back"), tr("frames back"))),
+      samples_(new CurveChart(tr("Effective samples by frame"), tr("frame"))) {
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
   rows->setSpacing(kUnit);
@@ -94,10 +95,10 @@ void WeightsPanel::refresh() {
     samples.push_back({name, measuredColor, Qt::SolidLine,
                        from(series().frame - static_cast<int>(measured.size()) + 1,
                             effectiveSamplesOver(series().measured))});
-    lines << tr("Measured at %1: α = %2; effective samples: %3 of %4 frames. Where the surface moves, its "
-                "history came from other pixels.")
+    lines << tr("Measured at %1: α = %2; effective samples: %3 of %4 frames.")
                  .arg(series().place, number(series().measured.back()), number(effectiveSamples(measured)))
-                 .arg(measured.size());
+                 .arg(measured.size())
+          << stillNote();
   } else {
     lines << tr("A probe adds what its pixel measured in the frames that were shown.");
   }

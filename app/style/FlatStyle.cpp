@@ -8,6 +8,8 @@
 #include <QStyleFactory>
 #include <QStyleOption>
 
+#include <algorithm>
+
 namespace taa::app {
 
 namespace {
@@ -26,12 +28,67 @@ void drawChevron(QPainter* painter, const QRect& box, bool isDown, const QColor&
   painter->setRenderHint(QPainter::Antialiasing, false);
 }
 
+/// A line, in the accent's color up to the handle.
+void drawSlider(QPainter* painter, const QStyleOptionComplex& option, QRect groove, QRect handle) {
+  const ThemeColors& colors = themeColors(option.palette);
+  const bool isEnabled = option.state.testFlag(QStyle::State_Enabled);
+  const bool isFocused = option.state.testFlag(QStyle::State_HasFocus);
+  const bool isFlat = option.state.testFlag(QStyle::State_Horizontal);
+  const QPoint middle = handle.center();
+  const QRect line = isFlat ? QRect(groove.left(), middle.y() - 1, groove.width(), 3)
+                            : QRect(middle.x() - 1, groove.top(), 3, groove.height());
+  painter->fillRect(line, colors.line);
+  if (isFlat && isEnabled)
+    painter->fillRect(QRect(line.topLeft(), QPoint(middle.x(), line.bottom())), colors.accent);
+  const double radius = std::min(handle.width(), handle.height()) / 2.0 - 1.0;
+  painter->setRenderHint(QPainter::Antialiasing);
+  painter->setPen(isFocused ? colors.accent : colors.secondary);
+  painter->setBrush(isEnabled ? (isFocused ? colors.accent : colors.text) : colors.panel);
+  painter->drawEllipse(QRectF(handle).center(), radius, radius);
+  painter->setRenderHint(QPainter::Antialiasing, false);
+}
+
+/// Its border is seen on every ground: unchecked ones have nothing else.
+void drawCheckBox(QPainter* painter, const QStyleOption& option) {
+  const ThemeColors& colors = themeColors(option.palette);
+  const bool isEnabled = option.state.testFlag(QStyle::State_Enabled);
+  const QRect box = option.rect.adjusted(0, 0, -1, -1);
+  painter->setPen(option.state.testFlag(QStyle::State_HasFocus) ? colors.accent : colors.secondary);
+  painter->setBrush(isEnabled ? colors.field : colors.panel);
+  painter->drawRect(box);
+  const double side = std::min(box.width(), box.height()) / 12.0;
+  const QPointF middle = QRectF(option.rect).center();
+  painter->setPen(QPen(isEnabled ? colors.text : colors.secondary, 1.75 * side, Qt::SolidLine, Qt::RoundCap));
+  painter->setRenderHint(QPainter::Antialiasing);
+  if (option.state.testFlag(QStyle::State_On)) {
+    const QPointF mark[] = {middle + side * QPointF(-3, 0.25), middle + side * QPointF(-0.75, 2.5),
+                            middle + side * QPointF(3.25, -2.75)};
+    painter->drawPolyline(mark, 3);
+  } else if (option.state.testFlag(QStyle::State_NoChange)) {
+    painter->drawLine(middle - QPointF(3 * side, 0), middle + QPointF(3 * side, 0));
+  }
+  painter->setRenderHint(QPainter::Antialiasing, false);
+}
+
 } // namespace
 
 FlatStyle::FlatStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
 
+void FlatStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                              const QWidget* widget) const {
+  if (element == PE_IndicatorCheckBox || element == PE_IndicatorItemViewItemCheck)
+    return drawCheckBox(painter, *option);
+  if (element == PE_IndicatorArrowDown || element == PE_IndicatorArrowUp)
+    return drawChevron(painter, option->rect, element == PE_IndicatorArrowDown,
+                       themeColors(option->palette).secondary);
+  QProxyStyle::drawPrimitive(element, option, painter, widget);
+}
+
 void FlatStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                                    QPainter* painter, const QWidget* widget) const {
+  if (control == CC_Slider)
+    return drawSlider(painter, *option, subControlRect(control, option, SC_SliderGroove, widget),
+                      subControlRect(control, option, SC_SliderHandle, widget));
   if (control != CC_ComboBox && control != CC_SpinBox)
     return QProxyStyle::drawComplexControl(control, option, painter, widget);
   const ThemeColors& colors = themeColors(option->palette);

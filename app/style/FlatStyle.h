@@ -1,5 +1,5 @@
-// Fusion with flat lists to choose from and numbers to count up: as the fields and buttons of the style
-// sheet, which has no way to color an arrow.
+// Fusion with flat lists to choose from, numbers to count up, sliders, check boxes and arrows: as the fields
+// and buttons of the style sheet, which has no way to color an arrow.
 #pragma once
 
 #include <QProxyStyle>
@@ -10,6 +10,8 @@ class FlatStyle : public QProxyStyle {
  public:
   FlatStyle();
 
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override;
   void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                           const QWidget* widget) const override;
 };

@@ -30,18 +30,22 @@ std::string htmlRange(const Parameter& row) {
   return text;
 }
 
+/// Above what is said of it: names have the whole width, however large the letters are.
+std::string nameHtml(std::string_view label, std::string_view name) {
+  return "<tr><td colspan=\"3\"><b>" + htmlLabel(label) + "</b> <code>" + htmlText(name) +
+         "</code></td></tr>\n";
+}
+
 std::string parameterHtml(const Parameter& row) {
-  std::string text = "<tr><td><b>" + htmlLabel(row.label) + "</b><br><code>" + htmlText(row.path) +
-                     "</code></td><td>" + htmlLabel(row.tooltip);
+  std::string text = nameHtml(row.label, row.path) + "<tr><td>" + htmlLabel(row.tooltip);
   if (!row.formula.empty()) text += "<br><i>" + htmlLabel(row.formula) + "</i>";
   return text + "<br>" + htmlLabel(row.source) + "</td><td>" + htmlRange(row) + "</td><td>" +
          htmlText(valueText(row, row.defaultValue())) + "</td></tr>\n";
 }
 
 std::string intermediateHtml(const Intermediate& row) {
-  return "<tr><td><b>" + htmlLabel(row.label) + "</b><br><code>" + std::string(row.name) +
-         "</code></td><td>" + htmlLabel(row.description) + "</td><td>" + htmlText(channelNamesText(row)) +
-         "</td><td>" + htmlLabel(row.unit) + "</td></tr>\n";
+  return nameHtml(row.label, row.name) + "<tr><td>" + htmlLabel(row.description) + "</td><td>" +
+         htmlText(channelNamesText(row)) + "</td><td>" + htmlLabel(row.unit) + "</td></tr>\n";
 }
 
 constexpr std::string_view kTableTag = "<table cellpadding=\"4\" cellspacing=\"0\" width=\"100%\">\n";
@@ -68,18 +72,15 @@ std::string stageHtml(const StageInfo& stage) {
   std::string text = "<h2>" + htmlLabel(stage.label) + "</h2>\n<p>" + htmlLabel(stage.description) + "</p>\n";
   if (!parametersText.empty())
     text += std::string(kTableTag) +
-            headHtml({{say<"Parameter">(), 22},
-                      {say<"What it does">(), 38},
-                      {say<"Range">(), 28},
-                      {say<"Default">(), 12}}) +
+            headHtml(
+                {{say<"Parameters, and what they do">(), 48}, {say<"Range">(), 36}, {say<"Default">(), 16}}) +
             parametersText + "</table>\n";
   if (!intermediatesText.empty())
-    text += std::string(kTableTag) +
-            headHtml({{say<"Intermediate">(), 22},
-                      {say<"What it is">(), 54},
-                      {say<"Channels">(), 12},
-                      {say<"Unit">(), 12}}) +
-            intermediatesText + "</table>\n";
+    text +=
+        std::string(kTableTag) +
+        headHtml(
+            {{say<"Intermediates, and what they are">(), 68}, {say<"Channels">(), 16}, {say<"Unit">(), 16}}) +
+        intermediatesText + "</table>\n";
   return text;
 }
 

@@ -355,7 +355,7 @@ TEST_F(Window, TheReferencePageHoldsBothTablesAndFindsWords) {
   for (QTextFrame* frame : page->document()->rootFrame()->childFrames())
     if (const auto* table = qobject_cast<QTextTable*>(frame)) {
       const QList<QTextLength> columns = table->format().columnWidthConstraints();
-      EXPECT_GT(columns.at(1).rawValue(), columns.at(0).rawValue()) << "sentences are longer than names";
+      EXPECT_GT(columns.at(0).rawValue(), columns.at(1).rawValue()) << "sentences are longer than ranges";
     }
   QTest::keyClicks(dialog->findChild<QLineEdit*>(), "clipToFiltered");
   EXPECT_EQ(page->textCursor().selectedText(), "clipToFiltered");

@@ -29,6 +29,10 @@ QLabel* AlphaPage::makeNote() {
   return label;
 }
 
+QString AlphaPage::stillNote() {
+  return tr("Where the surface moves, its history came from other pixels: the page Lineage follows it.");
+}
+
 void AlphaPage::setSeries(const AlphaSeries& series) {
   series_ = series;
   if (isVisible() && !refresh_.isActive()) refresh_.start();

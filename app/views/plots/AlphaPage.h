@@ -34,6 +34,8 @@ class AlphaPage : public QWidget {
   const AlphaSeries& series() const { return series_; }
   QLabel* summaryLabel() const { return summary_; } ///< for the layout
   void setSummary(const QStringList& parts, QChar between);
+  /// What α of one pixel over frames does not tell.
+  static QString stillNote();
   /// Secondary text that wraps and can be copied.
   static QLabel* makeNote();
 

@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QRectF>
 #include <QToolTip>
 
 #include <algorithm>
@@ -87,13 +88,9 @@ constexpr int kLowestWithProjections = 320; ///< px where text has its own size
 constexpr int kMaxTicks = 4;                ///< on an axis
 constexpr int kLowestWithTicks = 9;         ///< lines of text, of the plot
 
-/// A label by a tick, on the side of it that `away` points to.
-void drawTickLabel(QPainter& painter, QPointF tick, QPointF away, const QString& text) {
-  const QSizeF size(painter.fontMetrics().horizontalAdvance(text), painter.fontMetrics().height());
-  const double length = std::max(1e-6, std::hypot(away.x(), away.y()));
-  const QPointF middle = tick + away / length * (0.5 * std::hypot(size.width(), size.height()) + 2.0);
-  painter.drawText(QRectF(middle - QPointF(size.width(), size.height()) / 2, size),
-                   Qt::AlignCenter | Qt::TextDontClip, text);
+/// Of length 1, or 0.
+QPointF directionOf(QPointF way) {
+  return way / std::max(1e-6, std::hypot(way.x(), way.y()));
 }
 
 } // namespace
@@ -190,27 +187,56 @@ void ColorSpaceView::paintPlot(QPainter& painter, const Content& content) const 
   paintAxes(painter, content);
 }
 
-// Labels stand away from the middle.
-void ColorSpaceView::paintAxes(QPainter& painter, const Content& content) const {
+// Names stand beyond the ends of their axes, ticks away from the middle.
+std::vector<ChartLabel> ColorSpaceView::axisLabels() const {
+  std::vector<ChartLabel> labels;
+  if (!scene_) return labels;
   const glm::vec3 size = range_.high - range_.low;
-  const auto ticks = ticksOf(range_, kMaxTicks);
-  const QPointF middle = placeOf(range_.low + 0.5f * size);
+  const auto sizeOf = [&](const QString& text) {
+    return QSizeF(fontMetrics().horizontalAdvance(text), fontMetrics().height());
+  };
   for (int axis = 0; axis < 3; ++axis) {
-    const glm::vec3 begin = outerEdge(range_, turn_, axis);
-    glm::vec3 end = begin;
+    glm::vec3 end = outerEdge(range_, turn_, axis);
     end[axis] = range_.high[axis] + 0.12f * size[axis];
-    painter.setPen(content.colors.text);
-    painter.drawText(QRectF(placeOf(end) - QPointF(20, 10), QSizeF(40, 20)),
-                     Qt::AlignCenter | Qt::TextDontClip, axisName(axis));
-    painter.setPen(content.colors.secondary);
-    if (plotRect().height() < kLowestWithTicks * fontMetrics().height()) continue; // they would hide it
+    QRectF place({}, sizeOf(axisName(axis)));
+    place.moveCenter(placeOf(end));
+    labels.push_back({axisName(axis), place});
+  }
+  if (plotRect().height() < kLowestWithTicks * fontMetrics().height()) return labels; // they would hide it
+  for (const auto& [at, tick] : axisTicks()) {
+    const QPointF away = at - placeOf(range_.low + 0.5f * size);
+    const QString text = shortText(tick);
+    const QSizeF room = sizeOf(text);
+    QRectF place({}, room);
+    place.moveCenter(at + directionOf(away) * (0.5 * std::hypot(room.width(), room.height()) + 2.0));
+    const auto hides = [&](const ChartLabel& other) { return other.place.intersects(place); };
+    if (std::ranges::none_of(labels, hides)) labels.push_back({text, place});
+  }
+  return labels;
+}
+
+// Places, and what is there.
+std::vector<std::pair<QPointF, double>> ColorSpaceView::axisTicks() const {
+  std::vector<std::pair<QPointF, double>> places;
+  const auto ticks = ticksOf(range_, kMaxTicks);
+  for (int axis = 0; axis < 3; ++axis)
     for (const double tick : ticks[static_cast<std::size_t>(axis)]) {
-      glm::vec3 at = begin;
+      glm::vec3 at = outerEdge(range_, turn_, axis);
       at[axis] = static_cast<float>(tick);
-      const QPointF place = placeOf(at), away = place - middle;
-      painter.drawLine(place, place + away / std::max(1.0, std::hypot(away.x(), away.y())) * kUnit);
-      drawTickLabel(painter, place, away, shortText(tick));
+      places.emplace_back(placeOf(at), tick);
     }
+  return places;
+}
+
+void ColorSpaceView::paintAxes(QPainter& painter, const Content& content) const {
+  const std::vector<ChartLabel> labels = axisLabels();
+  painter.setPen(content.colors.secondary);
+  const QPointF middle = placeOf(0.5f * (range_.low + range_.high));
+  if (labels.size() > 3)
+    for (const auto& [at, tick] : axisTicks()) painter.drawLine(at, at + directionOf(at - middle) * kUnit);
+  for (std::size_t index = 0; index < labels.size(); ++index) {
+    painter.setPen(index < 3 ? content.colors.text : content.colors.secondary);
+    painter.drawText(labels[index].place, Qt::AlignCenter | Qt::TextDontClip, labels[index].text);
   }
 }
 

@@ -3,12 +3,14 @@
 #pragma once
 
 #include "app/models/ColorSpaceMath.h"
+#include "app/views/plots/ChartAxes.h"
 
 #include <QPointF>
 #include <QString>
 #include <QWidget>
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 class QPainter;
@@ -34,6 +36,9 @@ class ColorSpaceView : public QWidget {
   QPointF placeOf(const glm::vec3& color) const;
   /// What is nearest to a place, with its values; empty when nothing is near.
   QString textAt(QPointF place) const;
+  /// Of the plot that can be turned: names of the axes, then as many ticks as stand apart; none without a
+  /// scene.
+  std::vector<ChartLabel> axisLabels() const;
   QSize sizeHint() const override { return {380, 520}; }
 
  protected:
@@ -56,6 +61,7 @@ class ColorSpaceView : public QWidget {
   void paintPlot(QPainter& painter, const Content& content) const;
   void paintAxes(QPainter& painter, const Content& content) const;
   void paintFlatAxes(QPainter& painter, const Content& content, int index) const;
+  std::vector<std::pair<QPointF, double>> axisTicks() const;
   QString axisName(int axis) const; ///< expects a scene
   void paintProjection(QPainter& painter, const Content& content, int index) const;
   void paintLegend(QPainter& painter, const Content& content) const;

@@ -91,7 +91,7 @@ std::optional<int> LineageBars::frameAt(double viewX) const {
 }
 
 QString LineageBars::readout() const {
-  const QString title = tr("Weight in the pixel"), key = tr("hatched: what rectification put there");
+  const QString title = tr("Weight in the pixel by frame"), key = tr("hatched: what rectification put there");
   if (!lineage_) return title;
   const QString whole = title + QStringLiteral("  ") + key;
   // Its tip has the key, too.
@@ -99,8 +99,7 @@ QString LineageBars::readout() const {
   if (!highlighted_) return QFontMetricsF(secondaryFont()).horizontalAdvance(whole) <= room ? whole : title;
   for (const LineageFrame& entry : lineage_->frames)
     if (entry.frame == *highlighted_)
-      return tr("%1  frame %2: samples %3, rectification %4, %n pixel(s) read", nullptr, entry.pixels)
-          .arg(title)
+      return tr("Frame %1: samples %2, rectification %3, %n pixel(s) read", nullptr, entry.pixels)
           .arg(entry.frame)
           .arg(shortText(entry.weight, 4), shortText(entry.rectified, 4));
   return title;

@@ -32,9 +32,13 @@
 #include <QListWidget>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextDocument>
+#include <QTextLayout>
 #include <QTreeView>
 
 #include <map>
@@ -324,6 +328,34 @@ TEST_F(TextSizeTest, AtTwoHundredPercentThePageOfTheManualIsWiderThanTheListOfPa
   const auto* dialog = window.findChild<ReferenceDialog*>();
   ASSERT_TRUE(dialog);
   EXPECT_GT(dialog->findChild<QTextBrowser*>()->width(), dialog->findChild<QListWidget*>()->width());
+  delete dialog;
+}
+
+TEST_F(TextSizeTest, AtTwoHundredPercentTablesOfTheManualBreakLinesBetweenWords) {
+  window.resize(1280, 800);
+  window.setTextPercent(200);
+  key(Qt::Key_F1);
+  const auto* dialog = window.findChild<ReferenceDialog*>();
+  ASSERT_TRUE(dialog);
+  const QTextDocument* document = dialog->findChild<QTextBrowser*>()->document();
+  int broken = 0, lines = 0;
+  for (QTextBlock block = document->begin(); block.isValid(); block = block.next()) {
+    const QTextLayout* layout = block.layout();
+    for (int line = 0; line + 1 < layout->lineCount(); ++line, ++lines) {
+      const QTextLine broke = layout->lineAt(line);
+      const int end = broke.textStart() + broke.textLength();
+      if (block.text()[end - 1].isLetter() && block.text()[end].isLetter()) ++broken;
+    }
+  }
+  EXPECT_EQ(broken, 0);
+  EXPECT_GT(lines, 100);
+  EXPECT_EQ(dialog->findChild<QTextBrowser*>()->horizontalScrollBar()->maximum(), 0) << "it fits";
+  const auto* list = dialog->findChild<QListWidget*>();
+  for (int row = 0; row < list->count(); ++row) {
+    const QRect place = list->visualItemRect(list->item(row)).adjusted(8, 3, -8, -3); // its padding
+    const QRect text = list->fontMetrics().boundingRect(place, Qt::TextWordWrap, list->item(row)->text());
+    EXPECT_LE(text.height(), place.height()) << list->item(row)->text().toStdString();
+  }
   delete dialog;
 }
 

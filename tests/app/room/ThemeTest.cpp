@@ -3,10 +3,12 @@
 #include "app/widgets/SearchField.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QImage>
 #include <QPushButton>
 #include <QTest>
+#include <QTreeWidget>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -71,6 +73,45 @@ TEST_P(Theme, ListsToChooseFromAreAsFlatAsFields) {
   EXPECT_EQ(nameAt(0), colors.line.name().toStdString());
   QTest::keyClick(other, Qt::Key_Tab);
   EXPECT_EQ(nameAt(0), colors.accent.name().toStdString()) << "with the focus";
+}
+
+// An unchecked box has nothing but its border (WCAG 2.1, 1.4.11: 3 : 1).
+TEST_P(Theme, UncheckedBoxesAreSeen) {
+  QWidget window;
+  window.resize(300, 200);
+  auto* box = new QCheckBox(QStringLiteral("alone"), &window);
+  box->setGeometry(10, 10, 100, 26);
+  auto* tree = new QTreeWidget(&window);
+  tree->setGeometry(10, 50, 200, 100);
+  tree->setRootIsDecorated(false);
+  auto* item = new QTreeWidgetItem({QString()});
+  item->setCheckState(0, Qt::Unchecked);
+  tree->addTopLevelItem(item);
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  const QImage seen = window.grab().toImage();
+  const auto strongest = [&](const QRect& place, const QColor& ground) {
+    double most = 1.0;
+    for (int x = place.left(); x <= place.right(); ++x)
+      for (int y = place.top(); y <= place.bottom(); ++y)
+        most = std::max(most, contrastOf(seen.pixelColor(x, y), ground));
+    return most;
+  };
+  const ThemeColors& colors = themeColors(&window);
+  EXPECT_GE(strongest({box->x(), box->y(), 18, box->height()}, colors.window), 3.0);
+  const QRect row = tree->visualItemRect(item).translated(tree->pos() + tree->viewport()->pos());
+  EXPECT_GE(strongest({row.left(), row.top(), 24, row.height()}, colors.panel), 3.0);
+  const auto inkOf = [&] {
+    const QImage now = box->grab().toImage();
+    int count = 0;
+    for (int x = 0; x < 18; ++x)
+      for (int y = 0; y < now.height(); ++y)
+        if (contrastOf(now.pixelColor(x, y), colors.field) >= 3.0) ++count;
+    return count;
+  };
+  const int unchecked = inkOf();
+  box->setChecked(true);
+  EXPECT_GT(inkOf(), unchecked + 8) << "its mark";
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Theme, testing::Values(ThemeChoice::Dark, ThemeChoice::Light));

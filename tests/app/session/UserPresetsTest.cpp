@@ -10,12 +10,15 @@
 #include "core/settings/Presets.h"
 #include "tests/app/WindowFixture.h"
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTreeWidget>
@@ -171,6 +174,39 @@ TEST_F(UserPresetsTest, AreComparedInAsMuchRoomAsTheWindowHas) {
     EXPECT_LE(dialog->height(), size.height());
     EXPECT_GE(dialog->height(), std::min(680, size.height() - 16)) << size.height();
     delete dialog;
+  }
+}
+
+TEST_F(UserPresetsTest, WhatAPresetIsStandsAboveWhatDiffers) {
+  own.resize(1024, 600);
+  QTest::keyClick(&own, Qt::Key_D, Qt::ControlModifier);
+  auto* dialog = own.findChild<PresetsDialog*>();
+  ASSERT_TRUE(dialog);
+  const auto labelOf = [&](const QString& text) {
+    for (const QLabel* label : dialog->findChildren<QLabel*>())
+      if (label->text() == text) return label;
+    return static_cast<const QLabel*>(nullptr);
+  };
+  const auto choose = [&](const char* id) {
+    const QString name = QString::fromStdString(preset(id).label);
+    dialog->list()->setCurrentItem(dialog->list()->findItems(name, Qt::MatchExactly).value(0));
+    settle();
+    return labelOf(QString::fromStdString(preset(id).description));
+  };
+  ASSERT_TRUE(choose("balanced"));
+  EXPECT_FALSE(dialog->table()->isVisible()) << "an empty table says nothing";
+  const QLabel* longest = choose("godot");
+  ASSERT_TRUE(longest);
+  EXPECT_TRUE(dialog->table()->isVisible());
+  EXPECT_GE(dialog->table()->viewport()->height(),
+            4 * dialog->table()->visualItemRect(dialog->table()->topLevelItem(0)).height());
+  auto* area = qobject_cast<QScrollArea*>(longest->parentWidget()->parentWidget());
+  ASSERT_TRUE(area);
+  EXPECT_EQ(area->horizontalScrollBar()->maximum(), 0);
+  if (area->verticalScrollBar()->maximum() > 0) {
+    area->setFocus();
+    QTest::keyClick(dialog->focusWidget(), Qt::Key_Down);
+    EXPECT_GT(area->verticalScrollBar()->value(), 0) << "keys scroll it";
   }
 }
 

@@ -225,6 +225,24 @@ TEST(ColorSpaceView, NamesWhatIsUnderTheMouse) {
   EXPECT_EQ(view.textAt({100, 100}), QString());
 }
 
+TEST(ColorSpaceView, LabelsOfItsAxesStandApartHoweverItIsTurned) {
+  ColorSpaceView view;
+  view.resize(380, 560);
+  EXPECT_TRUE(view.axisLabels().empty());
+  view.setScene(Pixel().scene(PlotSpace::YCoCg));
+  for (double yaw = -3.0; yaw < 3.0; yaw += 0.25)
+    for (const double pitch : {-1.0, -0.3, 0.3, 1.0}) {
+      view.setTurn({yaw, pitch});
+      const std::vector<ChartLabel> labels = view.axisLabels();
+      ASSERT_GT(labels.size(), 6u);
+      EXPECT_EQ(labels[0].text + labels[1].text + labels[2].text, "YCoCg");
+      for (std::size_t one = 3; one < labels.size(); ++one)
+        for (std::size_t other = 0; other < one; ++other)
+          EXPECT_FALSE(labels[one].place.intersects(labels[other].place))
+              << labels[one].text.toStdString() << " and " << labels[other].text.toStdString();
+    }
+}
+
 TEST(ColorSpace, SamplesKeepTheirOwnColors) {
   Pixel pixel;
   pixel.settings.space = {ColorSpace::YCoCg, ToneSpace::Linear};

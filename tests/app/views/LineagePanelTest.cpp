@@ -77,7 +77,7 @@ TEST_F(LineagePage, ReadsABarUnderTheMouseAndGoesToItsFrame) {
   const QPoint place = bars->barOf(window.lineage()->lineage()->frames[2]).center().toPoint();
   QTest::mouseMove(bars, place);
   settle();
-  EXPECT_TRUE(bars->readout().contains("frame 7: samples 0.125, rectification 0, 1 pixel"))
+  EXPECT_TRUE(bars->readout().contains("Frame 7: samples 0.125, rectification 0, 1 pixel"))
       << bars->readout().toStdString();
   QTest::mouseClick(bars, Qt::LeftButton, {}, place);
   settle();

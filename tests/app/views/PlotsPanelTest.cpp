@@ -2,6 +2,7 @@
 // of taa-batch.
 #include "app/panels/PlotsPanel.h"
 
+#include "app/panels/JitterPanel.h"
 #include "app/panels/LowerArea.h"
 #include "app/panels/TimelinePanel.h"
 #include "app/panels/WeightsPanel.h"
@@ -128,6 +129,18 @@ TEST_F(Plots, CostNothingWhileTheyAreHidden) {
   EXPECT_TRUE(renderer->tracing) << "weights are measured at the probe, too";
   key(Qt::Key_F7, Qt::ShiftModifier);
   EXPECT_FALSE(renderer->tracing);
+}
+
+TEST_F(Plots, MeasuredWeightsSayWhatTheyDoNotTell) {
+  const auto says = [](const AlphaPage* page) {
+    return page->summary().contains("easured at (") && page->summary().contains("the page Lineage");
+  };
+  key(Qt::Key_F7, Qt::ShiftModifier);
+  QTRY_VERIFY(says(window.weights()));
+  key(Qt::Key_F7);
+  QTRY_VERIFY(says(window.jitter()));
+  session.probes().removeAll();
+  QTRY_VERIFY(!says(window.jitter()));
 }
 
 TEST_F(Plots, AClickGoesToItsFrame) {
