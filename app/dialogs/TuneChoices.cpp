@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -85,19 +86,21 @@ QWidget* TuneChoices::makeGoal() {
   return page;
 }
 
-// A stage's settings have its name before their dot.
+// What varies is told by groups, the words before the dots of paths; a stage may have more than one.
 void TuneChoices::listStages() {
+  std::map<Stage, QListWidgetItem*> listed;
   for (const Parameter* row : tunableRows()) {
-    const QString group = qtext(row->path.substr(0, row->path.find('.')));
-    bool isListed = false;
-    for (int line = 0; line < stages_->count(); ++line)
-      isListed |= stages_->item(line)->data(Qt::UserRole).toString() == group;
-    if (isListed) continue;
-    auto* item = new QListWidgetItem(tableText(stageInfo(row->stage).label), stages_);
-    item->setData(Qt::UserRole, group);
-    item->setToolTip(group);
-    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-    item->setCheckState(Qt::Checked);
+    QListWidgetItem*& item = listed[row->stage];
+    if (!item) {
+      item = new QListWidgetItem(tableText(stageInfo(row->stage).label), stages_);
+      item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+      item->setCheckState(Qt::Checked);
+    }
+    QStringList groups = item->data(Qt::UserRole).toStringList();
+    groups << qtext(row->path.substr(0, row->path.find('.')));
+    groups.removeDuplicates();
+    item->setData(Qt::UserRole, groups);
+    item->setToolTip(groups.join(QStringLiteral(", ")));
   }
 }
 
@@ -118,7 +121,8 @@ std::vector<std::string> TuneChoices::varied() const {
   std::vector<std::string> ticked;
   for (int line = 0; line < stages_->count(); ++line)
     if (stages_->item(line)->checkState() == Qt::Checked)
-      ticked.push_back(stages_->item(line)->data(Qt::UserRole).toString().toStdString());
+      for (const QString& group : stages_->item(line)->data(Qt::UserRole).toStringList())
+        ticked.push_back(group.toStdString());
   return ticked;
 }
 

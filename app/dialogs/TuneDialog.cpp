@@ -4,6 +4,7 @@
 #include "app/dialogs/TuneChoices.h"
 #include "app/models/verdict/VerdictWords.h"
 #include "app/session/Session.h"
+#include "app/style/DialogSize.h"
 #include "app/style/Numbers.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
@@ -68,6 +69,7 @@ TuneDialog::TuneDialog(Session& session, TuneExits exits, QWidget* parent, TuneW
   connect(&work_, &TuneWork::told, this, &TuneDialog::showWay);
   connect(&work_, &TuneWork::ended, this, &TuneDialog::finish);
   refresh();
+  resize(sizeOver(parent, {scaled(210 * kUnit), scaled(150 * kUnit)}));
 }
 
 void TuneDialog::openAt(Session& session, const TuneExits& exits, QWidget* window) {

@@ -2,6 +2,7 @@
 
 #include "app/style/Theme.h"
 
+#include <QListView>
 #include <QPainter>
 #include <QPen>
 #include <QPointF>
@@ -73,6 +74,12 @@ void drawCheckBox(QPainter* painter, const QStyleOption& option) {
 } // namespace
 
 FlatStyle::FlatStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
+
+// A list that was filled before it had its style has places of rows that are lower: it finds them anew.
+void FlatStyle::polish(QWidget* widget) {
+  QProxyStyle::polish(widget);
+  if (auto* list = qobject_cast<QListView*>(widget)) list->setResizeMode(QListView::Adjust);
+}
 
 void FlatStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                               const QWidget* widget) const {

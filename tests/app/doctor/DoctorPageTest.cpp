@@ -13,6 +13,7 @@
 #include "core/base/Files.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
+#include "tests/app/PaintedTexts.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QFile>
@@ -134,6 +135,19 @@ class DoctorPageTest : public FakeWindow {
 
   std::shared_ptr<Script> script_ = std::make_shared<Script>();
 };
+
+TEST_F(DoctorPageTest, CutsNothingOfWhatWasFound) {
+  examine();
+  choose(0, 0);
+  for (const QSize size : {QSize(1024, 600), QSize(1280, 800), QSize(1920, 1080)}) {
+    SCOPED_TRACE(size.width());
+    window.resize(size);
+    settle();
+    settle();
+    EXPECT_EQ(window.size(), size);
+    expectWholeTexts(window);
+  }
+}
 
 TEST_F(DoctorPageTest, SaysWhatItWillLookAtBeforeAnythingIsKnown) {
   EXPECT_TRUE(window.lower()->shows(LowerPage::Doctor));

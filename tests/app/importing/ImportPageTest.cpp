@@ -1,4 +1,5 @@
 // The page through which frames of other engines come in: what it shows, and how conventions are changed.
+#include "tests/app/PaintedTexts.h"
 #include "tests/app/importing/ImportFixture.h"
 
 #include <QAbstractScrollArea>
@@ -10,6 +11,16 @@
 #include <string>
 
 namespace taa::app::test {
+
+TEST_F(ImportPageTest, CutsNothingOfFramesAndConventions) {
+  for (const QSize size : {QSize(1024, 600), QSize(1280, 800), QSize(1920, 1080)}) {
+    SCOPED_TRACE(size.width());
+    page->resize(size);
+    QTest::qWait(100);
+    EXPECT_EQ(page->size(), size);
+    expectWholeTexts(*page);
+  }
+}
 
 TEST_F(ImportPageTest, ShowsWhatIsSureAndWhatIsNot) {
   EXPECT_EQ(row("motion.direction")->verdict(), Verdict::Sure);
