@@ -134,10 +134,17 @@ bool PanelDock::eventFilter(QObject* object, QEvent* event) {
 }
 
 void PanelDock::closeEvent(QCloseEvent* event) {
+  endDrag();
   giveFocusBack();
   if (panel_) panel_->hide();
   event->accept();
   Q_EMIT closed();
+}
+
+// Qt has no other way to end it.
+void PanelDock::endDrag() {
+  QCloseEvent event;
+  QDockWidget::closeEvent(&event);
 }
 
 void PanelDock::giveFocusBack() {

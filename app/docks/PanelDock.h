@@ -32,6 +32,8 @@ class PanelDock : public QDockWidget {
   void follow();
   /// Where it has the focus in a window of its own, the window that it belongs to gets it.
   void giveFocusBack();
+  /// Where the mouse drags it, it goes back to where it was.
+  void endDrag();
 
  Q_SIGNALS:
   /// The button of its head was pressed.

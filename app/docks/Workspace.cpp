@@ -8,6 +8,7 @@
 #include <QGuiApplication>
 #include <QJsonArray>
 #include <QLayout>
+#include <QMouseEvent>
 #include <QScreen>
 #include <QTabBar>
 #include <QTimer>
@@ -199,7 +200,16 @@ void Workspace::placeFirst(PanelDock* dock) {
   dock->setGeometry(reachablePlace(place, screenPlaces(screen())));
 }
 
+// While an edge is dragged, Qt goes back, move by move, to the layout that was there when it was pressed:
+// places that were given meanwhile are gone, and their items with them.
+void Workspace::endDrags() {
+  for (PanelDock* dock : docks_) dock->endDrag();
+  QMouseEvent released(QEvent::MouseButtonRelease, {}, mapToGlobal(QPointF()), Qt::LeftButton, {}, {});
+  QMainWindow::event(&released);
+}
+
 void Workspace::placeDocks() {
+  endDrags();
   for (PanelDock* dock : docks_) setTornOff(dock, false);
   addDockWidget(Qt::LeftDockWidgetArea, left_);
   addDockWidget(Qt::RightDockWidgetArea, learn_);
@@ -277,6 +287,7 @@ void Workspace::setState(const QJsonObject& state) {
   const QJsonArray size = state.value(QLatin1String("size")).toArray();
   savedSize_ = {size.at(0).toInt(), size.at(1).toInt()};
   const auto restorePlaces = [this, places] {
+    endDrags();
     restoreState(places, kStateVersion);
     for (PanelDock* dock : docks_) dock->follow();
     comeBack();

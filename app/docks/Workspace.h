@@ -79,6 +79,7 @@ class Workspace : public QMainWindow {
   void addPages();
   void shareSideNow();
   void takeFromPages(int missing);
+  void endDrags();
   void placeDocks();
   void placeFirst(PanelDock* dock);
   void makeRoomForViews();

@@ -14,8 +14,10 @@
 #include "tests/app/WindowFixture.h"
 
 #include <QContextMenuEvent>
+#include <QJsonObject>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QScreen>
 #include <QSettings>
 #include <QTabBar>
@@ -166,6 +168,58 @@ TEST_F(Docks, TheLayoutComesBackWithASession) {
   EXPECT_TRUE(window.lower()->isTaken(LowerPage::Plots));
   EXPECT_TRUE(window.plots()->isVisible());
   EXPECT_FALSE(window.lower()->isVisible());
+}
+
+// Random input found it: the key Esc, which ends a presentation, while the mouse held an edge between panels.
+TEST_F(Docks, ALayoutThatComesBackWhileAnEdgeIsDraggedEndsTheDrag) {
+  Workspace* workspace = window.workspace();
+  const QJsonObject before = workspace->state();
+  const int probeWidth = dock("probe")->width();
+  QPoint edge(0, workspace->height() / 3);
+  while (edge.x() < workspace->width() &&
+         !(edge.x() > workspace->width() / 2 && workspace->isSeparator(edge)))
+    edge.rx() += 1;
+  ASSERT_TRUE(workspace->isSeparator(edge));
+  const auto mouse = [&](QEvent::Type type, int left) {
+    const QPointF at = edge + QPoint(1 - left, 0);
+    const bool isMove = type == QEvent::MouseMove;
+    QMouseEvent event(type, at, workspace->mapToGlobal(at), isMove ? Qt::NoButton : Qt::LeftButton,
+                      type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, {});
+    QApplication::sendEvent(workspace, &event);
+  };
+  for (int round = 0; round < 3; ++round) {
+    mouse(QEvent::MouseButtonPress, 0);
+    mouse(QEvent::MouseMove, 60);
+    settle();
+    EXPECT_GT(dock("probe")->width(), probeWidth + 40) << "it is dragged";
+    mouse(QEvent::MouseMove, 80); // of which Qt thinks in a moment
+    workspace->setState(before);
+    mouse(QEvent::MouseMove, 90);
+    settle();
+    EXPECT_EQ(dock("probe")->width(), probeWidth);
+    mouse(QEvent::MouseButtonRelease, 90);
+    settle();
+    EXPECT_EQ(dock("probe")->width(), probeWidth);
+  }
+}
+
+// A panel, too, while its head is dragged.
+TEST_F(Docks, ALayoutThatComesBackWhileAPanelIsDraggedEndsTheDrag) {
+  Workspace* workspace = window.workspace();
+  const QJsonObject before = workspace->state();
+  QWidget* head = dock("probe")->titleBarWidget();
+  const QPoint from = head->mapTo(dock("probe"), QPoint(head->width() / 2, head->height() / 2));
+  QTest::mousePress(dock("probe"), Qt::LeftButton, {}, from);
+  for (int step = 1; step <= 4; ++step) QTest::mouseMove(dock("probe"), from - QPoint(60 * step, -20 * step));
+  QTest::qWait(20);
+  EXPECT_TRUE(dock("probe")->isFloating()) << "it is dragged";
+  workspace->setState(before);
+  settle();
+  EXPECT_FALSE(dock("probe")->isFloating());
+  QTest::mouseRelease(dock("probe"), Qt::LeftButton, {}, from);
+  settle();
+  EXPECT_FALSE(dock("probe")->isFloating());
+  EXPECT_TRUE(window.probe()->isVisible());
 }
 
 TEST_F(Docks, APanelOfAScreenThatIsGoneComesBack) {
