@@ -4,6 +4,7 @@
 #include "app/dialogs/FramesField.h"
 #include "app/dialogs/SweepScenes.h"
 #include "app/session/Session.h"
+#include "app/style/DialogSize.h"
 #include "app/style/Numbers.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
@@ -37,7 +38,8 @@ namespace {
 enum SweepColumn { SettingsColumn, SceneColumn, FrontColumn, FirstMetric };
 constexpr int kAllScenes = -1;
 constexpr int kIndexRole = Qt::UserRole, kNumberRole = Qt::UserRole + 1;
-constexpr int kFirstFrames = 8; ///< up to the one on show
+constexpr int kFirstFrames = 8;     ///< up to the one on show
+constexpr int kLettersOfMetric = 8; ///< of a name that is whole in any case
 
 /// Sorted by its numbers, not by their texts; what is not known comes last.
 class SweepLine : public QTreeWidgetItem {
@@ -84,7 +86,7 @@ SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* paren
   right->addWidget(table_);
   right->addWidget(makeCharts());
   sides->addWidget(right, 1);
-  choices_->setFixedWidth(60 * kUnit);
+  choices_->setFixedWidth(scaled(60 * kUnit));
   scenes_->setFixedSize(scenes_->sizeHint());
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(3 * kUnit, 3 * kUnit, 3 * kUnit, 3 * kUnit);
@@ -99,6 +101,7 @@ SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* paren
   listMetrics();
   listScenes();
   refresh();
+  resize(sizeOver(parent, {scaled(228 * kUnit), sizeHint().height()}));
 }
 
 void SweepDialog::connectParts() {
@@ -153,6 +156,8 @@ QWidget* SweepDialog::makeCharts() {
   ofScene_->setVisible(false);
   for (QComboBox* box : {ofX_, ofY_, ofCurves_, ofScene_}) {
     box->view()->setAccessibleName(box->accessibleName());
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // as wide as there is room
+    box->setMinimumContentsLength(kLettersOfMetric);
     connect(box, &QComboBox::currentIndexChanged, this, [this] {
       showTable(); // the front is another one
       showCharts();

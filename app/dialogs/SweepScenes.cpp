@@ -44,7 +44,7 @@ SweepScenes::SweepScenes(Session& session, QWidget* parent) : QListWidget(parent
 }
 
 QSize SweepScenes::sizeHint() const {
-  return {60 * kUnit, kShownScenes * rowHeight()};
+  return {scaled(60 * kUnit), kShownScenes * rowHeight()};
 }
 
 // At first what is open is ticked. The entry of that one has no source: it may be any.

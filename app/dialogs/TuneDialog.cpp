@@ -47,7 +47,7 @@ TuneDialog::TuneDialog(Session& session, TuneExits exits, QWidget* parent, TuneW
       choices_(new TuneChoices(session)), numbers_(new QTreeWidget), steps_(new QTreeWidget),
       chart_(new CurveChart(tr("Goal"), tr("evaluation"))), bar_(new BackgroundBar(work_, tr("Tune"))) {
   setWindowTitle(tr("Tune"));
-  choices_->setFixedWidth(60 * kUnit);
+  choices_->setFixedWidth(scaled(60 * kUnit));
   makeTables();
   makeButtons();
   auto* right = new QVBoxLayout;

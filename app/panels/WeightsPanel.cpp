@@ -45,8 +45,7 @@ QString number(double value) {
 } // namespace
 
 WeightsPanel::WeightsPanel(QWidget* parent)
-    : AlphaPage(parent),
-      weights_(new CurveChart(tr("Weight in the picture by frames back"), tr("frames back"))),
+    : AlphaPage(parent), weights_(new CurveChart(tr("Weight by frames back"), tr("frames back"))),
       samples_(new CurveChart(tr("Effective samples by frame"), tr("frame"))) {
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);

@@ -15,6 +15,7 @@ namespace taa::app {
 
 namespace {
 
+constexpr int kCheckBox = 14;                             ///< px
 constexpr double kChevronWide = 3.5, kChevronHigh = 1.75; ///< px from its middle
 
 /// Points down, or up.
@@ -79,6 +80,12 @@ FlatStyle::FlatStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusio
 void FlatStyle::polish(QWidget* widget) {
   QProxyStyle::polish(widget);
   if (auto* list = qobject_cast<QListView*>(widget)) list->setResizeMode(QListView::Adjust);
+}
+
+// Boxes grow with the words beside them.
+int FlatStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
+  if (metric == PM_IndicatorWidth || metric == PM_IndicatorHeight) return scaled(kCheckBox);
+  return QProxyStyle::pixelMetric(metric, option, widget);
 }
 
 void FlatStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,

@@ -70,7 +70,6 @@ QFrame#popup { background: @panel; border: 1px solid @line; }
 QTreeView, QListWidget { background: @panel; alternate-background-color: @panel; color: @text; border: none;
   outline: none; }
 QTreeView::item { padding: 2px 4px; border: none; }
-QTreeView::indicator { width: @boxpx; height: @boxpx; }
 QTreeView::item:selected { background: @hover; color: @text; }
 QTreeView::item:selected:active { background: @hover; color: @text; }
 QListWidget::item { padding: 3px 8px; border: none; }
@@ -80,7 +79,6 @@ QHeaderView::section { background: @panel; color: @secondary; border: none; bord
   padding: 2px 4px; font-size: @smallpt; }
 )";
 
-constexpr int kCheckBox = 14;                     ///< px
 constexpr const char* kIsStyled = "hasFlatStyle"; ///< of the application, whose style is set once
 
 QString filled(QString sheet, const ThemeColors& colors) {
@@ -94,7 +92,6 @@ QString filled(QString sheet, const ThemeColors& colors) {
   // Of a line of larger letters: this least height holds where a layout has too little room.
   const int button = static_cast<int>(std::lround(14 + 18 * (textScale() - 1.0)));
   sheet.replace(QLatin1String("@button"), QString::number(button));
-  sheet.replace(QLatin1String("@box"), QString::number(scaled(kCheckBox)));
   return sheet.replace(QLatin1String("@small"), QString::number(9 * textScale()));
 }
 

@@ -37,7 +37,8 @@ void LegendFlow::icon(QSize size, PaintIcon paint) {
   add({{}, {}, {}, size, std::move(paint)});
 }
 
-// What is glued together moves to the next line together; what is wider than a line is cut to it.
+// What is glued together moves to the next line together, and is parted where a line is too narrow for all of
+// it; one item that is wider than a line is cut to it.
 std::vector<LegendFlow::Place> LegendFlow::places(int width) const {
   std::vector<Place> places(items_.size());
   const int end = std::max(width - kRight, kLeft + 1);
@@ -53,8 +54,12 @@ std::vector<LegendFlow::Place> LegendFlow::places(int width) const {
       left = kLeft;
     }
     for (std::size_t index = first; index < last; ++index) {
-      const int room = std::max(0, end - left);
-      places[index] = {line, left, std::min(items_[index].size.width(), room)};
+      const int wide = items_[index].size.width();
+      if (left > kLeft && left + wide > end) {
+        ++line;
+        left = kLeft;
+      }
+      places[index] = {line, left, std::min(wide, end - left)};
       left += places[index].width + (index + 1 < last ? kGluedGap : kFlowGap);
     }
     first = last;

@@ -91,7 +91,7 @@ std::optional<int> LineageBars::frameAt(double viewX) const {
 }
 
 QString LineageBars::readout() const {
-  const QString title = tr("Weight in the pixel by frame"), key = tr("hatched: what rectification put there");
+  const QString title = tr("Weight by frame"), key = tr("hatched: what rectification put there");
   if (!lineage_) return title;
   const QString whole = title + QStringLiteral("  ") + key;
   // Its tip has the key, too.

@@ -137,6 +137,29 @@ INSTANTIATE_TEST_SUITE_P(All, Situations, testing::ValuesIn(situations()), [](co
   return name;
 });
 
+using LargeText = app::test::FakeWindow;
+
+TEST_F(LargeText, DialogsCutNothingAtTwoHundredPercent) {
+  window.resize(1280, 800);
+  window.setTextPercent(200);
+  for (const std::string& name : dialogNames()) {
+    SCOPED_TRACE(name);
+    window.openDialog(name);
+    settle();
+    settle();
+    for (QWidget* each : shownWindows()) {
+      if (each == &window) continue;
+      EXPECT_LE(each->width(), 1280);
+      EXPECT_LE(each->height(), 800);
+      // The lists of metrics of this one show what is long when they open.
+      if (name != "sweep") test::expectWholeTexts(*each);
+      each->close();
+    }
+    settle();
+  }
+  window.setTextPercent(100);
+}
+
 TEST(PaintedTexts, TellWhatIsCutAndWhatWasPaintedWhole) {
   QWidget window;
   window.resize(100, 80);

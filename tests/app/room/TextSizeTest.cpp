@@ -349,7 +349,10 @@ TEST_F(TextSizeTest, AtTwoHundredPercentTablesOfTheManualBreakLinesBetweenWords)
   }
   EXPECT_EQ(broken, 0);
   EXPECT_GT(lines, 100);
-  EXPECT_EQ(dialog->findChild<QTextBrowser*>()->horizontalScrollBar()->maximum(), 0) << "it fits";
+  // Its lines have their places some time after.
+  EXPECT_TRUE(waitFor(
+      [&] { return dialog->findChild<QTextBrowser*>()->horizontalScrollBar()->maximum() == 0; }, 20000))
+      << "it fits";
   const auto* list = dialog->findChild<QListWidget*>();
   for (int row = 0; row < list->count(); ++row) {
     const QRect place = list->visualItemRect(list->item(row)).adjusted(8, 3, -8, -3); // its padding
