@@ -135,8 +135,7 @@ void expectWholeTexts(QWidget& window) {
     const std::string shown = text.toStdString();
     if (text.isEmpty() || !painted.visible.intersects(painted.place)) continue;
     // A line below a letter makes two of a text.
-    const bool asks =
-        std::ranges::any_of(asking, [&](const QString& whole) { return whole.endsWith(text); });
+    const bool asks = std::ranges::any_of(asking, [&](const QString& whole) { return whole.endsWith(text); });
     EXPECT_FALSE(text.endsWith(kDots) && text.size() > 1 && !asks) << shown << " is cut";
     const bool canScroll = std::ranges::any_of(
         scrolled, [&](const QRectF& area) { return area.intersects(painted.place & painted.visible); });
