@@ -85,7 +85,7 @@ void tellMarks(const MotionEvidence& evidence, const std::vector<Region>& region
          say<"Write its motion, and look again.">(),
          {}});
   if (missing.regions.empty() && !rests)
-    out.undecided.push_back({say<"Motion of 0">(),
+    out.undecided.push_back({say<"Zero motion">(),
                              say<"nothing has it: whether it is taken for none does not show">(),
                              say<"Capture some frames in which the camera rests.">(),
                              {Fault::ZeroTakenAsMissing}});
