@@ -8,6 +8,7 @@
 #include "app/widgets/ConfirmReplace.h"
 #include "app/widgets/Prompt.h"
 #include "app/widgets/areas/FittingArea.h"
+#include "app/widgets/parameters/ChoiceWords.h"
 #include "core/base/ShownText.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
@@ -180,7 +181,7 @@ void PresetsDialog::compare() {
   if (table_->topLevelItemCount() > 0) table_->setCurrentItem(table_->topLevelItem(0));
   const int count = table_->topLevelItemCount();
   table_->setVisible(count > 0);
-  description_->setText(entry ? entry->description : QString());
+  description_->setText(entry ? withoutManual(entry->description) : QString());
   heading_->setText(!entry ? QString()
                     : count > 0
                         ? tr("%1 differs from the present settings. Values: %2.").arg(entry->label).arg(count)

@@ -9,6 +9,7 @@
 #include "app/widgets/ConfirmReplace.h"
 #include "app/widgets/Line.h"
 #include "app/widgets/areas/FittingArea.h"
+#include "app/widgets/bars/ElidedLabel.h"
 #include "app/widgets/bars/WorkBar.h"
 #include "core/base/Error.h"
 #include "core/capture/import/SavedImport.h"
@@ -53,7 +54,7 @@ QHBoxLayout* lineIn(QWidget* widget) {
 ImportPage::ImportPage(QWidget* parent, ImportFunctions functions)
     : QDialog(parent), table_(new ConventionTable), residuals_(new ResidualTable),
       frames_(new FramePanel(residuals_)), sentences_(new GuessSentences), like_(new QComboBox),
-      place_(new QLabel), problem_(new QLabel), work_(std::move(functions)) {
+      place_(new ElidedLabel), problem_(new QLabel), work_(std::move(functions)) {
   setObjectName(QStringLiteral("import"));
   setWindowTitle(tr("Import frames"));
   setAttribute(Qt::WA_DeleteOnClose);
@@ -196,8 +197,9 @@ void ImportPage::openFolder(const QString& folder) {
   manifest_ = {};
   changed_.clear();
   undo_.clear();
-  place_->setText(tr("Frames in %1").arg(QFileInfo(folder).fileName()));
-  place_->setToolTip(folder);
+  const QString name = QFileInfo(folder).fileName();
+  place_->setTip(folder);
+  place_->setWhole(tr("Frames in %1").arg(name), name);
   useFindings({});
   sentences_->clear();
   frames_->setFrames({});

@@ -23,6 +23,7 @@ class QPushButton;
 namespace taa::app {
 
 class ConventionTable;
+class ElidedLabel;
 class FramePanel;
 class GuessSentences;
 class ResidualTable;
@@ -104,7 +105,8 @@ class ImportPage : public QDialog {
   FramePanel* frames_;
   GuessSentences* sentences_;
   QComboBox* like_;
-  QLabel *place_, *problem_;
+  ElidedLabel* place_;
+  QLabel* problem_;
   QPushButton *open_ = nullptr, *save_ = nullptr, *reset_ = nullptr, *again_ = nullptr;
   WorkBar* bar_ = nullptr;
   ImportWork work_; // last: it ends before what it delivers to

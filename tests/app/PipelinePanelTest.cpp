@@ -118,6 +118,7 @@ TEST(ChoiceWords, LeaveOutTheRowsOfTheManualAndKeepOtherSources) {
   EXPECT_EQ(withoutManual("Nearest point of the box (manual 11.1)."), "Nearest point of the box.");
   EXPECT_EQ(withoutManual("Cut off there (manual 9.6, 15.5, Donut)."), "Cut off there (Donut).");
   EXPECT_EQ(withoutManual("Never brighter than white (manual §26, D7)."), "Never brighter than white.");
+  EXPECT_EQ(withoutManual("Motion in the wrong unit (D5, D6), mended."), "Motion in the wrong unit, mended.");
   EXPECT_EQ(withoutManual("manual 13.1, Yang et al. 2020"), "Yang et al. 2020");
   EXPECT_EQ(withoutManual("Lightens; 3D and so on."), "Lightens; 3D and so on.");
   EXPECT_EQ(briefly("Clip towards the middle (manual 11.2, Playdead)."), "Clip towards the middle");

@@ -10,10 +10,10 @@ QString withoutManual(const QString& text) {
   // "manual 11.3, 10.1" with what parts it from what comes next; what is left of its parentheses goes, too.
   static const QRegularExpression kCitation(
       QStringLiteral("manual ((§?\\d+(\\.\\d+)?[a-z]?|J\\d+)( to \\d+\\.\\d+)?(, )?)+[;:]?\\s*"));
-  static const QRegularExpression kDefect(QStringLiteral("D\\d+(?=[),]|$)(, )?"));
+  static const QRegularExpression kDefect(QStringLiteral("\\bD\\d+(?=[),]|$)(, )?"));
   static const QRegularExpression kEmpty(QStringLiteral("\\s*\\(\\s*\\)"));
   QString left = text;
-  if (left.contains(kCitation)) left.remove(kCitation).remove(kDefect);
+  left.remove(kCitation).remove(kDefect);
   return left.remove(kEmpty).replace(QLatin1String("( "), QLatin1String("(")).trimmed();
 }
 

@@ -8,7 +8,8 @@
 
 namespace taa::app {
 
-/// Without "manual 11.3" and the like; other sources stay: "(manual 11.3, Karis 2014)" is "(Karis 2014)".
+/// Without "manual 11.3", "D7" of its list of defects, and the like; other sources stay: "(manual 11.3, Karis
+/// 2014)" is "(Karis 2014)".
 QString withoutManual(const QString& text);
 
 /// What stands beside a choice in a list: the first sentence, without sources, cut between words where it is
