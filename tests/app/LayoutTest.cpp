@@ -10,6 +10,7 @@
 #include "tests/app/WindowFixture.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QDialog>
 #include <QHeaderView>
 #include <QLabel>
@@ -74,6 +75,8 @@ void expectWholeColumns(const QHeaderView& header) {
 }
 
 void expectNothingIsCut(const QWidget& window) {
+  // A text may have come a moment ago, and its place be on its way.
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
   for (const QWidget* widget : window.findChildren<QWidget*>()) {
     if (!widget->isVisible()) continue;
     if (const auto* bar = qobject_cast<const QTabBar*>(widget)) expectWholeTabs(*bar);
