@@ -110,13 +110,13 @@ std::vector<QRectF> scrolledSideways(const QWidget& window) {
   return places;
 }
 
+} // namespace
+
 bool isScrolled(const QWidget* widget) {
   for (const QWidget* at = widget->parentWidget(); at; at = at->parentWidget())
     if (qobject_cast<const QAbstractScrollArea*>(at)) return true;
   return false;
 }
-
-} // namespace
 
 std::vector<PaintedText> paintedTexts(QWidget& window) {
   TextDevice device(window);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QRectF>
+#include <QSize>
 #include <QString>
 #include <QWidget>
 
@@ -17,6 +18,12 @@ struct PaintedText {
 
 /// Of a window and all that is in it.
 std::vector<PaintedText> paintedTexts(QWidget& window);
+
+/// The sizes a window is made for, logical px.
+inline constexpr QSize kWindowSizes[] = {{1024, 600}, {1280, 800}, {1920, 1080}};
+
+/// Whether it lies in an area that scrolls.
+bool isScrolled(const QWidget* widget);
 
 /// No text ends in dots that stand for the rest, and none is cut at its side, but where it can be scrolled;
 /// nothing that is not scrolled lies beyond the window.

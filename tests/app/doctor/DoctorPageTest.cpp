@@ -139,7 +139,7 @@ class DoctorPageTest : public FakeWindow {
 TEST_F(DoctorPageTest, CutsNothingOfWhatWasFound) {
   examine();
   choose(0, 0);
-  for (const QSize size : {QSize(1024, 600), QSize(1280, 800), QSize(1920, 1080)}) {
+  for (const QSize size : kWindowSizes) {
     SCOPED_TRACE(size.width());
     window.resize(size);
     settle();

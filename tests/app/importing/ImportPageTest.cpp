@@ -13,7 +13,7 @@
 namespace taa::app::test {
 
 TEST_F(ImportPageTest, CutsNothingOfFramesAndConventions) {
-  for (const QSize size : {QSize(1024, 600), QSize(1280, 800), QSize(1920, 1080)}) {
+  for (const QSize size : kWindowSizes) {
     SCOPED_TRACE(size.width());
     page->resize(size);
     QTest::qWait(100);

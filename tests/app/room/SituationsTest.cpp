@@ -106,7 +106,7 @@ std::vector<QWidget*> shownWindows() {
 
 TEST_P(Situations, CutNoTextAndStayInTheWindow) {
   session.probes().setPixel(glm::ivec2(12, 7));
-  for (const QSize size : {QSize(1024, 600), QSize(1280, 800), QSize(1920, 1080)}) {
+  for (const QSize size : test::kWindowSizes) {
     SCOPED_TRACE(std::to_string(size.width()) + "×" + std::to_string(size.height()));
     window.resize(size);
     settle();

@@ -24,6 +24,7 @@
 #include "app/widgets/Chooser.h"
 #include "app/widgets/ValueTable.h"
 #include "app/widgets/bars/ElidedLabel.h"
+#include "tests/app/PaintedTexts.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QAbstractScrollArea>
@@ -61,12 +62,6 @@ std::map<const QWidget*, Limits> limitsOf(const QWidget& window) {
         !widget->inherits("QDockWidget")) // Qt sizes them
       limits[widget] = {widget->font().pointSizeF(), widget->minimumSize(), widget->maximumSize()};
   return limits;
-}
-
-bool isScrolled(const QWidget* widget) {
-  for (const QWidget* at = widget->parentWidget(); at; at = at->parentWidget())
-    if (qobject_cast<const QAbstractScrollArea*>(at)) return true;
-  return false;
 }
 
 } // namespace
@@ -337,6 +332,10 @@ TEST_F(TextSizeTest, AtTwoHundredPercentTablesOfTheManualBreakLinesBetweenWords)
   key(Qt::Key_F1);
   const auto* dialog = window.findChild<ReferenceDialog*>();
   ASSERT_TRUE(dialog);
+  // Its lines have their places some time after.
+  EXPECT_TRUE(waitFor(
+      [&] { return dialog->findChild<QTextBrowser*>()->horizontalScrollBar()->maximum() == 0; }, 20000))
+      << "it fits";
   const QTextDocument* document = dialog->findChild<QTextBrowser*>()->document();
   int broken = 0, lines = 0;
   for (QTextBlock block = document->begin(); block.isValid(); block = block.next()) {
@@ -349,10 +348,6 @@ TEST_F(TextSizeTest, AtTwoHundredPercentTablesOfTheManualBreakLinesBetweenWords)
   }
   EXPECT_EQ(broken, 0);
   EXPECT_GT(lines, 100);
-  // Its lines have their places some time after.
-  EXPECT_TRUE(waitFor(
-      [&] { return dialog->findChild<QTextBrowser*>()->horizontalScrollBar()->maximum() == 0; }, 20000))
-      << "it fits";
   const auto* list = dialog->findChild<QListWidget*>();
   for (int row = 0; row < list->count(); ++row) {
     const QRect place = list->visualItemRect(list->item(row)).adjusted(8, 3, -8, -3); // its padding

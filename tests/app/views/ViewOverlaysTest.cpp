@@ -4,6 +4,7 @@
 #include "app/views/ViewArea.h"
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
+#include "app/views/legend/LegendFlow.h"
 #include "app/views/legend/RangeHistogram.h"
 #include "app/views/legend/RegionCard.h"
 #include "app/widgets/ChannelButtons.h"
@@ -304,4 +305,17 @@ TEST_F(ViewOverlays, WhatHasNoRoomInANarrowHeaderIsBehindAButton) {
   settle();
   EXPECT_TRUE(compare->isVisible() && overlays->isVisible());
   EXPECT_FALSE(more->isVisible());
+}
+
+TEST(LegendFlow, WhatIsGluedIsPartedWhereALineIsTooNarrowForIt) {
+  LegendFlow flow;
+  flow.text(QStringLiteral("range 0 … 1"), QFont(), Qt::white);
+  const int wide = flow.lastPlace(1000).width();
+  flow.glue();
+  flow.text(QStringLiteral("⋯"), QFont(), Qt::white);
+  const int sign = flow.lastPlace(1000).width();
+  EXPECT_EQ(flow.lines(1000), 1);
+  const int narrow = wide + 4 * kUnit;
+  EXPECT_EQ(flow.lines(narrow), 2);
+  EXPECT_EQ(flow.lastPlace(narrow).width(), sign) << "it is whole";
 }
