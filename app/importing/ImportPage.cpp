@@ -199,7 +199,7 @@ void ImportPage::openFolder(const QString& folder) {
   undo_.clear();
   const QString name = QFileInfo(folder).fileName();
   place_->setTip(folder);
-  place_->setWhole(tr("Frames in %1").arg(name), name);
+  place_->setWhole(tr("Frames in %1").arg(name), {name});
   useFindings({});
   sentences_->clear();
   frames_->setFrames({});

@@ -280,13 +280,16 @@ void PlotsPanel::refresh() {
     charts_[row]->setCurves(plotCurves(rows_[row], traces, space_));
   }
   fill_->setVisible(!probes_.empty());
-  summary_->setWhole(active ? tr("Frames known at probe %3: %1 of %2 · × history rejected there")
-                                  .arg(active->samples().size())
-                                  .arg(frameCount_)
-                                  .arg(active_ + 1)
-                            : QString(),
-                     active ? tr("%1 of %2 frames").arg(active->samples().size()).arg(frameCount_)
-                            : QString());
+  if (!active) {
+    summary_->setWhole({});
+    return;
+  }
+  const qsizetype known = static_cast<qsizetype>(active->samples().size());
+  summary_->setWhole(tr("Frames known at probe %3: %1 of %2 · × history rejected there")
+                         .arg(known)
+                         .arg(frameCount_)
+                         .arg(active_ + 1),
+                     {tr("%1 of %2 frames").arg(known).arg(frameCount_)});
 }
 
 QString PlotsPanel::csv() const {

@@ -239,7 +239,7 @@ void ProbePanel::makeTable() {
 
 void ProbePanel::setOutline(const std::shared_ptr<const SceneOutline>& outline) {
   model_->setOutline(outline);
-  if (result_) place_->setWhole(placeText(*result_), pixelText(*result_));
+  if (result_) showPlace(*result_);
 }
 
 void ProbePanel::setPlaying(bool playing) {
@@ -248,11 +248,16 @@ void ProbePanel::setPlaying(bool playing) {
   conclusions_->setMinimumHeight(playing ? conclusions_->height() : 0);
 }
 
-QString ProbePanel::placeText(const ProbeResult& result) const {
-  const QString place = tr("%1  frame %2").arg(pixelText(result)).arg(result.frame);
+// Of frame and object the frame goes first where there is no room: it stands beside the timeline, too.
+void ProbePanel::showPlace(const ProbeResult& result) {
+  const QString pixel = pixelText(result), place = tr("%1  frame %2").arg(pixel).arg(result.frame);
   const QString object = model_->objectName(
       static_cast<int>(twin::at(result.around[kProbedMiddle], IntermediateId::objectId).x));
-  return object.isEmpty() ? place : QStringLiteral("%1  %2").arg(place, object);
+  const auto followed = [&](const QString& text) { return QStringLiteral("%1  %2").arg(text, object); };
+  if (object.isEmpty())
+    place_->setWhole(place, {pixel});
+  else
+    place_->setWhole(followed(place), {followed(pixel), pixel});
 }
 
 // Larger letters leave the views their room.
@@ -293,7 +298,7 @@ void ProbePanel::setResult(const ProbeResult& result) {
   if (!isPlaying_) conclusions_->setMinimumHeight(0);
   if (result.around.size() <= kProbedMiddle) return showLost(result);
   result_ = result;
-  place_->setWhole(placeText(result), pixelText(result));
+  showPlace(result);
   showSummary(result);
   model_->setPixel(result);
   showColors();

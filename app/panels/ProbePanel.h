@@ -95,7 +95,7 @@ class ProbePanel : public QWidget {
   void resizeEvent(QResizeEvent*) override;
 
  private:
-  QString placeText(const ProbeResult& result) const;
+  void showPlace(const ProbeResult& result);
   QWidget* makeTop();
   QWidget* makeInvitation();
   void makePages();

@@ -12,6 +12,7 @@
 
 #include <QClipboard>
 #include <QDockWidget>
+#include <QLabel>
 #include <QStyle>
 #include <QStyleOptionViewItem>
 #include <QTreeView>
@@ -181,6 +182,19 @@ TEST_F(ProbeTableTest, CopiesTheExactValueOfTheActiveView) {
   for (const IntermediateId id : allRows()) {
     const Intermediate& row = intermediate(id);
     EXPECT_TRUE(all.contains(QString::fromStdString("\n" + std::string(row.name) + " "))) << row.name;
+  }
+}
+
+// The object's number 2 is the value of that pixel.
+TEST_F(ProbeTableTest, KeepsTheObjectsNameBeforeTheFrameWhereTheHeadHasLittleRoom) {
+  session.seek(0);
+  session.probes().setPixel(glm::ivec2(2, 0));
+  settle();
+  auto* place = window.probe()->head()->findChild<QLabel*>("place");
+  ASSERT_TRUE(place);
+  for (const char* text : {"(2, 0)  frame 0  rotor & hub", "(2, 0)  rotor & hub", "(2, 0)"}) {
+    place->resize(place->fontMetrics().horizontalAdvance(text) + 4, place->height());
+    EXPECT_EQ(place->text().toStdString(), text);
   }
 }
 

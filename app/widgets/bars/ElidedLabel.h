@@ -13,10 +13,11 @@ class ElidedLabel : public QLabel {
  public:
   using QLabel::QLabel;
 
-  /// `shorter`: what stands there where the whole has no room; empty: it is cut.
-  void setWhole(const QString& text, const QString& shorter = {}) {
+  /// `shorter`: what stands there where the whole has no room, the first that has it; the last, or the whole
+  /// where there is none, is cut.
+  void setWhole(const QString& text, const QStringList& shorter = {}) {
     whole_ = text;
-    shorter_ = shorter.isEmpty() ? text : shorter;
+    shorter_ = shorter;
     elide();
     updateGeometry();
   }
@@ -52,7 +53,9 @@ class ElidedLabel : public QLabel {
     return fontMetrics().horizontalAdvance(text) + 1 + around.left() + around.right(); // of fractions
   }
   void elide() {
-    const QString& wanted = widthOf(whole_) <= width() ? whole_ : shorter_;
+    QString wanted = whole_;
+    for (const QString& text : shorter_)
+      if (widthOf(wanted) > width()) wanted = text;
     const QString shown = fontMetrics().elidedText(wanted, Qt::ElideRight, contentsRect().width());
     setText(shown);
     QStringList tip;
@@ -61,7 +64,8 @@ class ElidedLabel : public QLabel {
     setToolTip(tip.join(QLatin1Char('\n')));
   }
 
-  QString whole_, shorter_, tip_;
+  QString whole_, tip_;
+  QStringList shorter_;
 };
 
 } // namespace taa::app

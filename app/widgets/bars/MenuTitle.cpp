@@ -17,7 +17,7 @@ MenuTitle::MenuTitle(QMenuBar* bar) : bar_(bar) {
 void MenuTitle::setTitle(const QString& text) {
   // Its last part, the size, stands elsewhere, too.
   const qsizetype end = text.lastIndexOf(QLatin1String(" · "));
-  setWhole(text, text.left(std::max<qsizetype>(end, 0)));
+  setWhole(text, end > 0 ? QStringList{text.left(end)} : QStringList());
   place();
 }
 
