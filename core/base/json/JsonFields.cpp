@@ -51,10 +51,10 @@ const json* findField(const json& object, std::string_view key) {
   return found == object.end() ? nullptr : &*found;
 }
 
-const json& requireField(const json& object, const std::string& place, std::string_view key) {
-  requireObject(object, place);
+const json& requireField(const json& object, std::string_view place, std::string_view key) {
+  requireObject(object, std::string(place));
   const json* const found = findField(object, key);
-  if (!found) throw Error(say<"the key \"%1\" is missing">(pathOf(place, key)));
+  if (!found) throw Error(say<"the key \"%1\" is missing">(pathOf(std::string(place), key)));
   return *found;
 }
 

@@ -25,7 +25,7 @@ void requireKeys(const nlohmann::json& object, const std::string& place,
                  std::span<const std::string_view> known);
 /// Null where the key is not there.
 const nlohmann::json* findField(const nlohmann::json& object, std::string_view key);
-const nlohmann::json& requireField(const nlohmann::json& object, const std::string& place,
+const nlohmann::json& requireField(const nlohmann::json& object, std::string_view place,
                                    std::string_view key);
 
 /// Of an object, its "format".
