@@ -261,7 +261,7 @@ void judgeByMiddles(std::vector<JudgedRegion>& judged, const std::vector<MotionT
   if (winners.empty()) return;
   const auto told = std::ranges::find(judged, true, &JudgedRegion::isWitnessed);
   if (told != judged.end() && std::ranges::count(winners, *told->trial) > 0)
-    winners = {*told->trial};
+    winners.assign(1, *told->trial);
   else if (told != judged.end())
     std::erase_if(winners, [&](std::size_t trial) { return trials[trial].kind == MotionKind::OfCamera; });
   if (winners.empty()) return;
