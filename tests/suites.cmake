@@ -1,12 +1,12 @@
 # Read by ctest, which asks a test program for what it has. A suite is one test of ctest, for to start a process (OpenImageIO
-# brings 260 libraries, 0.6 s of a processor) takes longer than most tests take to run. What goes over many values and
+# brings 260 libraries, 0.55 s of a processor) takes longer than most tests take to run. What goes over many values and
 # takes long at each (eachValue): one test of ctest for each value.
 function(taa_add_suites program label folder timeout eachValue)
-  if(NOT EXISTS ${program})
-    add_test(${label}_NOT_BUILT ${program})
+  if(NOT EXISTS "${program}")
+    add_test(${label}_NOT_BUILT "${program}")
     return()
   endif()
-  execute_process(COMMAND ${program} --gtest_list_tests OUTPUT_VARIABLE listed RESULT_VARIABLE result)
+  execute_process(COMMAND "${program}" --gtest_list_tests TIMEOUT 60 OUTPUT_VARIABLE listed RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
     message(FATAL_ERROR "${program} does not list its tests: ${result}")
   endif()
@@ -27,7 +27,7 @@ function(taa_add_suites program label folder timeout eachValue)
     endif()
   endforeach()
   foreach(name IN LISTS names)
-    add_test(${name} ${program} --gtest_filter=${name})
-    set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout} LABELS ${label} WORKING_DIRECTORY ${folder})
+    add_test(${name} "${program}" --gtest_filter=${name})
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout} LABELS ${label} WORKING_DIRECTORY "${folder}")
   endforeach()
 endfunction()

@@ -13,8 +13,7 @@ class ElidedLabel : public QLabel {
  public:
   using QLabel::QLabel;
 
-  /// `shorter`: what stands there where the whole has no room, the first that has it; the last, or the whole
-  /// where there is none, is cut.
+  /// `shorter`: what stands there where the whole has no room: the first that fits, or else the last, cut.
   void setWhole(const QString& text, const QStringList& shorter = {}) {
     whole_ = text;
     shorter_ = shorter;

@@ -25,6 +25,7 @@ void requireKeys(const nlohmann::json& object, const std::string& place,
                  std::span<const std::string_view> known);
 /// Null where the key is not there.
 const nlohmann::json* findField(const nlohmann::json& object, std::string_view key);
+/// `place` is a view: with a temporary as reference g++ 14 takes the field, a reference too, for dangling.
 const nlohmann::json& requireField(const nlohmann::json& object, std::string_view place,
                                    std::string_view key);
 
