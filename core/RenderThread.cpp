@@ -54,7 +54,7 @@ void RenderThread::Impl::run() {
   try {
     runScheduler();
   } catch (const std::exception& error) { // no GL
-    if (listener) listener({0, Failure{shownReason(error)}});
+    if (listener) listener({0, Failure{.sentence = shownReason(error), .isEnd = true}});
     while (take({})) continue;
   }
 }

@@ -28,11 +28,10 @@ struct ComparisonChoice {
 void addPresets(std::vector<ComparisonChoice>& choices, const QString& group, const QString& folder) {
   QString heading = group;
   for (const Preset& preset : builtinPresets()) {
-    const QString id = QString::fromStdString(preset.id);
     if (const PresetGroup* started = startedGroup(preset))
       heading = QObject::tr("%1: %2").arg(group, tableText(started->label));
-    choices.push_back(
-        {{tableText(preset.label), {}, heading, id}, Comparison{OtherKind::Preset, {}, preset.id}});
+    choices.push_back({{tableText(preset.label), {}, heading, {.id = preset.id}},
+                       Comparison{OtherKind::Preset, {}, preset.id}});
   }
   for (const UserPreset& preset : userPresets(folder))
     choices.push_back(
@@ -49,9 +48,7 @@ ViewChoices::ViewChoices(Session& session, ViewArea& views, const QString& prese
 
 void ViewChoices::chooseIntermediate(int view) {
   std::vector<ChooserEntry> entries;
-  for (const Intermediate& row : kIntermediates)
-    entries.push_back(
-        {tableText(row.label), tableText(row.unit), tableText(stageInfo(row.stage).label), qtext(row.name)});
+  for (const Intermediate& row : kIntermediates) entries.push_back(intermediateEntry(row));
   ViewPanel* panel = views_.view(view);
   auto* chooser = new Chooser(
       tr("Search intermediates"), std::move(entries),
@@ -75,9 +72,7 @@ void ViewChoices::chooseComparison(int view) {
                      Comparison{OtherKind::Frame, {}, {}, session_.status().info.frame}});
   choices.push_back({{tr("Another frame…"), {}, frames, {}}, {}});
   for (const Intermediate& row : kIntermediates)
-    choices.push_back(
-        {{tableText(row.label), tableText(row.unit), tableText(stageInfo(row.stage).label), qtext(row.name)},
-         Comparison{OtherKind::Row, row.id}});
+    choices.push_back({intermediateEntry(row), Comparison{OtherKind::Row, row.id}});
   ViewPanel* panel = views_.view(view);
   std::vector<ChooserEntry> entries;
   int current = -1;

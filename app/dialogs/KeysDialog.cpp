@@ -180,14 +180,13 @@ KeysDialog::KeysDialog(const std::vector<KeyLine>& lines, QWidget* parent)
 }
 
 void KeysDialog::find(const QString& text) {
-  const QStringList words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  const Search search(text.toStdString());
   std::vector<KeyLine> found;
-  for (const KeyLine& line : lines_) {
-    const QString known = line.group + QLatin1Char(' ') + line.keys + QLatin1Char(' ') + line.text;
-    if (std::ranges::all_of(words,
-                            [&](const QString& word) { return known.contains(word, Qt::CaseInsensitive); }))
+  for (const KeyLine& line : lines_)
+    if (search.find({.label = line.text.toStdString(),
+                     .id = line.keys.toStdString(),
+                     .group = line.group.toStdString()}))
       found.push_back(line);
-  }
   scroll_->setWidget(pageOf(columnsIn(room_, grouped(found))));
   noHits_->tell(text.trimmed(), !found.empty());
 }

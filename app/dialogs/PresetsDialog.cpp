@@ -53,9 +53,8 @@ PresetsDialog::PresetsDialog(Session& session, QString folder, QWidget* parent)
   setWindowTitle(tr("Presets"));
   setAttribute(Qt::WA_DeleteOnClose);
   list_->setAccessibleName(tr("Presets"));
-  list_->setFixedWidth(200);
+  list_->setFixedWidth(scaled(50 * kUnit));
   list_->setWordWrap(true); // long names take two lines
-  list_->setResizeMode(QListView::Adjust);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table_->setAccessibleName(tr("Settings that differ"));
   table_->setRootIsDecorated(false);

@@ -67,7 +67,6 @@ ReferenceDialog::ReferenceDialog(QWidget* parent) : QDialog(parent), pages_(manu
   list_->setWordWrap(true);
   list_->setFixedWidth(
       std::min(list_->sizeHintForColumn(0) + 4 * kUnit, static_cast<int>(kTitlesShare * width())));
-  giveTitlesRoom();
   search_ = new QLineEdit;
   search_->setPlaceholderText(tr("Find in this page; Enter goes on"));
   search_->setAccessibleName(tr("Find in this page"));
@@ -99,17 +98,6 @@ ReferenceDialog::ReferenceDialog(QWidget* parent) : QDialog(parent), pages_(manu
   connect(search_, &QLineEdit::returnPressed, this, [this] { find(true); });
   list_->setCurrentRow(0);
   search_->setFocus();
-}
-
-// Every title is whole: a row's own hint has one line fewer where its padding is what makes the text wrap.
-void ReferenceDialog::giveTitlesRoom() {
-  constexpr int kPaddingX = 8, kPaddingY = 3, kScrollBar = 10; // px, as the style sheet has them
-  const int wide = list_->width() - 2 * kPaddingX - kScrollBar - 2 * kUnit;
-  for (int row = 0; row < list_->count(); ++row) {
-    QListWidgetItem* item = list_->item(row);
-    const QRect text = list_->fontMetrics().boundingRect({0, 0, wide, 0}, Qt::TextWordWrap, item->text());
-    item->setSizeHint({wide, text.height() + 2 * kPaddingY});
-  }
 }
 
 // Made before it is shown: a document on show is laid out anew for each cell of a table, and pages have

@@ -25,7 +25,6 @@ class ReferenceDialog : public QDialog {
   explicit ReferenceDialog(QWidget* parent);
 
  private:
-  void giveTitlesRoom();
   void showPage(int row);
   void follow(const QUrl& link);
   void scrollTo(const std::string& anchor);

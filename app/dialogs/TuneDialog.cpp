@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace taa::app {
 
@@ -130,6 +131,14 @@ void TuneDialog::showNumbers(const TuneWay& way) {
         tuneLine({goalTitle(id), shortText(term.weight, kTuneDigits), tunedText(termNumber(term, way.start)),
                   tunedText(termNumber(term, way.best))},
                  1, 3));
+  }
+  const std::vector<Metric> counted = goal.metrics();
+  for (const Metric metric : kGuardedMetrics) {
+    const auto index = static_cast<std::size_t>(metric);
+    if (!way.start.means[index] || std::ranges::find(counted, metric) != counted.end()) continue;
+    numbers_->addTopLevelItem(tuneLine({goalTitle(qtext(metricInfo(metric).id)), tr("may not rise"),
+                                        tunedText(way.start.means[index]), tunedText(way.best.means[index])},
+                                       2, 3));
   }
   numbers_->addTopLevelItem(tuneLine(
       {tr("All together"), QString(), tunedText(way.result.startGoal), tunedText(way.result.goal)}, 1, 3));

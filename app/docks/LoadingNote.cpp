@@ -1,6 +1,7 @@
 #include "app/docks/LoadingNote.h"
 
 #include "app/session/Session.h"
+#include "app/style/Text.h"
 #include "app/style/Theme.h"
 
 #include <QEvent>
@@ -49,6 +50,7 @@ LoadingNote::LoadingNote(const Session& session, QWidget* over)
     if (isVisible()) tell();
   });
   connect(&session, &Session::openingFailed, this, &LoadingNote::fail);
+  connect(&session, &Session::ended, this, &LoadingNote::tell);
   connect(&session, &Session::pictureArrived, this, [this] {
     clock_.stop();
     hide();
@@ -68,7 +70,11 @@ void LoadingNote::fail() {
 
 void LoadingNote::tell() {
   const QString source = session_.openingSource();
-  if (source.isEmpty() || failed_) {
+  if (!session_.whyEnded().isEmpty()) {
+    clock_.stop();
+    title_->setText(tr("Nothing can be drawn"));
+    step_->setText(sentence(session_.whyEnded().toStdString()));
+  } else if (source.isEmpty() || failed_) {
     title_->setText(tr("Nothing is open"));
     step_->setText(tr("Ctrl+O opens a scene, a capture or a session; one can also be dropped here."));
   } else {

@@ -166,20 +166,21 @@ void DoctorPanel::showChoice() {
   else if (choice.line == DoctorLine::Finding)
     details_->showFinding(diagnosis_->findings[index], choice.region);
   else if (choice.line == DoctorLine::Undecided)
-    details_->showUndecided(diagnosis_->undecided[index]);
+    details_->showUndecided(diagnosis_->parts.undecided()[index]);
   else if (choice.line == DoctorLine::Right)
-    details_->showText(tr("Right"), {{QString(), sentence(diagnosis_->healthy[index])}});
+    details_->showText(tr("Right"), {{QString(), sentence(diagnosis_->parts.right()[index].sentence)}});
   else if (choice.line == DoctorLine::Note)
     details_->showText(tr("Note"), {{QString(), sentence(diagnosis_->notes[index])}});
   else
-    details_->showText(isComplete_ ? tr("Nothing wrong was found.") : tr("Nothing wrong was found so far."),
+    details_->showText(isComplete_ ? qtext(diagnosis_->healthySentence())
+                                   : tr("Nothing wrong was found so far."),
                        {{tr("Examined"), summary()}, {tr("Right"), rightSentences()}});
   Q_EMIT changed();
 }
 
 QString DoctorPanel::rightSentences() const {
   QStringList lines;
-  for (const std::string& right : diagnosis_->healthy) lines << sentence(right);
+  for (const doctor::RightPart& right : diagnosis_->parts.right()) lines << sentence(right.sentence);
   return lines.join(QLatin1Char('\n'));
 }
 

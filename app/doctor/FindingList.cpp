@@ -90,12 +90,13 @@ void FindingList::setDiagnosis(const doctor::Diagnosis& diagnosis, bool isComple
         addFinding(group, diagnosis.findings[i], static_cast<int>(i));
     } else {
       addLine(invisibleRootItem(), DoctorLine::Healthy, 0,
-              isComplete ? tr("Nothing wrong was found") : tr("Nothing wrong so far"));
+              isComplete ? qtext(diagnosis.healthySentence()) : tr("Nothing wrong so far"));
     }
-    addAll(tr("Not decided by these frames"), DoctorLine::Undecided, diagnosis.undecided,
+    addAll(tr("Not decided by these frames"), DoctorLine::Undecided, diagnosis.parts.undecided(),
            [](const doctor::Undecided& each) { return qtext(each.question); });
     const auto plain = [](const std::string& text) { return qtext(text); };
-    addAll(tr("Right"), DoctorLine::Right, diagnosis.healthy, plain);
+    addAll(tr("Right"), DoctorLine::Right, diagnosis.parts.right(),
+           [](const doctor::RightPart& right) { return qtext(right.sentence); });
     addAll(tr("Notes"), DoctorLine::Note, diagnosis.notes, plain);
     setCurrentItem(lineOf(chosen));
   }

@@ -1,5 +1,6 @@
 #include "app/importing/FramePictures.h"
 
+#include "core/base/Light.h"
 #include "core/picture/ColorMap.h"
 #include "core/render/FrameInputs.h"
 
@@ -26,10 +27,6 @@ constexpr int kMaxSamples = 20000;
 /// A difference of this, of the 0 to 1 of the screen, is the end of its color map.
 constexpr float kFullDifference = 0.5f;
 constexpr float kCyclicGray = 0.373248f; ///< gray as light as the cyclic map: kCyclicLightness cubed
-
-float luma(const glm::vec4& color) {
-  return 0.2126f * color.x + 0.7152f * color.y + 0.0722f * color.z;
-}
 
 /// What all but a few of the finite values of `of(texel)` are below; 0 where there are none.
 template <typename Of>
@@ -165,7 +162,7 @@ QImage depthPicture(const Image& depth) {
 /// Of the luma that the screen shows, 0 to 1.
 QImage differencePicture(const Image& color, const Image& warped, float exposure) {
   const auto shown = [&](const Image& image, int x, int y) {
-    return srgbEncoded(std::clamp(luma(image.texel(x, y)) * exposure, 0.0f, 1.0f));
+    return srgbEncoded(std::clamp(luminance(glm::vec3(image.texel(x, y))) * exposure, 0.0f, 1.0f));
   };
   return drawn(color, [&](int x, int y) {
     if (warped.at(x, y)[3] <= 0.0f) return qRgba(0, 0, 0, 0);
@@ -177,18 +174,13 @@ QImage differencePicture(const Image& color, const Image& warped, float exposure
 
 /// False: the place is outside.
 bool sampleBilinear(const Image& image, glm::vec2 px, float* out) {
-  const float left = std::floor(px.x - 0.5f), top = std::floor(px.y - 0.5f);
   const bool isInside = px.x >= 0.0f && px.y >= 0.0f && px.x <= static_cast<float>(image.width) &&
                         px.y <= static_cast<float>(image.height); // false for NaN
   if (!isInside) return false;
-  const glm::vec2 f = px - 0.5f - glm::vec2(left, top);
-  const auto texel = [&](int x, int y) {
-    return image.texel(std::clamp(static_cast<int>(left) + x, 0, image.width - 1),
-                       std::clamp(static_cast<int>(top) + y, 0, image.height - 1));
-  };
-  const glm::vec4 above = texel(0, 0) * (1.0f - f.x) + texel(1, 0) * f.x;
-  const glm::vec4 below = texel(0, 1) * (1.0f - f.x) + texel(1, 1) * f.x;
-  const glm::vec4 value = above * (1.0f - f.y) + below * f.y;
+  const glm::vec3 value = bilinear(px, [&](int x, int y) {
+    const float* texel = image.nearest(x, y);
+    return glm::vec3(texel[0], texel[1], texel[2]);
+  });
   for (int channel = 0; channel < 3; ++channel) out[channel] = value[channel];
   out[3] = 1.0f;
   return true;
@@ -219,7 +211,8 @@ FramePictures drawFrame(const capture::DecodedFrame& frame, const capture::Decod
   pictures.frame = frame.index;
   const int side = shrinkingOf(frame.color, maxSide);
   const Image color = averaged(frame.color, side);
-  const float white = highValue(color, kShareWithin, luma);
+  const float white =
+      highValue(color, kShareWithin, [](const glm::vec4& texel) { return luminance(glm::vec3(texel)); });
   const float exposure = white > 0.0f ? 1.0f / white : 1.0f;
   pictures.color = colorPicture(color, exposure);
   pictures.motion = motionPicture(picked(frame.motion, shrinkingOf(frame.motion, maxSide)));

@@ -23,7 +23,6 @@ GuessSentences::GuessSentences(QWidget* parent) : QListWidget(parent) {
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setSelectionMode(QAbstractItemView::SingleSelection);
   setIconSize({scaled(kSentenceIcon), scaled(kSentenceIcon)});
-  setResizeMode(QListView::Adjust);
 }
 
 void GuessSentences::add(const QString& icon, const QString& text, const QString& sentence) {

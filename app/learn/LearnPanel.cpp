@@ -5,6 +5,7 @@
 #include "app/style/Theme.h"
 #include "app/widgets/IconButton.h"
 #include "app/widgets/parameters/ChoiceButton.h"
+#include "core/lessons/Ladder.h"
 #include "core/lessons/LessonHtml.h"
 #include "core/lessons/LessonNumbers.h"
 
@@ -42,6 +43,7 @@ LearnPanel::LearnPanel(QWidget* parent) : QWidget(parent) {
   makeWay();
   text_ = new LessonText;
   text_->setAccessibleName(tr("Text of the step"));
+  connect(text_, &LessonText::rungChosen, this, &LearnPanel::rungChosen);
   layout->addWidget(text_, 1);
   makeTask();
   layout->addStretch();
@@ -124,7 +126,8 @@ void LearnPanel::setStep(const Lesson& lesson, int step, const StepNotes& notes)
   place_->setText(tr("%1 of %2").arg(step + 1).arg(lesson.steps.size()));
   // Its title goes with the text, which may have room for few lines.
   const std::string title = "## " + shown.title + "\n\n";
-  const QString text = qtext(title + (step == 0 ? lesson.summary + "\n" : "") + shown.text);
+  const QString text = qtext(title + (step == 0 ? lesson.summary + "\n" : "") + shown.text + "\n" +
+                             ladderMarkdown(shown.ladder, {.isLinked = true}));
   text_->setText(notes.numbers.isEmpty() ? text : text + QStringLiteral("\n\n") + notes.numbers);
   back_->setEnabled(step > 0);
   // After the last step the next lesson comes, where there is one.

@@ -47,6 +47,7 @@ class LearnPanel : public QWidget {
   void hintRequested(); ///< after the last hint: the solution
   void numbersRequested();
   void closeRequested();
+  void rungChosen(const QString& preset); ///< a row of the ladder's table
 
  private:
   void makeHead();

@@ -49,6 +49,11 @@ Learning::Learning(const Holders& of, QWidget* window)
   connect(&panel, &LearnPanel::hintRequested, this, &Learning::giveHint);
   connect(&panel, &LearnPanel::numbersRequested, this, &Learning::measure);
   connect(&panel, &LearnPanel::closeRequested, this, &Learning::close);
+  connect(&panel, &LearnPanel::rungChosen, this, [this](const QString& preset) {
+    // A link of anybody's text may say anything.
+    if (std::ranges::count(shownStep().ladder, preset.toStdString(), &Rung::preset) > 0)
+      Q_EMIT rungChosen(preset);
+  });
   connect(work_, &LessonWork::checked, this, &Learning::takeChecked);
   connect(work_, &LessonWork::measured, this, &Learning::takeNumbers);
   connect(work_, &LessonWork::recorded, this, [this](const LessonState& state) {

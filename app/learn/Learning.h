@@ -67,6 +67,7 @@ class Learning : public QObject {
   void stepShown(); ///< another one, or what became of its task
   void answered();  ///< a hint, a check or numbers, which need room
   void said(const QString& sentence);
+  void rungChosen(const QString& preset); ///< of the ladder on show
   void failed(const QString& sentence);
 
  private:

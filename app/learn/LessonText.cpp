@@ -1,10 +1,12 @@
 #include "app/learn/LessonText.h"
 
 #include "app/style/Theme.h"
+#include "core/lessons/Ladder.h"
 
 #include <QDesktopServices>
 #include <QEvent>
 #include <QFontMetrics>
+#include <QMouseEvent>
 #include <QScrollBar>
 #include <QTextBlock>
 #include <QTextCursor>
@@ -92,6 +94,10 @@ void setTable(QTextTable& table, const ThemeColors& colors) {
     }
 }
 
+bool isRung(const QUrl& link) {
+  return link.scheme() == QLatin1String(kRungScheme.data(), static_cast<qsizetype>(kRungScheme.size()));
+}
+
 } // namespace
 
 LessonText::LessonText(QWidget* parent) : QTextBrowser(parent) {
@@ -101,8 +107,9 @@ LessonText::LessonText(QWidget* parent) : QTextBrowser(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum); // no higher than it is
   setLineWrapMode(QTextEdit::FixedPixelWidth);
   document()->setDocumentMargin(0.0);
-  connect(this, &QTextBrowser::anchorClicked, this, [](const QUrl& link) {
+  connect(this, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {
     if (link.scheme() == QLatin1String("https")) QDesktopServices::openUrl(link);
+    if (isRung(link)) Q_EMIT rungChosen(link.path());
   });
 }
 
@@ -151,6 +158,31 @@ void LessonText::fitLines() {
   const int room = contentsRect().width() - verticalScrollBar()->sizeHint().width();
   setLineWrapColumnOrWidth(std::max(1, std::min(longest, room)));
   if (std::exchange(heightPx_, sizeHint().height()) != heightPx_) updateGeometry();
+}
+
+QUrl LessonText::linkOfRow(const QPoint& position) const {
+  const QTextCursor at = cursorForPosition(position);
+  QTextTable* table = at.currentTable();
+  if (!table) return {};
+  const int row = table->cellAt(at).row();
+  for (int column = 0; column < table->columns(); ++column)
+    for (auto part = table->cellAt(row, column).firstCursorPosition().block().begin(); !part.atEnd(); ++part)
+      if (part.fragment().charFormat().isAnchor()) return QUrl(part.fragment().charFormat().anchorHref());
+  return {};
+}
+
+void LessonText::mouseMoveEvent(QMouseEvent* event) {
+  QTextBrowser::mouseMoveEvent(event);
+  if (isRung(linkOfRow(event->position().toPoint()))) viewport()->setCursor(Qt::PointingHandCursor);
+}
+
+// The whole row leads where its link does; text that was marked in it is left alone.
+void LessonText::mouseReleaseEvent(QMouseEvent* event) {
+  const QPoint position = event->position().toPoint();
+  const bool isElsewhere = event->button() == Qt::LeftButton && anchorAt(position).isEmpty();
+  QTextBrowser::mouseReleaseEvent(event);
+  if (!isElsewhere || textCursor().hasSelection() || !viewport()->rect().contains(position)) return;
+  if (const QUrl link = linkOfRow(position); isRung(link)) Q_EMIT rungChosen(link.path());
 }
 
 void LessonText::changeEvent(QEvent* event) {

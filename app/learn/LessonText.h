@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QTextBrowser>
+#include <QUrl>
 
 namespace taa::app {
 
@@ -16,12 +17,21 @@ class LessonText : public QTextBrowser {
   void setText(const QString& markdown);
   /// Shows its end rather than its beginning, also when it gets less room.
   void setKeepsEnd(bool keepsEnd);
+  /// Where a row of a table leads, that is where the first link in it does; empty: nowhere. `position` in the
+  /// viewport.
+  QUrl linkOfRow(const QPoint& position) const;
   /// As high as the text is.
   QSize sizeHint() const override;
   /// A line, where the window has room for no more.
   QSize minimumSizeHint() const override;
 
+ Q_SIGNALS:
+  /// A link "rung:ID" was followed, or the row of a table that has one.
+  void rungChosen(const QString& preset);
+
  protected:
+  void mouseMoveEvent(QMouseEvent*) override;
+  void mouseReleaseEvent(QMouseEvent*) override;
   QVariant loadResource(int, const QUrl&) override { return {}; }
   void changeEvent(QEvent*) override;
   void resizeEvent(QResizeEvent*) override;

@@ -6,7 +6,7 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/widgets/Chooser.h"
-#include "core/settings/Parameters.h"
+#include "core/taa/rows/SearchedRows.h"
 
 #include <QAction>
 
@@ -48,14 +48,10 @@ std::vector<ParameterValue> parameterValues() {
 
 ChooserEntry entryOf(const ParameterValue& of, const Settings& settings) {
   const Parameter& row = *of.row;
-  QString name = of.value != 0 ? CommandLists::tr("on") : CommandLists::tr("off");
-  if (row.kind == ParameterKind::Choice)
-    name = tableText(row.choices[static_cast<std::size_t>(of.value)].label);
+  const SearchedRow searched = searchedValue(row, of.value);
   const bool isNow = static_cast<int>(row.get(settings)) == of.value;
-  return {CommandLists::tr("%1: %2").arg(tableText(row.label), name),
-          isNow ? CommandLists::tr("now") : QString(), tableText(stageInfo(row.stage).label),
-          qtext(row.path) + QLatin1Char('=') + QString::fromStdString(valueText(row, of.value)),
-          isRelevant(row, settings)};
+  return {QString::fromStdString(searched.label), isNow ? CommandLists::tr("now") : QString(),
+          QString::fromStdString(searched.group), searched, isRelevant(row, settings)};
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "app/menus/PipelineMenu.h"
 
 #include "app/commands/Exports.h"
+#include "app/commands/LadderSteps.h"
 #include "app/commands/OwnPresets.h"
 #include "app/commands/Tune.h"
 #include "app/dialogs/GlslWindow.h"
@@ -28,6 +29,7 @@ PipelineMenu::PipelineMenu(Commands& commands, const Targets& on, QWidget* paren
                           });
   onRefresh([&session, taa] { taa->setChecked(isTaaOn(session.presets().settings())); });
   addPresets(session);
+  addRungs(on.ladder);
   addOwnPresets(session, on.presets, on.exports);
   add(tr("&Back to the preset"), keys({"Ctrl+R"}), [&session] { session.presets().backToPreset(); });
   addSeparator();
@@ -57,6 +59,17 @@ void PipelineMenu::addPresets(Session& session) {
     commands_.add(listed, tableText(preset.label), key, [&session, id] { session.presets().setPreset(id); })
         ->setToolTip(tableText(preset.description));
   }
+}
+
+void PipelineMenu::addRungs(LadderSteps& ladder) {
+  QAction* next =
+      add(tr("&Next rung of the source's ladder"), keys({"Ctrl+PgDown"}), [&ladder] { ladder.stepBy(1); });
+  QAction* previous =
+      add(tr("Pre&vious rung of the source's ladder"), keys({"Ctrl+PgUp"}), [&ladder] { ladder.stepBy(-1); });
+  onRefresh([&ladder, next, previous] {
+    allow(next, ladder.whyNot(1));
+    allow(previous, ladder.whyNot(-1));
+  });
 }
 
 void PipelineMenu::addOwnPresets(Session& session, OwnPresets& presets, Exports& exports) {

@@ -7,6 +7,7 @@
 namespace taa::app {
 
 class Exports;
+class LadderSteps;
 class LowerArea;
 class OwnPresets;
 class PipelinePanel;
@@ -23,12 +24,14 @@ class PipelineMenu : public CommandMenu {
     ViewArea& views;
     LowerArea& lower; ///< where what stages cost is shown
     Exports& exports;
+    LadderSteps& ladder;
   };
   PipelineMenu(Commands& commands, const Targets& on, QWidget* parent);
 
  private:
   void addPresets(Session& session);
   void addOwnPresets(Session& session, OwnPresets& presets, Exports& exports);
+  void addRungs(LadderSteps& ladder);
   void addShaders(const Targets& on);
   void addReferences(Session& session, ViewArea& views);
   void addReferenceRow(QMenu* menu, ViewArea& views, IntermediateId id, const QString& text, const char* key);

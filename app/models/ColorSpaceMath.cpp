@@ -1,7 +1,9 @@
 #include "app/models/ColorSpaceMath.h"
 
 #include "app/models/ChartMath.h"
+#include "core/settings/Parameters.h"
 #include "core/taa/twin/Color.h"
+#include "core/taa/twin/stages/Stages.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -79,6 +81,29 @@ std::optional<std::pair<double, double>> clipped(const std::vector<SlabWall>& wa
   return std::pair(from, to);
 }
 
+/// One point for all methods that put history there.
+std::vector<RectifiedPoint> pointsByMethod(const twin::PixelRecord& record, const twin::Details& details,
+                                           const Settings& settings, const ToPlot& plot) {
+  const glm::vec3 history(twin::at(record, Id::historyRaw)), current(twin::at(record, Id::currentFiltered));
+  Settings tried = settings;
+  std::vector<RectifiedPoint> points;
+  const Parameter& row = parameter("rectify.method");
+  for (std::size_t method = 0; method < row.choices.size(); ++method) {
+    tried.rectify.method = static_cast<RectifyMethod>(method);
+    if (tried.rectify.method == RectifyMethod::None || tried.rectify.method == RectifyMethod::ClampForget)
+      continue; // history itself, and a clamp
+    const twin::Rectified moved = twin::rectifiedFully(tried, history, current, details.neighborhood);
+    const glm::vec3 point = plot(twin::toBox(moved.value, settings.space));
+    const auto same = std::ranges::find(points, point, &RectifiedPoint::point);
+    const std::string label(row.choices[method].label);
+    if (same == points.end())
+      points.push_back({label, point});
+    else
+      same->methods += ", " + label;
+  }
+  return points;
+}
+
 } // namespace
 
 ColorScene colorScene(const twin::PixelRecord& record, const twin::Details& details, const Settings& settings,
@@ -117,6 +142,7 @@ ColorScene colorScene(const twin::PixelRecord& record, const twin::Details& deta
     scene.historyRectified = plot(boxed(row(Id::historyRectified)));
     const auto target = twin::rectifyTarget(settings.rectify.method, current, hood);
     if (target && twin::at(record, Id::clipAmount).x > 0.0f) scene.target = plot(*target);
+    scene.byMethod = pointsByMethod(record, details, settings, plot);
   }
   for (const WhatIfRow& variant : variants) scene.variants.push_back(plot(boxed(variant.resolved)));
   return scene;
@@ -168,6 +194,7 @@ ColorRange rangeOf(const ColorScene& scene) {
   for (const glm::vec3& tap : scene.taps) add(tap);
   for (const Segment& edge : scene.hull) add(edge.first), add(edge.second);
   for (const glm::vec3& variant : scene.variants) add(variant);
+  for (const RectifiedPoint& each : scene.byMethod) add(each.point);
   for (const auto& point : {scene.historyRaw, scene.historyRectified, scene.target})
     if (point) add(*point);
   add(scene.resolved);
@@ -203,13 +230,13 @@ std::array<std::vector<double>, 3> ticksOf(const ColorRange& range, int most) {
   return ticks;
 }
 
-Turn turned(const Turn& turn, glm::dvec2 dragPx) {
+SpaceTurn turned(const SpaceTurn& turn, glm::dvec2 dragPx) {
   constexpr double kRadiansPerPixel = 0.01, kSteepest = std::numbers::pi / 2;
   return {std::remainder(turn.yaw + kRadiansPerPixel * dragPx.x, 2 * std::numbers::pi),
           std::clamp(turn.pitch + kRadiansPerPixel * dragPx.y, -kSteepest, kSteepest)};
 }
 
-Projected projected(const glm::dvec3& unit, const Turn& turn) {
+Projected projected(const glm::dvec3& unit, const SpaceTurn& turn) {
   const double up = unit.x, right = unit.y, near = unit.z;
   const double c = std::cos(turn.yaw), s = std::sin(turn.yaw);
   const double x = c * right + s * near, depth = c * near - s * right;
@@ -217,7 +244,7 @@ Projected projected(const glm::dvec3& unit, const Turn& turn) {
   return {{x, cp * up - sp * depth}, sp * up + cp * depth};
 }
 
-glm::vec3 outerEdge(const ColorRange& range, const Turn& turn, int axis) {
+glm::vec3 outerEdge(const ColorRange& range, const SpaceTurn& turn, int axis) {
   const int first = (axis + 1) % 3, second = (axis + 2) % 3;
   glm::vec3 outermost = range.low;
   double farthest = -1.0, lowest = 0.0;

@@ -23,6 +23,12 @@ enum class PlotSpace { Rgb, YCoCg };
 using Corners = std::array<glm::vec3, 8>; ///< corner i has the upper wall of axis a where bit a of i is set
 using Segment = std::pair<glm::vec3, glm::vec3>;
 
+/// Where rectification would put history.
+struct RectifiedPoint {
+  std::string methods; ///< labels of those that put it there: "Clamp, Clip to center"
+  glm::vec3 point{0.0f};
+};
+
 /// All in the plot's space.
 struct ColorScene {
   std::array<std::string, 3> axes;
@@ -34,8 +40,9 @@ struct ColorScene {
   std::vector<Segment> hull; ///< edges of what slabs around the samples leave; empty: not the method
   glm::vec3 mean{0.0f}, current{0.0f}, resolved{0.0f};
   std::optional<glm::vec3> historyRaw, historyRectified; ///< nothing: no history
-  std::optional<glm::vec3> target; ///< where the way into the box leads; nothing: history was not moved
-  std::vector<glm::vec3> variants; ///< resolved colors of what-ifs
+  std::optional<glm::vec3> target;      ///< where the way into the box leads; nothing: history was not moved
+  std::vector<RectifiedPoint> byMethod; ///< of each method with all of its correction; empty: no history
+  std::vector<glm::vec3> variants;      ///< resolved colors of what-ifs
 };
 
 ColorScene colorScene(const twin::PixelRecord& record, const twin::Details& details, const Settings& settings,
@@ -60,12 +67,12 @@ Corners cornersOf(const ColorRange& range);
 std::array<std::vector<double>, 3> ticksOf(const ColorRange& range, int most);
 
 /// How the plot is turned: about the upright axis, then towards the eye; radians.
-struct Turn {
+struct SpaceTurn {
   double yaw = 0.6, pitch = 0.35;
-  bool operator==(const Turn&) const = default;
+  bool operator==(const SpaceTurn&) const = default;
 };
 /// Turned by a drag of so many pixels; upright stays upright.
-Turn turned(const Turn& turn, glm::dvec2 dragPx);
+SpaceTurn turned(const SpaceTurn& turn, glm::dvec2 dragPx);
 
 /// A point of the unit cube seen so: x right, y up, and how near to the eye. The first axis (R or Y) is
 /// upright, the second goes right, the third to the eye when nothing is turned.
@@ -73,11 +80,11 @@ struct Projected {
   glm::dvec2 place{0.0};
   double nearness = 0.0;
 };
-Projected projected(const glm::dvec3& unit, const Turn& turn);
+Projected projected(const glm::dvec3& unit, const SpaceTurn& turn);
 
 /// Where, in the plot's space, the edge along `axis` begins that has its ticks: of those at the outside of
 /// the range as it is seen the lower one, of two as low the left one. Labels beside it cover nothing.
-glm::vec3 outerEdge(const ColorRange& range, const Turn& turn, int axis);
+glm::vec3 outerEdge(const ColorRange& range, const SpaceTurn& turn, int axis);
 
 /// The two axes of a flat projection: right, up.
 inline constexpr std::array<std::pair<int, int>, 3> kProjections{{{1, 0}, {2, 0}, {1, 2}}};

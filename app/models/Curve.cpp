@@ -1,5 +1,6 @@
 #include "app/models/Curve.h"
 
+#include "core/base/Light.h"
 #include "core/picture/ColorMap.h"
 
 #include <array>

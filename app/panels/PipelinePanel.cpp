@@ -8,6 +8,7 @@
 #include "app/widgets/ScrollPlace.h"
 #include "app/widgets/SearchField.h"
 #include "app/widgets/SectionHeader.h"
+#include "app/widgets/areas/FocusOrder.h"
 #include "app/widgets/parameters/ChoiceButton.h"
 #include "app/widgets/parameters/ParameterRow.h"
 
@@ -24,6 +25,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cstddef>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -73,6 +76,14 @@ QString stageShareText(const StageShare& stage, bool startsHistory) {
   }
 }
 
+/// Whether it stood elsewhere.
+bool putAt(QVBoxLayout* layout, int place, QWidget* widget) {
+  if (layout->itemAt(place)->widget() == widget) return false;
+  layout->removeWidget(widget);
+  layout->insertWidget(place, widget);
+  return true;
+}
+
 } // namespace
 
 PipelinePanel::PipelinePanel(QWidget* parent) : QWidget(parent) {
@@ -82,18 +93,18 @@ PipelinePanel::PipelinePanel(QWidget* parent) : QWidget(parent) {
   layout->addWidget(makeTop());
 
   auto* content = new QWidget;
-  auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(0, 0, 0, 2 * kUnit);
-  column->setSpacing(0);
+  column_ = new QVBoxLayout(content);
+  column_->setContentsMargins(0, 0, 0, 2 * kUnit);
+  column_->setSpacing(0);
   noHits_ = new NoHits;
-  column->addWidget(noHits_);
+  column_->addWidget(noHits_);
   for (const StageInfo& stage : kStages) {
     Section section = makeSection(stage);
-    column->addWidget(section.header);
-    column->addWidget(section.body);
+    column_->addWidget(section.header);
+    column_->addWidget(section.body);
     sections_.push_back(std::move(section));
   }
-  column->addStretch(1);
+  column_->addStretch(1);
 
   scroll_ = new QScrollArea;
   scroll_->setWidgetResizable(true);
@@ -201,16 +212,17 @@ PipelinePanel::Section PipelinePanel::makeSection(const StageInfo& stage) {
   return section;
 }
 
-void PipelinePanel::layOut(const Section& section) {
-  auto* column = new QVBoxLayout(section.body);
-  column->setContentsMargins(0, 0, 0, 2 * kUnit);
-  column->setSpacing(0);
-  auto* settings = new QVBoxLayout;
-  settings->setContentsMargins(2 * kUnit, 0, 2 * kUnit, section.intermediates.empty() ? 0 : kUnit);
-  settings->setSpacing(2);
-  for (ParameterRow* row : section.parameters) settings->addWidget(row);
-  if (!section.parameters.empty()) column->addLayout(settings);
-  for (IntermediateRow* row : section.intermediates) column->addWidget(row);
+void PipelinePanel::layOut(Section& section) {
+  section.bodyRows = new QVBoxLayout(section.body);
+  section.bodyRows->setContentsMargins(0, 0, 0, 2 * kUnit);
+  section.bodyRows->setSpacing(0);
+  section.settingsRows = new QVBoxLayout;
+  section.settingsRows->setContentsMargins(2 * kUnit, 0, 2 * kUnit,
+                                           section.intermediates.empty() ? 0 : kUnit);
+  section.settingsRows->setSpacing(2);
+  section.bodyRows->addLayout(section.settingsRows);
+  for (ParameterRow* row : section.parameters) section.settingsRows->addWidget(row);
+  for (IntermediateRow* row : section.intermediates) section.bodyRows->addWidget(row);
 }
 
 void PipelinePanel::setSettings(const Settings& settings, const Settings& preset) {
@@ -342,27 +354,66 @@ void PipelinePanel::setAllExpanded(bool expanded) {
   for (const Section& section : sections_) section.header->setChecked(expanded);
 }
 
+// What is found by its label comes first, stages and rows alike.
 void PipelinePanel::applySearch() {
-  const QString wanted = search_->text().trimmed();
-  bool found = wanted.isEmpty();
-  for (const Section& section : sections_) {
+  const Search search(search_->text().toStdString());
+  std::vector<Section*> found;
+  std::map<const Section*, FoundBy> best;
+  bool moved = false;
+  for (Section& section : sections_) {
     // A stage that is found by its name shows everything it has.
-    const bool whole = wanted.isEmpty() || section.header->text().contains(wanted, Qt::CaseInsensitive);
-    bool any = whole;
-    const auto filter = [&](const auto& rows) {
+    const auto whole = search.find({.label = section.header->text().toStdString()});
+    bool any = whole.has_value();
+    FoundBy strongest = whole ? whole->by : FoundBy::Synonym;
+    const auto filter = [&](auto& rows, QVBoxLayout* layout, int first) {
+      std::map<const QWidget*, FoundBy> hits;
       for (auto* row : rows) {
-        const bool matches = whole || row->matches(wanted);
-        row->setVisible(matches);
-        any = any || matches;
+        const auto hit = search.find(row->searched());
+        row->setVisible(whole || hit);
+        row->setFound(hit ? foundText(*hit) : QString());
+        hits[row] = hit ? hit->by : FoundBy::Synonym;
+        any = any || hit;
+        if (hit) strongest = std::min(strongest, hit->by);
       }
+      auto order = rows;
+      std::ranges::stable_sort(order, {}, [&](const QWidget* row) { return hits.at(row); });
+      for (std::size_t i = 0; i < order.size(); ++i)
+        moved = putAt(layout, first + static_cast<int>(i), order[i]) || moved;
     };
-    filter(section.parameters);
-    filter(section.intermediates);
+    filter(section.parameters, section.settingsRows, 0);
+    filter(section.intermediates, section.bodyRows, 1);
     section.header->setVisible(any);
-    section.body->setVisible(any && (section.header->isChecked() || !wanted.isEmpty()));
-    found = found || any;
+    section.body->setVisible(any && (section.header->isChecked() || !search.isEmpty()));
+    best[&section] = strongest;
+    found.push_back(&section);
   }
-  noHits_->tell(wanted, found);
+  noHits_->tell(search_->text().trimmed(), std::ranges::any_of(found, [](const Section* section) {
+                  return !section->header->isHidden();
+                }));
+  std::ranges::stable_sort(found, {}, [&](const Section* section) { return best.at(section); });
+  moved = placeSections(found) || moved;
+  if (moved) orderTabs(found);
+}
+
+bool PipelinePanel::placeSections(const std::vector<Section*>& sections) {
+  int place = 1; // behind what says that nothing was found
+  bool moved = false;
+  for (const Section* section : sections)
+    for (QWidget* part : {static_cast<QWidget*>(section->header), section->body})
+      moved = putAt(column_, place++, part) || moved;
+  return moved;
+}
+
+// The Tab key goes as the eye does.
+void PipelinePanel::orderTabs(const std::vector<Section*>& sections) {
+  std::vector<QWidget*> areas;
+  for (const Section* section : sections) {
+    areas.push_back(section->header);
+    for (const QVBoxLayout* rows : {section->settingsRows, section->bodyRows})
+      for (int at = 0; at < rows->count(); ++at)
+        if (QWidget* row = rows->itemAt(at)->widget()) areas.push_back(row);
+  }
+  orderFocus(*window(), areas);
 }
 
 QJsonObject PipelinePanel::state() const {

@@ -89,15 +89,18 @@ class PipelinePanel : public QWidget {
     int frame = -1; ///< of the thumbnail
     SectionHeader* header = nullptr;
     QWidget* body = nullptr;
+    QVBoxLayout *settingsRows = nullptr, *bodyRows = nullptr; ///< of the body
     std::vector<ParameterRow*> parameters;
     std::vector<IntermediateRow*> intermediates;
   };
 
   QWidget* makeTop();
   Section makeSection(const StageInfo& stage);
-  void layOut(const Section& section);
+  void layOut(Section& section);
   void showSummaries();
   void applySearch();
+  bool placeSections(const std::vector<Section*>& sections);
+  void orderTabs(const std::vector<Section*>& sections);
   QString presetAt(int index) const;
   void wantThumbnails(bool visible);
 
@@ -106,6 +109,7 @@ class PipelinePanel : public QWidget {
   SearchField* search_ = nullptr;
   NoHits* noHits_ = nullptr;
   QScrollArea* scroll_ = nullptr;
+  QVBoxLayout* column_ = nullptr; ///< of what scrolls
   std::vector<Section> sections_;
   int sharesFrame_ = -1; ///< that the headings speak of; −1: none
   std::vector<ParameterRow*> parameterRows_;

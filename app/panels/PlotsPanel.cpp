@@ -244,10 +244,8 @@ void PlotsPanel::chooseRow() {
   std::vector<ChooserEntry> entries;
   std::vector<IntermediateId> ids;
   for (const IntermediateId id : allRows()) {
-    const Intermediate& row = intermediate(id);
     ids.push_back(id);
-    entries.push_back(
-        {tableText(row.label), tableText(row.unit), tableText(stageInfo(row.stage).label), qtext(row.name)});
+    entries.push_back(intermediateEntry(intermediate(id)));
   }
   auto* chooser = new Chooser(
       tr("Plot an intermediate"), std::move(entries),

@@ -404,7 +404,7 @@ QJsonObject ProbePanel::state() const {
     if (model_->isUnfolded(branch)) unfolded << qtext(stageInfo(model_->stageOf(branch)).id);
   }
   const auto selected = model_->idOf(table_->currentIndex());
-  const Turn& turn = colorSpace_->view()->turn();
+  const SpaceTurn& turn = colorSpace_->view()->turn();
   return {{QStringLiteral("tab"), QLatin1String(kTabs[static_cast<std::size_t>(tab())])},
           {QStringLiteral("folded"), folded},
           {QStringLiteral("showsOff"), unfolded},
@@ -433,7 +433,7 @@ void ProbePanel::setState(const QJsonObject& state) {
   colorSpace_->setSpace(
       static_cast<PlotSpace>(placeOf(kSpaces, state.value(QLatin1String("space"))).value_or(1)));
   const QJsonArray turn = state.value(QLatin1String("turn")).toArray();
-  colorSpace_->view()->setTurn({finite(turn.at(0), Turn{}.yaw), finite(turn.at(1), Turn{}.pitch)});
+  colorSpace_->view()->setTurn({finite(turn.at(0), SpaceTurn{}.yaw), finite(turn.at(1), SpaceTurn{}.pitch)});
   at_ = findIntermediate(state.value(QLatin1String("at")).toString().toStdString());
   scrollTo(table_->verticalScrollBar(), state.value(QLatin1String("scroll")).toInt());
   scrollTo(whatIf_->table()->verticalScrollBar(), state.value(QLatin1String("whatIfScroll")).toInt());

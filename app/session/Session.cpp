@@ -1,10 +1,12 @@
 #include "app/session/Session.h"
 
+#include "core/base/ShownText.h"
 #include "core/inspect/MemoryNeed.h"
 
 #include <QJsonObject>
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 #include <utility>
 
@@ -18,8 +20,13 @@ Session::Session(const MakeRenderer& makeRenderer, QObject* parent)
         const auto tell = [this, sentence] { Q_EMIT errorOccurred(sentence); };
         QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
       }) {
-  outbox_.guarded(
-      [&] { outbox_.setRenderer(makeRenderer([this](Answer answer) { mailbox_.put(std::move(answer)); })); });
+  try {
+    outbox_.setRenderer(makeRenderer([this](Answer answer) { mailbox_.put(std::move(answer)); }));
+  } catch (const std::exception& error) {
+    const QString sentence = QString::fromStdString(shownReason(error));
+    QMetaObject::invokeMethod(
+        this, [this, sentence] { end(sentence); }, Qt::QueuedConnection);
+  }
 }
 
 Session::~Session() {
@@ -71,6 +78,7 @@ void Session::deliver() {
 
 // Other requests are not concerned.
 void Session::refuse(const Failure& failure) {
+  if (failure.isEnd) return end(QString::fromStdString(failure.sentence));
   const RequestId request = failure.request;
   const bool isOfOpening = failure.kind == RequestKind::Source && request == opening_;
   if (failure.isChoice) Q_EMIT choiceRefused();
@@ -83,6 +91,23 @@ void Session::refuse(const Failure& failure) {
   presets_.showScene(status_.source);
   if (const auto before = std::exchange(beforeOpening_, {})) apply(*before);
   Q_EMIT openingFailed();
+}
+
+// What is under way never ends by itself: everybody who says that it goes on hears that it does not.
+void Session::end(const QString& sentence) {
+  whyEnded_ = sentence;
+  work_ = {};
+  status_.playing = false;
+  if (!isOpen()) {
+    const UndoStack::Quiet quiet(undo_);
+    probes_.set({}, -1);
+  }
+  presets_.showScene(status_.source);
+  Q_EMIT errorOccurred(sentence);
+  Q_EMIT workChanged();
+  Q_EMIT statusChanged();
+  if (!isOpen() || isOpening()) Q_EMIT openingFailed();
+  Q_EMIT ended();
 }
 
 void Session::useStatus(Status&& status) {
@@ -107,6 +132,10 @@ void Session::useStatus(Status&& status) {
 }
 
 void Session::open(const QString& source, bool plays, const ShotChoice& choice) {
+  if (!whyEnded_.isEmpty()) {
+    Q_EMIT errorOccurred(whyEnded_);
+    return Q_EMIT openingFailed();
+  }
   playsWhenOpen_ = last_.plays = plays;
   beforeOpening_.reset();
   last_.file = {};

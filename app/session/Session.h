@@ -62,6 +62,8 @@ class Session : public QObject {
   bool isOpen() const { return status_.frameCount > 0; }
   /// Whether what was asked for last has not arrived yet: what is open is of before.
   bool isOpening() const { return status_.opened != opening_; }
+  /// Why nothing is drawn any more, as without OpenGL; empty: the render thread runs.
+  const QString& whyEnded() const { return whyEnded_; }
 
   /// What was asked to be opened last; empty: nothing yet.
   QString openingSource() const { return QString::fromStdString(last_.file.source); }
@@ -123,10 +125,12 @@ class Session : public QObject {
   void choiceRefused(); ///< the shot has no such camera, object, animation or length; before errorOccurred()
   void offersOpening(bool offers); ///< whether openAnyway() would open something; follows errorOccurred()
   void openingFailed();            ///< of what was opened last; what was open still is
+  void ended();                    ///< nothing will arrive any more, and whyEnded() says why
 
  private:
   void deliver();
   void refuse(const Failure& failure);
+  void end(const QString& sentence);
   void offer(const std::optional<SceneBudget>& needed);
   void useStatus(Status&& status);
   void apply(const SessionFile& file);
@@ -149,6 +153,7 @@ class Session : public QObject {
   bool tracing_ = false;
   LastOpening last_;
   Pending<ShotChoice> choice_;
+  QString whyEnded_;
   RequestId firstChoice_ = 0; ///< since which what was opened last was only opened again; 0: it was not
 };
 

@@ -2,6 +2,7 @@
 
 #include "app/style/Theme.h"
 
+#include "core/base/Light.h"
 #include "core/picture/ColorMap.h"
 #include "core/picture/OkLab.h"
 
@@ -37,8 +38,7 @@ glm::vec3 linearOf(const QColor& color) {
 }
 
 double luminanceOf(const QColor& color) {
-  const glm::vec3 linear = linearOf(color);
-  return 0.2126 * linear.x + 0.7152 * linear.y + 0.0722 * linear.z;
+  return luminance(glm::dvec3(linearOf(color)));
 }
 
 } // namespace

@@ -88,6 +88,17 @@ int FlatStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const
   return QProxyStyle::pixelMetric(metric, option, widget);
 }
 
+// The style sheet adds its padding to this: lines are broken in what that leaves of their list.
+QSize FlatStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                                  const QWidget* widget) const {
+  const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(option);
+  if (type != CT_ItemViewItem || !item || !qobject_cast<const QListView*>(widget))
+    return QProxyStyle::sizeFromContents(type, option, size, widget);
+  QStyleOptionViewItem padded(*item);
+  padded.rect.setWidth(std::max(item->rect.width() - 2 * kListPadding, 0));
+  return QProxyStyle::sizeFromContents(type, &padded, size, widget);
+}
+
 void FlatStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                               const QWidget* widget) const {
   if (element == PE_IndicatorCheckBox || element == PE_IndicatorItemViewItemCheck)

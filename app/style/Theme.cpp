@@ -72,7 +72,7 @@ QTreeView, QListWidget { background: @panel; alternate-background-color: @panel;
 QTreeView::item { padding: 2px 4px; border: none; }
 QTreeView::item:selected { background: @hover; color: @text; }
 QTreeView::item:selected:active { background: @hover; color: @text; }
-QListWidget::item { padding: 3px 8px; border: none; }
+QListWidget::item { padding: 3px @listPaddingpx; border: none; }
 QListWidget::item:selected { background: @accent; color: @onAccent; }
 QHeaderView { background: @panel; }
 QHeaderView::section { background: @panel; color: @secondary; border: none; border-bottom: 1px solid @line;
@@ -91,6 +91,7 @@ QString filled(QString sheet, const ThemeColors& colors) {
   for (const auto& [name, color] : names) sheet.replace(QLatin1String(name), color.name());
   // Of a line of larger letters: this least height holds where a layout has too little room.
   const int button = static_cast<int>(std::lround(14 + 18 * (textScale() - 1.0)));
+  sheet.replace(QLatin1String("@listPadding"), QString::number(kListPadding));
   sheet.replace(QLatin1String("@button"), QString::number(button));
   return sheet.replace(QLatin1String("@small"), QString::number(9 * textScale()));
 }

@@ -41,7 +41,8 @@ QFont titleFont();
 /// Tabular figures; `points` 9, 10 or 12.
 QFont numberFont(int points = 9);
 
-inline constexpr int kUnit = 4; ///< all distances are multiples of it
+inline constexpr int kUnit = 4;                ///< all distances are multiples of it
+inline constexpr int kListPadding = 2 * kUnit; ///< at either side of a line of a list, px
 
 /// How large text is now, of the sizes above: 1 to 2 (TextSize.h).
 double textScale();

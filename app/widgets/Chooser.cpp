@@ -1,7 +1,9 @@
 #include "app/widgets/Chooser.h"
 
 #include "app/style/Icons.h"
+#include "app/style/Text.h"
 #include "app/style/Theme.h"
+#include "app/widgets/SearchField.h"
 
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -62,12 +64,42 @@ std::vector<std::size_t> orderByGroups(const std::vector<ChooserEntry>& entries)
   return order;
 }
 
+struct FoundEntry {
+  std::size_t index;
+  SearchHit hit;
+};
+
+/// Groups by their strongest hits, and in a group the strongest hits first.
+void sortByHits(std::vector<FoundEntry>& found, const std::vector<ChooserEntry>& entries) {
+  std::ranges::stable_sort(found, {}, [](const FoundEntry& of) { return of.hit.by; });
+  std::map<QString, std::size_t> place; // of a group: that of its first
+  for (const FoundEntry& of : found) place.try_emplace(entries[of.index].group, place.size());
+  std::ranges::stable_sort(found, {},
+                           [&](const FoundEntry& of) { return place.at(entries[of.index].group); });
+}
+
+/// What is at the right of an entry: also why it was found, where its text does not say it.
+QString detailOf(const ChooserEntry& entry, const SearchHit& hit) {
+  const QString why = foundText(hit);
+  if (why.isEmpty() || (hit.by == FoundBy::Choice && entry.text.contains(QString::fromStdString(hit.why))))
+    return entry.detail;
+  return entry.detail.isEmpty() ? why : Chooser::tr("%1 · %2").arg(why, entry.detail);
+}
+
 } // namespace
+
+ChooserEntry intermediateEntry(const Intermediate& row) {
+  return {tableText(row.label), tableText(row.unit), tableText(stageInfo(row.stage).label), searchedRow(row)};
+}
 
 Chooser::Chooser(const QString& placeholder, std::vector<ChooserEntry> entries,
                  std::function<void(int)> choose, QWidget* parent)
     : QFrame(parent, Qt::Popup), entries_(std::move(entries)), choose_(std::move(choose)),
       field_(new QLineEdit), list_(new QListWidget) {
+  for (ChooserEntry& entry : entries_) {
+    entry.searched.label = entry.text.toStdString();
+    entry.searched.group = entry.group.toStdString();
+  }
   order_ = orderByGroups(entries_);
   setAttribute(Qt::WA_DeleteOnClose);
   setObjectName(QStringLiteral("popup"));
@@ -115,22 +147,22 @@ void Chooser::fill(const QString& wanted, int current) {
   list_->clear();
   QString group;
   QListWidgetItem* chosen = nullptr;
-  const QStringList words = wanted.split(QLatin1Char(' '), Qt::SkipEmptyParts);
-  for (const std::size_t i : order_) {
-    const ChooserEntry& entry = entries_[i];
-    const QString known = entry.text + QLatin1Char(' ') + entry.group + QLatin1Char(' ') + entry.keywords;
-    const bool found = std::ranges::all_of(
-        words, [&](const QString& word) { return known.contains(word, Qt::CaseInsensitive); });
-    if (!found) continue;
+  const Search search(wanted.toStdString());
+  std::vector<FoundEntry> found;
+  for (const std::size_t index : order_)
+    if (const auto hit = search.find(entries_[index].searched)) found.push_back({index, *hit});
+  if (!search.isEmpty()) sortByHits(found, entries_);
+  for (const FoundEntry& of : found) {
+    const ChooserEntry& entry = entries_[of.index];
     if (entry.group != group) {
       group = entry.group;
       (new QListWidgetItem(group, list_))->setFlags(Qt::NoItemFlags);
     }
     auto* item = new QListWidgetItem(entry.text, list_);
-    item->setData(kEntryRole, static_cast<int>(i));
-    item->setData(kDetailRole, entry.detail);
+    item->setData(kEntryRole, static_cast<int>(of.index));
+    item->setData(kDetailRole, detailOf(entry, of.hit));
     if (!entry.enabled) item->setFlags(Qt::NoItemFlags);
-    if (entry.enabled && (!chosen || static_cast<int>(i) == current)) chosen = item;
+    if (entry.enabled && (!chosen || static_cast<int>(of.index) == current)) chosen = item;
   }
   if (list_->count() == 0) {
     list_->addItem(tr("Nothing here has “%1”.").arg(wanted));

@@ -1,6 +1,8 @@
 // A list that is searched by typing: commands, or the intermediates of a view.
 #pragma once
 
+#include "core/taa/rows/SearchedRows.h"
+
 #include <QFrame>
 #include <QString>
 
@@ -15,11 +17,14 @@ namespace taa::app {
 
 struct ChooserEntry {
   QString text;
-  QString detail;   ///< at the right, in secondary text
-  QString group;    ///< a heading before those of a group, which need not follow each other
-  QString keywords; ///< found too, not shown
+  QString detail;         ///< at the right, in secondary text
+  QString group;          ///< a heading before those of a group, which need not follow each other
+  SearchedRow searched{}; ///< what else it is found by; text and group are known from above
   bool enabled = true;
 };
+
+/// Of a list of intermediates, under their stages.
+ChooserEntry intermediateEntry(const Intermediate& row);
 
 /// A popup that deletes itself when it closes.
 class Chooser : public QFrame {
@@ -30,7 +35,7 @@ class Chooser : public QFrame {
 
   /// Below `anchor` (its parent's coordinates), as large as the window allows.
   void open(const QRect& anchor, int current = -1);
-  /// Shows what matches; the first match becomes current.
+  /// Shows what is found, the groups with the strongest hits first; the first one becomes current.
   void search(const QString& text);
 
  protected:
@@ -42,7 +47,7 @@ class Chooser : public QFrame {
   void moveCurrent(int rows);
 
   std::vector<ChooserEntry> entries_;
-  std::vector<std::size_t> order_; ///< of entries as they are listed: those of a group together
+  std::vector<std::size_t> order_; ///< of entries as all are listed: those of a group together
   std::function<void(int)> choose_;
   QLineEdit* field_;
   QListWidget* list_;

@@ -11,7 +11,6 @@
 #include <QPainter>
 
 #include <string>
-#include <string_view>
 
 namespace taa::app {
 
@@ -44,7 +43,7 @@ void paintViewLetter(QPainter& painter, const QRect& box, QChar letter, bool act
 }
 
 IntermediateRow::IntermediateRow(const Intermediate& row, QWidget* parent)
-    : QAbstractButton(parent), row_(row) {
+    : QAbstractButton(parent), row_(row), searched_(searchedRow(row)) {
   setText(tableText(row.label));
   setObjectName(qtext(row.name));
   setToolTip(intermediateToolTip(row));
@@ -60,10 +59,10 @@ void IntermediateRow::setShownIn(const QString& letters, QChar active) {
   update();
 }
 
-bool IntermediateRow::matches(const QString& wanted) const {
-  for (const std::string_view field : {row_.label, row_.name, row_.description})
-    if (tableText(field).contains(wanted, Qt::CaseInsensitive)) return true;
-  return false;
+void IntermediateRow::setFound(const QString& why) {
+  if (why == found_) return;
+  found_ = why;
+  update();
 }
 
 QSize IntermediateRow::sizeHint() const {
@@ -88,6 +87,13 @@ void IntermediateRow::paintEvent(QPaintEvent*) {
                     scaled(kRowLetter), scaled(kRowLetter));
     paintViewLetter(painter, box, letters_[i], letters_[i] == active_, colors);
     inside.setRight(box.left() - kUnit);
+  }
+  if (!found_.isEmpty()) {
+    painter.setFont(secondaryFont());
+    painter.setPen(colors.secondary);
+    painter.drawText(inside, Qt::AlignVCenter | Qt::AlignRight, found_);
+    inside.setRight(inside.right() - painter.fontMetrics().horizontalAdvance(found_) - 2 * kUnit);
+    painter.setFont(font());
   }
   painter.setPen(colors.text);
   painter.drawText(inside, Qt::AlignVCenter | Qt::AlignLeft,

@@ -1,7 +1,7 @@
 // One intermediate in a list: its name, and the letters of the views that show it.
 #pragma once
 
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/rows/SearchedRows.h"
 
 #include <QAbstractButton>
 
@@ -20,7 +20,10 @@ class IntermediateRow : public QAbstractButton {
   /// Letters of the views that show it: "", "A", "AB"; `active` is the letter that keys act on.
   void setShownIn(const QString& letters, QChar active);
   QString shownIn() const { return letters_; }
-  bool matches(const QString& text) const;
+  const SearchedRow& searched() const { return searched_; }
+  /// Why a search found it, at the right in secondary text; empty: nothing to say.
+  void setFound(const QString& why);
+  const QString& found() const { return found_; }
   QSize sizeHint() const override;
 
  Q_SIGNALS:
@@ -34,7 +37,8 @@ class IntermediateRow : public QAbstractButton {
 
  private:
   const Intermediate& row_;
-  QString letters_;
+  SearchedRow searched_;
+  QString letters_, found_;
   QChar active_;
 };
 

@@ -42,6 +42,22 @@ void NoHits::tell(const QString& wanted, bool found) {
   setVisible(!found);
 }
 
+QString foundText(const SearchHit& hit) {
+  const QString why = QString::fromStdString(hit.why);
+  switch (hit.by) {
+  case FoundBy::Label:
+  case FoundBy::Id:
+    return {};
+  case FoundBy::Choice:
+    return NoHits::tr("choice: %1").arg(why);
+  case FoundBy::Text:
+    return NoHits::tr("in its description");
+  case FoundBy::Synonym:
+    return NoHits::tr("here: %1").arg(why);
+  }
+  return {};
+}
+
 bool isUndoKey(const QKeyEvent& event) {
   return event.key() == Qt::Key_Z &&
          (event.modifiers() | Qt::ShiftModifier) == (Qt::ControlModifier | Qt::ShiftModifier);

@@ -2,6 +2,8 @@
 // and so is Esc (EscapeKey.h).
 #pragma once
 
+#include "core/base/search/Search.h"
+
 #include <QLabel>
 #include <QLineEdit>
 
@@ -29,6 +31,9 @@ class NoHits : public QLabel {
   /// What was searched for, and whether something was found.
   void tell(const QString& wanted, bool found);
 };
+
+/// Why a row is among those that were found, where its label does not show it; else empty.
+QString foundText(const SearchHit& hit);
 
 /// Whether a key is for undo or redo of the window.
 bool isUndoKey(const QKeyEvent& event);

@@ -3,6 +3,7 @@
 #include "app/style/Numbers.h"
 #include "app/style/Theme.h"
 
+#include "core/base/Light.h"
 #include "core/picture/ColorMap.h"
 #include "core/taa/twin/Color.h"
 

@@ -7,6 +7,7 @@
 #include "app/commands/Flight.h"
 #include "app/commands/GoToPrompts.h"
 #include "app/commands/ImportFrames.h"
+#include "app/commands/LadderSteps.h"
 #include "app/commands/OwnPresets.h"
 #include "app/commands/ProbeCommands.h"
 #include "app/commands/ThemeSetting.h"
@@ -54,6 +55,7 @@
 #include "app/views/Viewport.h"
 #include "app/views/legend/Legend.h"
 #include "app/widgets/Line.h"
+#include "app/widgets/areas/FocusOrder.h"
 #include "app/widgets/bars/FlightBar.h"
 #include "app/widgets/bars/MenuTitle.h"
 #include "app/widgets/bars/OfferBar.h"
@@ -61,7 +63,6 @@
 #include "app/widgets/bars/WorkBar.h"
 #include "app/window/Dialogs.h"
 #include "app/window/FlightFeed.h"
-#include "app/window/FocusOrder.h"
 #include "app/window/HoverText.h"
 #include "app/window/PlotFeed.h"
 #include "app/window/ProbeFeed.h"
@@ -222,6 +223,7 @@ void MainWindow::makeCommands() {
   probeCommands_ = new ProbeCommands(session_, *views_, *probe_, this);
   doctorCommands_ =
       new DoctorCommands(session_, *views_, *doctor_, presets_->folder() + QStringLiteral("/mended"), this);
+  ladder_ = new LadderSteps(session_, this);
   prompts_ = new GoToPrompts(session_, *views_, *timeline_, this);
   choices_ = new ViewChoices(session_, *views_, presets_->folder(), this);
   learning_ = new Learning(
@@ -262,7 +264,8 @@ void MainWindow::makeMenus() {
   bar->addMenu(view);
   bar->addMenu(new FrameMenu(all, session_, *timeline_, *prompts_, bar));
   bar->addMenu(new SceneMenu(all, {session_.scene(), *flight_, *cameras_, *left_, *scene_}, bar));
-  bar->addMenu(new PipelineMenu(all, {session_, *pipeline_, *presets_, *views_, *lower_, *exports_}, bar));
+  bar->addMenu(
+      new PipelineMenu(all, {session_, *pipeline_, *presets_, *views_, *lower_, *exports_, *ladder_}, bar));
   auto* faults = new FaultsMenu(all, session_, *lower_, *doctorCommands_, bar);
   const auto nameFaults = [this, faults] { faults->setFaultsNamed(!learning_->hidesFault()); };
   connect(learning_, &Learning::stepShown, faults, nameFaults);
@@ -376,6 +379,8 @@ void MainWindow::connectMessages() {
     if (learning_->isOpen()) messages_->hideHint();
   });
   connect(exports_, &Exports::said, messages_, &MessagesBar::showNote);
+  connect(ladder_, &LadderSteps::said, messages_, &MessagesBar::showNote);
+  connect(learning_, &Learning::rungChosen, ladder_, &LadderSteps::goTo);
   connect(exports_, &Exports::failed, messages_, &MessagesBar::showError);
   connect(figures_, &FigureExport::said, messages_, &MessagesBar::showNote);
   connect(figures_, &FigureExport::failed, messages_, &MessagesBar::showError);

@@ -29,6 +29,7 @@ class FlightFeed;
 class GoToPrompts;
 class ImportFrames;
 class JitterPanel;
+class LadderSteps;
 class LearnPanel;
 class Learning;
 class LeftArea;
@@ -160,6 +161,7 @@ class MainWindow : public QMainWindow {
   DoctorCommands* doctorCommands_ = nullptr;
   GoToPrompts* prompts_ = nullptr;
   ViewChoices* choices_ = nullptr;
+  LadderSteps* ladder_ = nullptr;
   Learning* learning_ = nullptr;
   Presenter* presenter_ = nullptr;
   CommandLists* lists_ = nullptr;

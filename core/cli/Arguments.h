@@ -13,6 +13,7 @@
 #include "core/settings/Settings.h"
 #include "core/sweep/PointClaim.h"
 #include "core/sweep/SweepPoints.h"
+#include "core/sweep/tune/TuneGoal.h"
 #include "core/taa/rows/Intermediates.h"
 #include "core/verdict/lineage/Lineage.h"
 
@@ -132,6 +133,7 @@ struct TraceArguments {
   std::string frames;
   std::vector<std::string> pixels;
   std::vector<std::string> emit = {"alpha", "historyLength"}; ///< ids, or "all"
+  int referenceSamples = kVerdictSamples;                     ///< of rows of the reference that are named
   bool surface = false;           ///< follow what is seen at the pixels in the first frame
   bool json = false, csv = false; ///< CSV is also what neither asks for
 };
@@ -178,14 +180,16 @@ struct SweepArguments {
 
 struct TuneArguments {
   ShotArguments shot;
-  std::string goal, frames;        ///< "METRIC=WEIGHT,…"; frames empty: that of the session
+  std::string goal = kDefaultGoal; ///< "METRIC=WEIGHT,…"
+  std::string frames;              ///< empty: that of the session
   std::string preset, glsl;        ///< files; glsl empty: none
   std::vector<std::string> varied; ///< paths or groups; empty: all of the resolve
   int referenceSamples = 64, flickerFrames = 16;
   int evaluations = 200;
   int seconds = 0; ///< instead of evaluations; 0: those
   unsigned seed = 1;
-  bool force = false; ///< replace files that are there
+  bool trades = false; ///< RMSE and flicker may become worse
+  bool force = false;  ///< replace files that are there
   bool json = false;
 };
 

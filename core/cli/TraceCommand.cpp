@@ -6,21 +6,46 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <ostream>
 #include <string>
 #include <vector>
 
 namespace taa::cli {
 
+namespace {
+
+/// Without a name those that a resolve gives: others are drawn anew in each frame.
+std::vector<IntermediateId> tracedRows(const std::vector<std::string>& emit) {
+  std::vector<IntermediateId> rows = parseEmit(emit);
+  if (std::ranges::find(emit, "all") != emit.end()) std::erase_if(rows, isOfReference);
+  return rows;
+}
+
+/// What no resolve knows is drawn for the whole frame, and read where the probe is.
+void addReference(Inspector& inspector, const std::vector<IntermediateId>& rows, TraceSample& sample) {
+  for (const IntermediateId id : rows) {
+    const Image values = inspector.views().image(id, 0, gl::Rect{sample.pixel.x, sample.pixel.y, 1, 1});
+    for (int channel = 0; channel < values.channels && channel < 4; ++channel)
+      twin::at(sample.record, id)[channel] = values.pixels[static_cast<std::size_t>(channel)];
+  }
+}
+
+} // namespace
+
 void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress& progress) {
   const ShotPlan plan = planShot(arguments.shot);
   if (plan.lanes.size() > 1) throw UsageError("trace follows one lane; give one preset");
   const FrameRange range = parseFrames(arguments.frames);
-  const std::vector<IntermediateId> rows = parseEmit(arguments.emit);
+  const std::vector<IntermediateId> rows = tracedRows(arguments.emit);
   std::vector<ProbeTrace> traces;
   for (const std::string& pixel : arguments.pixels)
     traces.push_back(
         {{parsePixel(pixel), arguments.surface ? Follow::Surface : Follow::Screen, range.first, {}}, {}});
+  std::vector<IntermediateId> ofReference = rows;
+  std::erase_if(ofReference, [](IntermediateId id) { return !isOfReference(id); });
+  checkReferenceSamples(arguments.referenceSamples);
   Inspector inspector;
   openShot(inspector, arguments.shot, plan, progress);
   requireFrame(inspector, plan, range.last);
@@ -30,6 +55,7 @@ void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress
   for (int frame = range.first; frame <= range.last; ++frame) {
     report(progress, "Tracing", frame - range.first, range.count());
     inspector.shot().seek(frame, progress);
+    inspector.reference().makeRows(ofReference, arguments.referenceSamples, progress);
     for (ProbeTrace& traced : traces) {
       traced.probe = inspector.probes().anchored(traced.probe);
       const ProbeSpot spot = inspector.probes().spot(traced.probe);
@@ -38,7 +64,9 @@ void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress
           inspector.probes().probe(traced.probe.pixel.x, traced.probe.pixel.y);
         continue; // probe() says why: it lies outside
       }
-      traced.trace.add(frame, {spot.pixel, inspector.probes().probe(spot.pixel.x, spot.pixel.y)});
+      TraceSample sample{spot.pixel, inspector.probes().probe(spot.pixel.x, spot.pixel.y)};
+      addReference(inspector, ofReference, sample);
+      traced.trace.add(frame, sample);
     }
   }
   if (!arguments.json) {

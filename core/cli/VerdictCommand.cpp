@@ -23,8 +23,7 @@ void printOfPixel(const VerdictArguments& arguments, const ShotPlan& plan, Inspe
     const LaneChoice& choice = plan.lanes.at(static_cast<std::size_t>(question.lane));
     VerdictOfLane lane{
         laneFacts(inspector, choice, question.lane), inspector.verdicts().of(question, progress), {}};
-    if (arguments.remedies)
-      lane.remedies = inspector.verdicts().remedies(question, lane.answer.verdict, progress);
+    if (arguments.remedies) lane.remedies = inspector.verdicts().remedies(question, lane.answer, progress);
     report.lanes.push_back(std::move(lane));
   }
   if (arguments.json) {

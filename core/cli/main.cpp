@@ -252,11 +252,14 @@ void addTrace(CLI::App& app, TraceArguments& trace, const taa::Progress& progres
       ->allow_extra_args(false);
   command->add_option("--frames", trace.frames, "A..B, both included, or one frame")->required();
   command
-      ->add_option("--emit", trace.emit,
-                   "Intermediates, with commas between (see list intermediates), or all")
+      ->add_option(
+          "--emit", trace.emit,
+          "Intermediates, with commas between (see list intermediates), or all of the resolve's; those "
+          "of the reference are drawn where they are named")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->capture_default_str();
+  addReferenceSamples(*command, trace.referenceSamples, "of rows of the reference that are named, 4 to 1024");
   command->add_flag("--surface", trace.surface, "Follow the surfaces seen at the pixels in the first frame");
   auto* json = command->add_flag("--json", trace.json, "Print JSON");
   command->add_flag("--csv", trace.csv, "Print CSV, as without it")->excludes(json);

@@ -2,7 +2,79 @@
 
 #include "core/base/Say.h"
 
+#include <cstddef>
+#include <utility>
+
 namespace taa::doctor {
+
+namespace {
+
+/// One sentence: what is right about a part, and what is not decided.
+std::string partlyRight(std::string right, const std::string& undecided) {
+  if (right.ends_with('.')) right.pop_back();
+  return say<"%1; not decided: %2">(right, undecided);
+}
+
+} // namespace
+
+void ExaminedParts::addRight(std::string part, std::string sentence) {
+  const auto open = std::ranges::find(undecided_, part, &Undecided::question);
+  if (open != undecided_.end()) {
+    open->reason = partlyRight(std::move(sentence), open->reason);
+    return;
+  }
+  const auto known = std::ranges::find(right_, part, &RightPart::part);
+  if (known == right_.end())
+    right_.push_back({std::move(part), std::move(sentence)});
+  else
+    known->sentence += " " + sentence;
+}
+
+void ExaminedParts::keepRight(const ExaminedParts& earlier) {
+  std::erase_if(right_, [&](RightPart& right) {
+    const auto known = std::ranges::find(earlier.right_, right.part, &RightPart::part);
+    if (known == earlier.right_.end()) return true;
+    right.sentence = known->sentence;
+    return false;
+  });
+}
+
+void ExaminedParts::leaveOpen(Undecided part) {
+  const auto right = std::ranges::find(right_, part.question, &RightPart::part);
+  if (right != right_.end()) {
+    part.reason = partlyRight(std::move(right->sentence), part.reason);
+    right_.erase(right);
+  }
+  const auto known = std::ranges::find(undecided_, part.question, &Undecided::question);
+  if (known == undecided_.end()) {
+    undecided_.push_back(std::move(part));
+    return;
+  }
+  known->reason += "; " + part.reason;
+  if (known->capture != part.capture) known->capture += (known->capture.empty() ? "" : " ") + part.capture;
+  // No faults: all of the part.
+  if (known->faults.empty() || part.faults.empty())
+    known->faults.clear();
+  else
+    for (const Fault fault : part.faults)
+      if (std::ranges::count(known->faults, fault) == 0) known->faults.push_back(fault);
+  known->isMisfit = known->isMisfit || part.isMisfit;
+}
+
+bool Diagnosis::isMisfit() const {
+  return std::ranges::any_of(parts.undecided(), &Undecided::isMisfit);
+}
+
+std::string Diagnosis::healthySentence() const {
+  constexpr int kNamed = 4;
+  if (!isMisfit()) return say<"Nothing wrong was found.">();
+  std::string names;
+  int count = 0;
+  for (const Undecided& part : parts.undecided())
+    if (part.isMisfit && ++count <= kNamed) names += (names.empty() ? "" : ", ") + part.question;
+  if (count > kNamed) names = say<"%1 and %2 more">(names, count - kNamed);
+  return say<"Nothing is wrong in what could be decided, but not everything fits: %1.">(names);
+}
 
 Finding faultFinding(Fault fault) {
   const FaultInfo& row = faultInfo(fault);

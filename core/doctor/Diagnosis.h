@@ -61,23 +61,51 @@ struct Finding {
 /// A sure one with id, name and symptom of the fault's row.
 Finding faultFinding(Fault fault);
 
-/// A question that these frames do not answer.
+/// A part that was examined and is right.
+struct RightPart {
+  std::string part;     ///< "Jitter"
+  std::string sentence; ///< what is right about it
+};
+
+/// A part that these frames do not decide.
 struct Undecided {
-  std::string question;        ///< "Motion of the sky"
+  std::string question;        ///< the part: "Motion of the sky"
   std::string reason;          ///< a sentence
   std::string capture;         ///< a sentence: what to capture instead; may be empty
   std::vector<Fault> faults{}; ///< of the table: those that would not show
+  /// Whether what was measured does not fit what is stated; else too little was measured.
+  bool isMisfit = false;
+};
+
+/// Parts that were examined, each under one status: what is right about a part that is also undecided is said
+/// in the sentence that leaves it open.
+class ExaminedParts {
+ public:
+  const std::vector<RightPart>& right() const { return right_; }
+  const std::vector<Undecided>& undecided() const { return undecided_; }
+
+  void addRight(std::string part, std::string sentence);
+  void leaveOpen(Undecided part);
+  /// Takes back what is right beyond what was right earlier.
+  void keepRight(const ExaminedParts& earlier);
+
+ private:
+  std::vector<RightPart> right_;
+  std::vector<Undecided> undecided_;
 };
 
 struct Diagnosis {
   int frames = 0, pairs = 0;
   glm::ivec2 sizePx{0}; ///< of the frames, which boxes and pixels of regions lie in
   std::vector<Finding> findings;
-  std::vector<Undecided> undecided;
-  std::vector<std::string> healthy; ///< sentences: what was examined and is right
-  std::vector<std::string> notes;   ///< sentences: what is worth knowing and no fault
+  ExaminedParts parts;
+  std::vector<std::string> notes; ///< sentences: what is worth knowing and no fault
 
   bool isHealthy() const { return findings.empty(); }
+  /// Whether something that was measured does not fit what is stated, and no finding says why.
+  bool isMisfit() const;
+  /// Without findings: that nothing is wrong, as far as it was decided, and what does not fit.
+  std::string healthySentence() const;
   /// Whether a finding is not known.
   bool hasNews() const {
     return std::any_of(findings.begin(), findings.end(), [](const Finding& found) { return !found.isKnown; });

@@ -68,10 +68,10 @@ struct ToldOf {
   bool near = false; ///< whether the planes that are stated are right was asked
   bool isNearWrong = false;
   bool flipped = false;
-  /// By what motion is multiplied that was longer than the picture, and what is told of it by index.
+  /// By what motion is multiplied that was longer than the picture, or shorter than a pixel.
   std::optional<MotionTrial> unit;
-  std::size_t unitFinding = 0;
-  bool interface = false; ///< what it covers is no witness any more
+  std::optional<std::size_t> guessedUnit; ///< the finding that tells it by index; none: it was fitted
+  bool interface = false;                 ///< what it covers is no witness any more
   bool isJitterOpen = false;
   bool allDepth = false;                  ///< depth is not looked at any more, nor are cameras
   std::vector<std::string> ofMotion = {}; ///< ids of what was found beside motion that was mended
@@ -90,27 +90,27 @@ struct ToldOf {
 /// Says what is hidden where it is not looked at again.
 void leaveOpen(const Hiding& hiding, Diagnosis& out) {
   if (hiding.flipped)
-    out.undecided.push_back({say<"Jitter and motion">(),
-                             say<"matrices are upside down, by which they are examined">(),
-                             say<"Mend the matrices first.">()});
+    out.parts.leaveOpen({say<"Jitter and motion">(),
+                         say<"matrices are upside down, by which they are examined">(),
+                         say<"Mend the matrices first.">()});
   if (hiding.depth || hiding.allDepth)
-    out.undecided.push_back({say<"Jitter and motion">(),
-                             say<"depth is not what it is said to be, by which they are examined">(),
-                             say<"Mend depth first.">()});
+    out.parts.leaveOpen({say<"Jitter and motion">(),
+                         say<"depth is not what it is said to be, by which they are examined">(),
+                         say<"Mend depth first.">()});
   if (hiding.motion)
-    out.undecided.push_back({say<"Depth">(), say<"motion is wrong, which says at which depth things rest">(),
-                             say<"Mend motion first.">()});
+    out.parts.leaveOpen({say<"Depth">(), say<"motion is wrong, which says at which depth things rest">(),
+                         say<"Mend motion first.">()});
 }
 
 /// Motion that was longer than the picture was taken to be in texture coordinates: where the rest is by twice
 /// or half of it, the unit is told anew. False: it is something else.
 bool correctUnit(const MotionTrial& rest, ToldOf& told, Diagnosis& out) {
-  const bool isOfUnit = told.unit && rest.kind == MotionKind::Scaled &&
+  const bool isOfUnit = told.guessedUnit && rest.kind == MotionKind::Scaled &&
                         (rest.factor == glm::vec2(0.5f) || rest.factor == glm::vec2(2.0f));
   if (!isOfUnit) return false;
   told.unit->factor *= rest.factor;
   told.unit->isDevice = rest.factor.x > 1.0f;
-  out.findings[told.unitFinding] = unitFinding(*told.unit);
+  out.findings[*told.guessedUnit] = unitFinding(*told.unit);
   return true;
 }
 
@@ -152,7 +152,7 @@ Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, ToldO
   // What is right once motion is mended, is not right; and what is wrong only then, and not everywhere, is
   // what mending has made of it.
   if (told.motion) {
-    seen.healthy = out.healthy;
+    seen.parts.keepRight(out.parts);
     seen.findings.erase(std::remove_if(seen.findings.begin() + before, seen.findings.end(),
                                        [&](const Finding& finding) {
                                          return !finding.isWholePicture &&
@@ -184,6 +184,16 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
   const KnownPlanes& known = examination.known;
   Hiding hiding;
   const bool hasCamera = known.camera && !told.allDepth;
+  // Motion that is next to none makes jitter, depth and cameras look wrong.
+  if (known.motion && !told.unit)
+    if (const std::optional<FittedLength> length = examiner.motionLength()) {
+      told.unit = trialOf(*length, out.sizePx);
+      std::ranges::move(lengthFindings(*length, *told.unit, examiner.patient()),
+                        std::back_inserter(out.findings));
+      hiding.motion = told.unit;
+      hiding.isOfRange = true;
+      return hiding;
+    }
   if (known.depth && !std::exchange(told.near, true)) told.isNearWrong = tellNear(examiner.depth(), out);
   if (known.depth && !told.depth)
     hiding.allDepth = tellEnds(examiner.depth().ends, examiner.isDepthDistance(), out);
@@ -202,7 +212,7 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
   }
   if (known.motion && !told.unit && examiner.isMotionBeyondPicture()) {
     told.unit = MotionTrial{MotionKind::OtherUnit, 1.0f / glm::vec2(out.sizePx)};
-    told.unitFinding = out.findings.size();
+    told.guessedUnit = out.findings.size();
     out.findings.push_back(unitFinding(*told.unit));
     hiding.motion = told.unit;
     hiding.isOfRange = true;
@@ -211,7 +221,7 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
   const JitterOutcome jitter = told.jitter ? JitterOutcome() : examiner.tellJitter(hasCamera, out);
   told.isJitterOpen = jitter.isOpen;
   if (!known.motion) {
-    out.undecided.push_back(
+    out.parts.leaveOpen(
         {say<"Motion">(), say<"the capture has none">(), say<"Capture the plane of motion vectors, too.">()});
     tellRims(examiner.rims(), false, out);
     return {};

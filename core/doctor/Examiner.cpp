@@ -77,7 +77,10 @@ void Examiner::add(const DoctorFrame* before, const DoctorFrame& now, const Doct
   depth_.order.add(now, *before, labels, labelsBefore);
   depth_.form.add(now, labels);
   depth_.ends.add(now);
-  if (examination_.known.motion) motion_.add(frames, labels, labelsBefore);
+  if (examination_.known.motion) {
+    motion_.add(frames, labels, labelsBefore);
+    length_.add(frames);
+  }
   pictures.get();
   output.get();
 }

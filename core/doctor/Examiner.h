@@ -9,6 +9,7 @@
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/jitter/JitterCheck.h"
 #include "core/doctor/motion/MotionEvidence.h"
+#include "core/doctor/motion/MotionLength.h"
 #include "core/doctor/motion/MotionRims.h"
 #include "core/doctor/motion/findings/MotionFindings.h"
 #include "core/doctor/resolve/ResolveEvidence.h"
@@ -45,7 +46,9 @@ class Examiner {
   const ResolveEvidence& resolve() const { return resolve_; }
   bool areMatricesFlipped() const;
   bool isMotionBeyondPicture() const { return isBeyondPicture(motion_); }
+  std::optional<FittedLength> motionLength() const { return length_.fit(); }
   MotionTold tellMotion(Diagnosis& out) const;
+  const Patient& patient() const { return patient_; }
 
  private:
   DoctorFrame readNext(const FrameReader& read, int frame) const;
@@ -63,6 +66,7 @@ class Examiner {
   std::vector<RegionIndex> labels_; ///< of the frame that was added last
   ColorEvidence color_;
   MotionEvidence motion_{patient_.sizePx};
+  LengthEvidence length_;
   JitterEvidence jitter_;
   DepthEvidence depth_;
   RimEvidence rims_;

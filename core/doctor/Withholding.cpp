@@ -21,7 +21,7 @@ void withhold(std::size_t first, const std::function<bool(const Finding&)>& isUn
       std::remove_if(out.findings.begin() + static_cast<std::ptrdiff_t>(first), out.findings.end(), isUnsure);
   if (unsure == out.findings.end()) return;
   out.findings.erase(unsure, out.findings.end());
-  out.undecided.push_back(std::move(reason));
+  out.parts.leaveOpen(std::move(reason));
 }
 
 } // namespace
@@ -34,7 +34,8 @@ void withholdParts(std::size_t first, Diagnosis& out) {
            {say<"Motion of parts">(),
             say<"depth says which pixels are one part, and it is of a lower resolution">(),
             say<"Mend depth first, or capture object numbers, too.">(),
-            {}},
+            {},
+            true},
            out);
 }
 
@@ -46,7 +47,8 @@ void withholdMotion(const JitterOutcome& jitter, std::size_t first, Diagnosis& o
            {say<"Motion">(),
             say<"it does not fit, but pictures do not shift as the jitter that is stated either">(),
             say<"Mend jitter first.">(),
-            {}},
+            {},
+            true},
            out);
 }
 
@@ -60,7 +62,8 @@ void withholdSky(std::size_t first, Diagnosis& out) {
            {say<"Jitter in motion">(),
             say<"the sky is drawn without the jitter that it is examined by">(),
             say<"Mend the sky first.">(),
-            {}},
+            {},
+            true},
            out);
 }
 

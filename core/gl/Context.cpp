@@ -3,11 +3,11 @@
 #include "core/base/Error.h"
 #include "core/base/FreeMemory.h"
 #include "core/base/Say.h"
+#include "core/gl/DriverRefusal.h"
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
-#include <cstdlib>
 #include <mutex>
 #include <utility>
 
@@ -22,14 +22,25 @@ struct Context::Handles {
 
 namespace {
 
+[[noreturn]] void refuse(const StartFailure& failure) {
+  throw Error(refusal(failure, processEnvironment()));
+}
+
 bool initialize(EGLDisplay display) {
   EGLint major = 0, minor = 0;
   return display != EGL_NO_DISPLAY && eglInitialize(display, &major, &minor) == EGL_TRUE;
 }
 
-// A GPU when one can be opened; else Mesa's surfaceless platform, which rasterizes in software. libepoxy
-// knows no EGL version before a display exists, so the EXT entry points are the ones to ask for.
-EGLDisplay openDisplay() {
+/// What EGL can do before a display is open; nothing of the kind where it knows no driver. libepoxy ends the
+/// process when a function is called that no driver has.
+bool hasClientExtension(const char* name) {
+  const char* all = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+  return all && (" " + std::string(all) + " ").find(" " + std::string(name) + " ") != std::string::npos;
+}
+
+EGLDisplay openDevice() {
+  if (!hasClientExtension("EGL_EXT_device_base") && !hasClientExtension("EGL_EXT_device_enumeration"))
+    return EGL_NO_DISPLAY;
   EGLDeviceEXT devices[16] = {};
   EGLint count = 0;
   if (!eglQueryDevicesEXT(16, devices, &count)) count = 0;
@@ -39,29 +50,30 @@ EGLDisplay openDisplay() {
     EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[index], nullptr);
     if (initialize(display)) return display;
   }
-  EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-  if (initialize(display)) return display;
-  throw Error(say<"cannot open a GL display: EGL offers neither a device nor a surfaceless platform; install "
-                  "a GL driver (on Debian: libegl-mesa0 and libgl1-mesa-dri)">());
+  return EGL_NO_DISPLAY;
 }
 
-EGLContext makeContext(EGLDisplay display) {
-  if (!eglBindAPI(EGL_OPENGL_API))
-    throw Error(say<"cannot use OpenGL: this EGL offers OpenGL ES only; install a desktop GL driver">());
+// A GPU when one can be opened; else Mesa's surfaceless platform, which rasterizes in software. libepoxy
+// knows no EGL version before a display exists, so the EXT entry points are the ones to ask for.
+EGLDisplay openDisplay() {
+  if (EGLDisplay display = openDevice(); display != EGL_NO_DISPLAY) return display;
+  if (!hasClientExtension("EGL_MESA_platform_surfaceless")) refuse({StartStep::Library});
+  EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+  if (!initialize(display)) refuse({StartStep::Display});
+  return display;
+}
+
+EGLContext makeContext(EGLDisplay display, EGLint major, EGLint minor) {
   const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                               4,
+                               major,
                                EGL_CONTEXT_MINOR_VERSION,
-                               5,
+                               minor,
                                EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                EGL_CONTEXT_OPENGL_DEBUG,
                                EGL_TRUE,
                                EGL_NONE};
-  EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-  if (context == EGL_NO_CONTEXT)
-    throw Error(say<"cannot make an OpenGL 4.5 core context: the GL driver is too old; update it or set "
-                    "LIBGL_ALWAYS_SOFTWARE=1">());
-  return context;
+  return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
 }
 
 std::string text(GLenum name) {
@@ -78,30 +90,44 @@ Driver describeDriver() {
   return driver;
 }
 
+/// Ends a context that is of no use, once it has said what it is.
+Driver describeAndDestroy(EGLDisplay display, EGLContext context) {
+  Driver driver;
+  if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) driver = describeDriver();
+  eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext(display, context);
+  return driver;
+}
+
+/// Asked for the oldest core profile, or for any, drivers give the newest there is.
+[[noreturn]] void refuseVersion(EGLDisplay display) {
+  constexpr EGLint kAny[] = {EGL_NONE};
+  EGLContext context = makeContext(display, 3, 2);
+  if (context == EGL_NO_CONTEXT) context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kAny);
+  if (context == EGL_NO_CONTEXT) refuse({StartStep::Context});
+  const Driver driver = describeAndDestroy(display, context);
+  refuse({StartStep::Context, driver.renderer, driver.version});
+}
+
 } // namespace
 
-// Mesa 22.3's zink prints "vkCreateGraphicsPipelines failed" and then reads what was not made.
 std::optional<std::string> knownFault(const std::string& renderer, const std::string& version) {
-  constexpr int kFirstGood = 25; // 25.0.7 was tried, and 22.3.6
-  const std::size_t mesa = version.find("Mesa ");
-  if (!renderer.starts_with("zink") || mesa == std::string::npos) return std::nullopt;
-  if (std::atoi(version.c_str() + mesa + 5) >= kFirstGood) return std::nullopt;
-  return say<"cannot draw with the driver zink of this Mesa (%1), which crashes: unset GALLIUM_DRIVER and "
-             "MESA_LOADER_DRIVER_OVERRIDE, or update Mesa to %2">(version.substr(mesa), kFirstGood);
+  if (!isKnownToCrash(renderer, version)) return std::nullopt;
+  return refusal({StartStep::Crash, renderer, version}, processEnvironment());
 }
 
 Context::Context() : handles_(std::make_unique<Handles>()) {
   handles_->display = openDisplay();
-  handles_->context = makeContext(handles_->display);
+  if (!eglBindAPI(EGL_OPENGL_API)) refuse({StartStep::DesktopGl});
+  handles_->context = makeContext(handles_->display, 4, 5);
+  if (handles_->context == EGL_NO_CONTEXT) refuseVersion(handles_->display);
   if (!eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles_->context)) {
     eglDestroyContext(handles_->display, handles_->context);
-    throw Error(
-        say<"cannot use GL without a window: the driver lacks EGL_KHR_surfaceless_context; update it">());
+    refuse({StartStep::Surfaceless});
   }
   driver_ = describeDriver();
   if (const auto fault = knownFault(driver_.renderer, driver_.version)) {
-    eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    eglDestroyContext(handles_->display, handles_->context);
+    describeAndDestroy(handles_->display, handles_->context);
     throw Error(*fault);
   }
   glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);

@@ -326,6 +326,7 @@ void InspectedShot::setCameraTrack(CameraTrack track) {
   requireNewCamera(scene(), track.name);
   ShotState next = player_.state();
   const CameraTrackHandle old = next.track();
+  if (old && *old == track) return; // another handle would make other references of the same pictures
   const auto made = std::make_shared<const CameraTrack>(std::move(track));
   const auto known = std::ranges::find_if(
       next.tracks, [&](const CameraTrackHandle& handle) { return handle->name == made->name; });

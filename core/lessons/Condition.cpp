@@ -106,6 +106,9 @@ void readPushed(Quantity& quantity, WordReader& words) {
 void readKind(Quantity& quantity, WordReader& words) {
   switch (quantity.kind) {
   case QuantityKind::Number:
+  case QuantityKind::Fetches:
+  case QuantityKind::Changed:
+  case QuantityKind::Time:
     break;
   case QuantityKind::Metric:
     quantity.metric = metricNamed(words.take(say<"a metric">()));
@@ -126,6 +129,9 @@ void readKind(Quantity& quantity, WordReader& words) {
   case QuantityKind::Volume:
     readPixel(quantity, words.take(say<"a pixel">()));
     break;
+  case QuantityKind::Levels:
+    readRow(quantity, words.take(say<"an intermediate">()));
+    break;
   case QuantityKind::Pushed:
     readPushed(quantity, words);
     break;
@@ -137,7 +143,7 @@ void readKind(Quantity& quantity, WordReader& words) {
   }
 }
 
-constexpr std::array<std::pair<std::string_view, QuantityKind>, 9> kQuantities{
+constexpr std::array<std::pair<std::string_view, QuantityKind>, 13> kQuantities{
     {{"metric", QuantityKind::Metric},
      {"probe", QuantityKind::Value},
      {"difference", QuantityKind::Difference},
@@ -146,7 +152,11 @@ constexpr std::array<std::pair<std::string_view, QuantityKind>, 9> kQuantities{
      {"doctor", QuantityKind::Doctor},
      {"lineage", QuantityKind::Lineage},
      {"volume", QuantityKind::Volume},
-     {"pushed", QuantityKind::Pushed}}};
+     {"levels", QuantityKind::Levels},
+     {"pushed", QuantityKind::Pushed},
+     {"fetches", QuantityKind::Fetches},
+     {"changed", QuantityKind::Changed},
+     {"time", QuantityKind::Time}}};
 
 /// "+ 2", "* 0.5": at most one of each.
 void readArithmetic(Quantity& quantity, WordReader& words) {
@@ -163,8 +173,8 @@ Quantity readQuantity(WordReader& words) {
     const bool isName = !first.empty() && first.front() >= 'a' && first.front() <= 'z';
     if (isName)
       throw Error(
-          say<"\"%1\" is none of metric, probe, difference, share, verdict, doctor, lineage, volume and "
-              "pushed">(shownText(first)));
+          say<"\"%1\" is none of metric, probe, difference, share, verdict, doctor, lineage, volume, levels, "
+              "pushed, fetches, changed and time">(shownText(first)));
     quantity.number = numberFrom(first);
     return quantity;
   }

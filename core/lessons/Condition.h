@@ -28,8 +28,13 @@ enum class QuantityKind : std::uint8_t {
   Doctor,     ///< "doctor motionNegatedY": 1 where the doctor finds that fault, else 0
   Lineage,    ///< "lineage 120,60 radius": of the samples that a pixel is made of
   Volume,     ///< "volume 120,60": of the pixel's box, in RGB of the box's tone curve
+  Levels,     ///< "levels fogOpacity": values of the row that 8 bits tell apart, in the whole picture
   Pushed,     ///< "pushed none", "pushed several": % of pixels that get so many when this frame's are pushed
               ///< back along their motion instead of gathered
+  Fetches,    ///< "fetches": texture reads of a pixel's resolve, see TextureFetches.h
+  Changed,    ///< "changed of clip": % of pixels that resolve to another color than with the state's own
+              ///< settings
+  Time,       ///< "time of clip": of the resolve, times that of the state's own settings
 };
 
 /// What is asked of a lineage.

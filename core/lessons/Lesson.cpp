@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdio>
 #include <exception>
 #include <functional>
 #include <set>
@@ -66,24 +65,6 @@ Rung rungFrom(std::string_view text) {
   return {.preset = std::string(words[0]),
           .psnr = numberFrom(words[1].substr(5)),
           .flicker = numberFrom(words[2].substr(8))};
-}
-
-/// What a step of a ladder adds, "4. object motion"; of a whole pipeline its label.
-std::string rungLabel(const Preset& rung) {
-  const std::size_t colon = rung.label.find(": ");
-  if (rung.step == 0 || colon == std::string::npos) return rung.label;
-  return std::to_string(rung.step) + ". " + rung.label.substr(colon + 2);
-}
-
-std::string ladderText(const std::vector<Rung>& ladder) {
-  std::string text =
-      "| " + say<"Preset">() + " | " + say<"PSNR">() + " | " + say<"Flicker">() + " |\n|---|---|---|\n";
-  for (const Rung& rung : ladder) {
-    char numbers[64];
-    std::snprintf(numbers, sizeof(numbers), " | %.1f | %.4f |\n", rung.psnr, rung.flicker);
-    text += "| " + rungLabel(preset(rung.preset)) + numbers;
-  }
-  return text;
 }
 
 /// A state being written: what lists were begun anew.
@@ -238,7 +219,6 @@ class LessonReader {
   void endStep() {
     LessonStep& step = lesson_.steps.back();
     step.state = state_;
-    if (!step.ladder.empty()) step.text += "\n" + ladderText(step.ladder);
     requireLanes(step.claims, step.state);
     if (step.task) {
       requireLanes(step.task->conditions, step.state);

@@ -36,7 +36,7 @@ inline constexpr double kRungFlickerTolerance = 0.03; ///< of what is said
 
 struct LessonStep {
   std::string title;
-  std::string text; ///< Markdown, without the title; a table of the ladder ends it
+  std::string text; ///< Markdown, without the title and the table of the ladder
   int line = 0;     ///< of its title in the file
   LessonState state;
   std::vector<Claim> claims;
@@ -55,7 +55,7 @@ struct Lesson {
 
 /// What a lesson of somebody else's may have.
 inline constexpr std::size_t kMaxLessonBytes = 256 * 1024, kMaxLessonSteps = 64, kMaxStepLines = 128;
-inline constexpr std::size_t kMaxRungs = 16;
+inline constexpr std::size_t kMaxRungs = 20;
 inline constexpr int kMaxLessons = 200;
 
 /// A lesson as Markdown: "# Title", then a step for each "## Title"; what is between ```state and ``` is the

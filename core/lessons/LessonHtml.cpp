@@ -2,6 +2,7 @@
 
 #include "core/base/HtmlText.h"
 #include "core/base/Say.h"
+#include "core/lessons/Ladder.h"
 #include "core/lessons/LessonText.h"
 #include "core/report/ManualPages.h"
 
@@ -307,6 +308,7 @@ std::string lessonHtml(const Lesson& lesson, const std::vector<StepOnPage>& step
         shown.task
             ? "<div class=\"task\">\n" + htmlOfMarkdown(shown.text) + taskHtml(*shown.task) + "</div>\n"
             : htmlOfMarkdown(shown.text) +
+                  htmlOfMarkdown(ladderMarkdown(shown.ladder, {.times = steps.at(step).times})) +
                   htmlOfMarkdown(numbersMarkdown(steps.at(step).numbers, shown.state, say<"this step">()));
     body += "<p class=\"aside\">" + htmlText(say<"In the program:">()) + " <code>taa-inspector --lesson " +
             htmlText(lesson.id) + ":" + number + "</code></p>\n</section>\n";

@@ -33,6 +33,7 @@ struct LessonFigure {
 struct StepOnPage {
   std::vector<LessonFigure> figures{};
   std::vector<LessonNumber> numbers{}; ///< that its text rests on
+  std::vector<double> times{};         ///< of its ladder's rungs
 };
 
 /// Where a page leads.

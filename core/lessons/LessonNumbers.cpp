@@ -87,9 +87,17 @@ std::string labelInFrame(const Quantity& quantity, const SpaceSettings& space) {
     return say<"Lineage of %1, %2">(probedText(quantity), lineageText(quantity.figure));
   case QuantityKind::Volume:
     return say<"Volume of the box at %1">(probedText(quantity));
+  case QuantityKind::Levels:
+    return say<"%1, levels in the picture">(rowText(quantity, space));
   case QuantityKind::Pushed:
     return quantity.isSeveral ? say<"Where several pixels are pushed to, %">()
                               : say<"Where no pixel is pushed to, %">();
+  case QuantityKind::Fetches:
+    return say<"Texture fetches of a pixel">();
+  case QuantityKind::Changed:
+    return say<"Pixels of another color, %">();
+  case QuantityKind::Time:
+    return say<"Time of the resolve, times that of the first">();
   case QuantityKind::Verdict: {
     const auto kind = std::ranges::find(kVerdictKinds, quantity.verdict, &VerdictKindInfo::kind);
     return say<"Verdict \"%1\" at %2">(sayLabel(kind->label), probedText(quantity));

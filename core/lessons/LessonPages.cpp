@@ -7,11 +7,13 @@
 #include "core/inspect/ShownPicture.h"
 #include "core/io/GifFile.h"
 #include "core/io/PictureFile.h"
+#include "core/lessons/Ladder.h"
 #include "core/lessons/LessonCheck.h"
 #include "core/lessons/LessonHtml.h"
 #include "core/lessons/LessonNumbers.h"
 #include "core/picture/StyleText.h"
 #include "core/report/ManualPages.h"
+#include "core/settings/Lanes.h"
 #include "core/settings/Presets.h"
 
 #include <algorithm>
@@ -19,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -70,7 +73,8 @@ ViewTransform transformOf(const LessonState& state, int width, int height) {
   return transform;
 }
 
-PictureRequest requestOf(const LessonView& view, const LessonState& state) {
+/// `otherLane`: of the preset that it is compared with.
+PictureRequest requestOf(const LessonView& view, const LessonState& state, int otherLane) {
   ViewStyle style = defaultStyle(intermediate(view.id));
   for (const std::string& assignment : view.style) applyStyle(style, assignment);
   const float zoom = zoomOf(state);
@@ -85,7 +89,7 @@ PictureRequest requestOf(const LessonView& view, const LessonState& state) {
                          .divider = width / 2,
                          .referenceSamples = state.samples};
   if (view.comparison) {
-    OtherSide& other = request.other.emplace(otherSideOf(view.comparison, view.id, 1));
+    OtherSide& other = request.other.emplace(otherSideOf(view.comparison, view.id, otherLane));
     other.style = other.id == view.id ? style : defaultStyle(intermediate(other.id));
     if (view.showing == Showing::Difference) request.style = differenceStyle(intermediate(view.id));
   }
@@ -108,19 +112,50 @@ void markPixel(Picture& picture, const ViewTransform& transform, glm::ivec2 pixe
   }
 }
 
-void openView(Inspector& inspector, const LessonView& view, const LessonState& step,
-              const Progress& progress) {
+/// Place of these settings among the lanes of a state, of which its own are the first; −1: they are none of
+/// them.
+int laneWith(const LessonState& state, const Settings& settings) {
+  if (state.shot.settings.settings == settings) return 0;
+  const auto found = std::ranges::find(state.lanes, settings, &LessonLane::settings);
+  return found == state.lanes.end() ? -1 : static_cast<int>(found - state.lanes.begin()) + 1;
+}
+
+/// The state with all that its views and numbers compare side by side, as far as there is room: frames are
+/// replayed once for all of it. A clip has nothing beside it, because each of its frames would be made with
+/// all.
+LessonState withComparisons(const LessonStep& step) {
+  LessonState state = step.state;
+  if (!hasNumbers(step) || state.plays) state.lanes.clear();
+  for (const LessonView& view : state.views) {
+    if (view.comparison.kind != OtherKind::Preset) continue;
+    const Settings other = preset(view.comparison.preset).settings;
+    const bool hasRoom = state.lanes.size() + 1 < static_cast<std::size_t>(kMaxLanes);
+    if (laneWith(state, other) < 0 && hasRoom) state.lanes.push_back({"", other});
+  }
+  return state;
+}
+
+/// Opens what the view shows; gives the lane of the preset that it is compared with.
+int openView(Inspector& inspector, const LessonView& view, const LessonState& step,
+             const Progress& progress) {
   LessonState state = step;
-  state.lanes.clear();
-  if (view.comparison.kind == OtherKind::Preset)
-    state.lanes.push_back({"other", preset(view.comparison.preset).settings});
+  int lane = 0;
+  if (view.comparison.kind == OtherKind::Preset) {
+    const Settings other = preset(view.comparison.preset).settings;
+    lane = laneWith(state, other);
+    if (lane < 0) {
+      state.lanes.assign(1, {"", other});
+      lane = 1;
+    }
+  }
   openState(inspector, state, progress);
+  return lane;
 }
 
 void writeFigure(Inspector& inspector, const LessonView& view, const LessonState& state, const fs::path& file,
                  const Progress& progress) {
-  openView(inspector, view, state, progress);
-  const PictureRequest request = requestOf(view, state);
+  const int otherLane = openView(inspector, view, state, progress);
+  const PictureRequest request = requestOf(view, state, otherLane);
   const auto draw = [&] {
     Picture picture = shownPicture(inspector, request, progress);
     if (!state.probes.empty()) markPixel(picture, request.transform, state.probes.front());
@@ -153,7 +188,7 @@ fs::path windowFigureFile(const Lesson& lesson, std::size_t step, const LessonPa
 
 std::vector<LessonFigure> writeFigures(Inspector& inspector, const Lesson& lesson, std::size_t step,
                                        const LessonPages& pages, const Progress& progress) {
-  const LessonState& state = lesson.steps[step].state;
+  const LessonState state = withComparisons(lesson.steps[step]);
   const int width = static_cast<int>(zoomOf(state) * static_cast<float>(state.shot.size.x));
   std::vector<LessonFigure> figures;
   for (std::size_t view = 0; view < state.views.size(); ++view) {
@@ -227,12 +262,22 @@ void writeLessonPages(Inspector& inspector, const std::vector<Lesson>& lessons, 
   links.manual = pages.manual.empty() ? "manual/" : pages.manual;
   links.manualEnding = pages.manual.empty() ? "html" : "md";
   std::vector<std::string> pictures;
+  int done = 0, all = 0;
+  for (const Lesson& lesson : lessons) all += static_cast<int>(lesson.steps.size());
   for (std::size_t index = 0; index < lessons.size(); ++index) {
     const Lesson& lesson = lessons[index];
     std::vector<StepOnPage> steps;
-    for (std::size_t step = 0; step < lesson.steps.size(); ++step)
-      steps.push_back({writeFigures(inspector, lesson, step, pages, progress),
-                       numbersOfStep(inspector, lesson.steps[step], progress)});
+    for (std::size_t step = 0; step < lesson.steps.size(); ++step, ++done) {
+      // How far all is, whatever a part of it counts.
+      const std::string what = say<"Steps, now %1 of \"%2\"">(step + 1, lesson.title);
+      const Progress told = [&](std::string_view, int, int) {
+        return !progress || progress(what, done, all);
+      };
+      report(told, what, done, all);
+      steps.push_back({writeFigures(inspector, lesson, step, pages, told),
+                       numbersOfStep(inspector, lesson.steps[step], told),
+                       measureTimes(inspector, lesson.steps[step].state, lesson.steps[step].ladder, told)});
+    }
     links.before = index > 0 ? &lessons[index - 1] : nullptr;
     links.after = index + 1 < lessons.size() ? &lessons[index + 1] : nullptr;
     writeFile(pages.folder / (lesson.id + ".html"), lessonHtml(lesson, steps, links));

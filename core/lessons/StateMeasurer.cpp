@@ -1,9 +1,11 @@
 #include "core/lessons/StateMeasurer.h"
 
 #include "core/base/Error.h"
+#include "core/base/Light.h"
 #include "core/base/Say.h"
 #include "core/doctor/source/DoctorSource.h"
 #include "core/inspect/Inspector.h"
+#include "core/taa/TextureFetches.h"
 #include "core/taa/twin/Color.h"
 
 #include <glm/common.hpp>
@@ -28,7 +30,7 @@ constexpr int kDoctorLessonFrames = 16;
 double rowNumber(const Quantity& quantity, const glm::vec4& value) {
   const int channels = intermediate(quantity.row).channels;
   if (quantity.channel >= 0) return static_cast<double>(value[quantity.channel]);
-  if (channels == 3) return glm::dot(glm::dvec3(value), glm::dvec3(0.2126, 0.7152, 0.0722));
+  if (channels == 3) return luminance(glm::dvec3(value));
   if (channels == 2) return glm::length(glm::dvec2(value));
   return static_cast<double>(value.x);
 }
@@ -70,6 +72,8 @@ double StateMeasurer::valueOf(const Quantity& quantity) {
   if (quantity.kind == QuantityKind::Metric) return metricOfLane(quantity);
   if (quantity.kind == QuantityKind::Doctor) return doctorFinds(quantity.fault) ? 1.0 : 0.0;
   if (quantity.kind == QuantityKind::Lineage) return lineage(quantity);
+  if (quantity.kind == QuantityKind::Fetches)
+    return textureFetches(inspector_.shot().usedSettings(laneOf(quantity))).sum();
   inspector_.shot().seek(frameOf(quantity), progress_);
   return valueInFrame(quantity);
 }
@@ -86,8 +90,14 @@ double StateMeasurer::valueInFrame(const Quantity& quantity) {
     return verdict(quantity);
   case QuantityKind::Volume:
     return volume(quantity);
+  case QuantityKind::Levels:
+    return levels(quantity);
   case QuantityKind::Pushed:
     return pushed(quantity);
+  case QuantityKind::Changed:
+    return changed(quantity);
+  case QuantityKind::Time:
+    return time(quantity);
   default:
     return kNotMeasured;
   }
@@ -132,18 +142,34 @@ double StateMeasurer::difference(const Quantity& quantity) {
   return most;
 }
 
-double StateMeasurer::share(const Quantity& quantity) {
+Image StateMeasurer::image(const Quantity& quantity) {
   const int lane = laneOf(quantity);
   if (isOfReference(quantity.row))
     inspector_.reference().makeRows({quantity.row}, state_.samples, progress_, lane);
-  const Image image = inspector_.views().image(quantity.row, lane);
+  return inspector_.views().image(quantity.row, lane);
+}
+
+double StateMeasurer::share(const Quantity& quantity) {
+  const Image shown = image(quantity);
   std::int64_t count = 0;
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) {
-      const double value = rowNumber(quantity, image.texel(x, y));
+  for (int y = 0; y < shown.height; ++y)
+    for (int x = 0; x < shown.width; ++x) {
+      const double value = rowNumber(quantity, shown.texel(x, y));
       if (quantity.isBelow ? value < quantity.number : value > quantity.number) ++count;
     }
-  return 100.0 * static_cast<double>(count) / (static_cast<double>(image.width) * image.height);
+  return 100.0 * static_cast<double>(count) / (static_cast<double>(shown.width) * shown.height);
+}
+
+/// What is no number has no level.
+double StateMeasurer::levels(const Quantity& quantity) {
+  constexpr double kSteps = 255.0; // of 8 bits, between 0 and 1
+  const Image shown = image(quantity);
+  std::set<double> found;
+  for (int y = 0; y < shown.height; ++y)
+    for (int x = 0; x < shown.width; ++x)
+      if (const double value = rowNumber(quantity, shown.texel(x, y)); std::isfinite(value))
+        found.insert(std::round(value * kSteps));
+  return static_cast<double>(found.size());
 }
 
 double StateMeasurer::verdict(const Quantity& quantity) {
@@ -201,6 +227,21 @@ double StateMeasurer::volume(const Quantity& quantity) {
                         twin::toBox({0.0f, 0.0f, 1.0f}, axes) - origin);
   const glm::dvec3 extent(high - low);
   return extent.x * extent.y * extent.z / std::abs(static_cast<double>(glm::determinant(toBox)));
+}
+
+double StateMeasurer::changed(const Quantity& quantity) {
+  const Image own = inspector_.views().image(IntermediateId::resolved, 0);
+  const Image other = inspector_.views().image(IntermediateId::resolved, laneOf(quantity));
+  std::int64_t count = 0;
+  for (int y = 0; y < own.height; ++y)
+    for (int x = 0; x < own.width; ++x)
+      if (own.texel(x, y) != other.texel(x, y)) ++count;
+  return 100.0 * static_cast<double>(count) / (static_cast<double>(own.width) * own.height);
+}
+
+double StateMeasurer::time(const Quantity& quantity) {
+  const int lane = laneOf(quantity);
+  return lane == 0 ? 1.0 : inspector_.profiler().measureRatio(lane, 0, progress_).median;
 }
 
 double StateMeasurer::pushed(const Quantity& quantity) {

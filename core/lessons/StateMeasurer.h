@@ -1,6 +1,7 @@
 // Numbers that a lesson's conditions speak of, measured on the state that is open.
 #pragma once
 
+#include "core/base/Image.h"
 #include "core/base/Progress.h"
 #include "core/doctor/Doctor.h"
 #include "core/lessons/Condition.h"
@@ -42,10 +43,15 @@ class StateMeasurer {
   glm::vec4 at(const Quantity& quantity, int lane);
   double difference(const Quantity& quantity);
   double share(const Quantity& quantity);
+  double levels(const Quantity& quantity);
+  /// A row of the whole picture.
+  Image image(const Quantity& quantity);
   double verdict(const Quantity& quantity);
   double lineage(const Quantity& quantity);
   double volume(const Quantity& quantity);
   double pushed(const Quantity& quantity);
+  double changed(const Quantity& quantity);
+  double time(const Quantity& quantity);
   bool doctorFinds(Fault fault);
 
   Inspector& inspector_;

@@ -16,12 +16,12 @@ namespace taa {
 namespace {
 
 glm::dvec3 texel(const Image& image, int x, int y) {
-  const float* value = image.at(std::clamp(x, 0, image.width - 1), std::clamp(y, 0, image.height - 1));
+  const float* value = image.nearest(x, y);
   return {value[0], value[1], value[2]};
 }
 
 // Texels of no weight are not read: at the center of a pixel it is exactly its value.
-glm::dvec3 bilinear(const Image& image, const glm::dvec2& positionPx) {
+glm::dvec3 colorBetween(const Image& image, const glm::dvec2& positionPx) {
   const glm::dvec2 place = positionPx - 0.5, corner = glm::floor(place), part = place - corner;
   const auto x = static_cast<int>(corner.x), y = static_cast<int>(corner.y);
   const auto row = [&](int at) {
@@ -64,8 +64,8 @@ FollowedPixel follow(std::span<const FlickerFrame* const> newestFirst, int x, in
   glm::dvec2 position(x + 0.5, y + 0.5);
   for (std::size_t index = 0;; ++index) {
     const FlickerFrame& frame = *newestFirst[index];
-    pixel.shown.add(bilinear(frame.shown, position));
-    if (isCompared) pixel.reference.add(bilinear(frame.reference, position));
+    pixel.shown.add(colorBetween(frame.shown, position));
+    if (isCompared) pixel.reference.add(colorBetween(frame.reference, position));
     if (index + 1 == newestFirst.size()) return pixel;
     const float object = newestFirst.front()->steps.at(x, y)[2];
     const std::optional<glm::dvec2> step = stepAt(frame.steps, position, object);

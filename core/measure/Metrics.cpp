@@ -1,5 +1,6 @@
 #include "core/measure/Metrics.h"
 
+#include "core/base/Light.h"
 #include "core/measure/ChangedShare.h"
 
 #include <algorithm>
@@ -12,12 +13,6 @@
 namespace taa {
 
 namespace {
-
-// Linear light to what a screen is sent (IEC 61966-2-1).
-double displayed(float linear) {
-  const double value = std::clamp(static_cast<double>(linear), 0.0, 1.0);
-  return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
-}
 
 template <typename Of>
 double meanSquare(const Image& picture, const Image& reference, Of of) {
@@ -43,7 +38,7 @@ Image shownColors(const Image& linear) {
   for (int y = 0; y < linear.height; ++y)
     for (int x = 0; x < linear.width; ++x)
       std::transform(linear.at(x, y), linear.at(x, y) + 3, colors.at(x, y),
-                     [](float value) { return static_cast<float>(displayed(value)); });
+                     [](float value) { return static_cast<float>(shownLight(value)); });
   return colors;
 }
 
@@ -52,7 +47,7 @@ PictureError pictureError(const Image& picture, const Image& reference) {
   assert(picture.channels >= 3 && reference.channels >= 3 && !picture.empty());
   PictureError error;
   error.rmseLinear = std::sqrt(meanSquare(picture, reference, [](float value) { return double(value); }));
-  const double square = meanSquare(picture, reference, displayed);
+  const double square = meanSquare(picture, reference, shownLight);
   error.rmse = std::sqrt(square);
   error.psnr = square == 0.0 ? std::numeric_limits<double>::infinity() : -10.0 * std::log10(square);
   return error;

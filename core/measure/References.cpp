@@ -7,6 +7,7 @@
 #include "core/render/jitter/ReferencePoints.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -32,6 +33,36 @@ void take(const Image& given, int samples, ReferencePicture& picture) {
   addColors(given, picture.sums);
   for (double& sum : picture.sums) sum *= samples;
   picture.samples = samples;
+}
+
+Image meanOfSums(const std::vector<double>& sums, int samples, const gl::Rect& place) {
+  Image mean(place.width, place.height, 3);
+  std::ranges::transform(sums, mean.pixels.begin(),
+                         [samples](double sum) { return static_cast<float>(sum / samples); });
+  return mean;
+}
+
+/// Of the mean of the sets, as it is shown.
+Image errorOfSets(const std::vector<Image>& sets) {
+  const auto count = static_cast<double>(sets.size());
+  Image error(sets.front().width, sets.front().height, 3);
+  std::vector<Image> shown;
+  for (const Image& set : sets) shown.push_back(shownColors(set));
+  for (std::size_t at = 0; at < error.pixels.size(); ++at) {
+    double sum = 0.0, squares = 0.0;
+    for (const Image& set : shown) sum += double(set.pixels[at]);
+    for (const Image& set : shown) squares += std::pow(double(set.pixels[at]) - sum / count, 2.0);
+    error.pixels[at] = static_cast<float>(std::sqrt(squares / (count * (count - 1.0))));
+  }
+  return error;
+}
+
+/// `place` of what is known of `known`, which contains it.
+Image withinPart(const Image& image, const gl::Rect& known, const gl::Rect& place) {
+  Image part(place.width, place.height, 3);
+  for (int row = 0; row < place.height; ++row)
+    std::copy_n(image.at(place.x - known.x, place.y - known.y + row), 3 * place.width, part.at(0, row));
+  return part;
 }
 
 constexpr int kReferenceShadowRays = 8; // of each sample
@@ -157,41 +188,56 @@ const ReferencePart* References::findPart(const ReferenceKey& key, int samples, 
 }
 
 void References::drawPart(FrameSource& frames, ReferencePart& part, FrameInputs& drawn) const {
-  std::vector<double> sums(std::size_t(3) * part.place.width * part.place.height);
+  const std::size_t values = std::size_t(3) * part.place.width * part.place.height;
+  std::vector<double> sums(values), sumsOfSet(values);
+  std::vector<Image> sets;
   FrameRequest request = part.key.request;
   request.part = part.place;
+  int firstOfSet = 0;
   for (int sample = 0; sample < part.samples; ++sample) {
     takeSample(sample, request);
     frames.draw(request, part.key.frame, drawn);
-    addColors(drawn.color.download(part.place), sums);
+    const Image color = drawn.color.download(part.place);
+    addColors(color, sums);
+    addColors(color, sumsOfSet);
+    const int end = static_cast<int>(sets.size() + 1) * part.samples / kReferenceSets;
+    if (sample + 1 < end) continue;
+    sets.push_back(meanOfSums(sumsOfSet, sample + 1 - firstOfSet, part.place));
+    std::ranges::fill(sumsOfSet, 0.0);
+    firstOfSet = sample + 1;
   }
   gl::checkErrors(say<"drawing the reference of frame %1">(part.key.frame));
-  part.mean = Image(part.place.width, part.place.height, 3);
-  std::ranges::transform(sums, part.mean.pixels.begin(),
-                         [&part](double sum) { return static_cast<float>(sum / part.samples); });
+  part.mean = meanOfSums(sums, part.samples, part.place);
+  part.error = errorOfSets(sets);
+}
+
+const ReferencePart& References::foundOrDrawnPart(FrameSource& frames, const ReferenceKey& key, int samples,
+                                                  const gl::Rect& place, FrameInputs& drawn) {
+  if (const ReferencePart* known = findPart(key, samples, place)) return *known;
+  ReferencePart made{key, samples, place, {}, {}};
+  drawPart(frames, made, drawn);
+  parts_.push_front(std::move(made));
+  trim();
+  return parts_.front();
 }
 
 Image References::part(FrameSource& frames, const ReferenceKey& key, int samples, const gl::Rect& place,
                        FrameInputs& drawn) {
   const ReferencePicture* whole = find(key);
   if (whole && whole->samples == samples) return whole->mean(place);
-  if (const ReferencePart* known = findPart(key, samples, place)) {
-    Image part(place.width, place.height, 3);
-    for (int row = 0; row < place.height; ++row)
-      std::copy_n(known->mean.at(place.x - known->place.x, place.y - known->place.y + row), 3 * place.width,
-                  part.at(0, row));
-    return part;
-  }
-  ReferencePart made{key, samples, place, {}};
-  drawPart(frames, made, drawn);
-  parts_.push_front(std::move(made));
-  trim();
-  return parts_.front().mean;
+  const ReferencePart& part = foundOrDrawnPart(frames, key, samples, place, drawn);
+  return withinPart(part.mean, part.place, place);
+}
+
+Image References::partError(FrameSource& frames, const ReferenceKey& key, int samples, const gl::Rect& place,
+                            FrameInputs& drawn) {
+  const ReferencePart& part = foundOrDrawnPart(frames, key, samples, place, drawn);
+  return withinPart(part.error, part.place, place);
 }
 
 std::size_t References::partBytes() const {
   std::size_t sum = 0;
-  for (const ReferencePart& part : parts_) sum += part.mean.pixels.size() * sizeof(float);
+  for (const ReferencePart& part : parts_) sum += 2 * part.mean.pixels.size() * sizeof(float);
   return sum;
 }
 

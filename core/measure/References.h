@@ -46,12 +46,19 @@ struct ReferencePicture {
   Image mean(const gl::Rect& place) const;
 };
 
+/// Sets that the samples of a part are split into, in the order in which they are drawn: each fills the
+/// pixel.
+inline constexpr int kReferenceSets = 4;
+
 /// A part of the mean of all samples.
 struct ReferencePart {
   ReferenceKey key;
   int samples = 0;
   gl::Rect place;
   Image mean; ///< three channels, of `place`
+  /// The mean's standard error as it is shown, 0 to 1, from how far the means of the sets lie apart. Three
+  /// channels. Samples fill the pixel more evenly than random ones, so that it is rather too large.
+  Image error;
 };
 
 class References {
@@ -76,6 +83,9 @@ class References {
   /// that is known, else of parts that are, else drawn. `drawn`: what it may draw into. Throws Error.
   Image part(FrameSource& frames, const ReferenceKey& key, int samples, const gl::Rect& place,
              FrameInputs& drawn);
+  /// ReferencePart::error of a part, which is drawn where it is not known.
+  Image partError(FrameSource& frames, const ReferenceKey& key, int samples, const gl::Rect& place,
+                  FrameInputs& drawn);
 
   /// Forgets those used longest ago; the latest always stays.
   void setBudget(std::size_t bytes);
@@ -88,6 +98,8 @@ class References {
   /// Until it has so many.
   void drawSamples(FrameSource& frames, ReferencePicture& picture, int samples, const Progress& progress);
   const ReferencePart* findPart(const ReferenceKey& key, int samples, const gl::Rect& place) const;
+  const ReferencePart& foundOrDrawnPart(FrameSource& frames, const ReferenceKey& key, int samples,
+                                        const gl::Rect& place, FrameInputs& drawn);
   void drawPart(FrameSource& frames, ReferencePart& part, FrameInputs& drawn) const;
   std::size_t partBytes() const;
   void trim();

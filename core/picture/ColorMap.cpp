@@ -1,5 +1,6 @@
 #include "core/picture/ColorMap.h"
 
+#include "core/base/Light.h"
 #include "core/picture/OkLab.h"
 
 #include <glm/vec3.hpp>
@@ -121,14 +122,6 @@ std::array<float, 3> entry(ColorMap map, int index) {
 const Image& colorMapTable() {
   static const Image table = makeTable();
   return table;
-}
-
-float srgbEncoded(float linear) {
-  return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
-}
-
-float srgbDecoded(float encoded) {
-  return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
 std::array<float, 3> categoryColor(int number) {

@@ -25,8 +25,4 @@ const Image& colorMapTable();
 /// The color of integer `number` in the categorical palette, linear: 0 has one of its own.
 std::array<float, 3> categoryColor(int number);
 
-/// The sRGB transfer function and its inverse; 0…1.
-float srgbEncoded(float linear);
-float srgbDecoded(float encoded);
-
 } // namespace taa

@@ -73,7 +73,7 @@ const PartlyDrawn::DrawnPart& PartlyDrawn::draw(const gl::Rect& place) {
   frames_->draw(request_, frame_, inputs_);
   for (const gl::Texture* texture :
        {&inputs_.color, &inputs_.depth, &inputs_.motion, &inputs_.normal, &inputs_.objectId,
-        &inputs_.previousDepth, &inputs_.mask, &inputs_.overlay, &inputs_.fog})
+        &inputs_.previousDepth, &inputs_.mask, &inputs_.overlay, &inputs_.fog, &inputs_.forwardCount})
     if (*texture) drawn.images.emplace(texture, texture->download(place));
   return parts_.emplace_back(std::move(drawn));
 }

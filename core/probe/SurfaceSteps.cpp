@@ -132,6 +132,13 @@ gl::Rect formerPlaces(const SeenSurfaces& now, const gl::Rect& part, const glm::
   return high.x < low.x ? gl::Rect{} : gl::Rect{low.x, low.y, high.x - low.x + 1, high.y - low.y + 1};
 }
 
+std::vector<glm::vec4> stepsAround(const twin::Texels& steps, const glm::ivec2& pixel) {
+  std::vector<glm::vec4> around;
+  visitAround({steps.width, steps.height}, pixel.x, pixel.y,
+              [&](int x, int y) { around.push_back(steps.texel(x, y)); });
+  return around;
+}
+
 std::optional<glm::dvec2> stepAt(const Image& steps, const glm::dvec2& positionPx, float object) {
   return foundStep(steps, positionPx, object);
 }

@@ -7,8 +7,10 @@
 #include "core/taa/twin/Texels.h"
 
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace taa {
 
@@ -50,6 +52,10 @@ Image surfaceSteps(const SeenSurfaces& now, const SeenSurfaces& before, const gl
                    const glm::ivec2& sizePx);
 /// Pixels of the frame before that the steps of a part are looked for in; empty: none.
 gl::Rect formerPlaces(const SeenSurfaces& now, const gl::Rect& part, const glm::ivec2& sizePx);
+
+/// The steps of the 3×3 pixels around one, as far as the picture goes; that of the pixel itself is one of
+/// them.
+std::vector<glm::vec4> stepsAround(const twin::Texels& steps, const glm::ivec2& pixel);
 
 /// The step at a place of the picture, px: of the pixel that holds it, or the nearest of the eight around it,
 /// where that shows `object`. Nothing where none does or the surface was not seen before.

@@ -44,6 +44,7 @@ twin::Inputs drawnInputs(const FrameInputs& inputs, const Read& read) {
   twin.mask = read(inputs.mask);
   twin.overlay = read(inputs.overlay);
   twin.fog = read(inputs.fog);
+  twin.forwardCount = read(inputs.forwardCount);
   twin.outputPx = inputs.outputPx;
   twin.frame = inputs.info.frame;
   twin.stepSeconds = inputs.info.stepSeconds;

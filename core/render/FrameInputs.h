@@ -13,6 +13,9 @@ namespace taa {
 /// The largest half float, so that it survives 16-bit storage.
 inline constexpr float kNoPreviousPosition = 65504.0f;
 
+/// In FrameInputs::forwardCount where nothing says where the last frame's pixels are now.
+inline constexpr float kForwardUnknown = -1.0f;
+
 /// Where in time and in the jitter pattern a frame lies.
 struct FrameInfo {
   int frame = 0;
@@ -35,8 +38,9 @@ struct FrameInputs {
   gl::Texture objectId; ///< R32UI, 0 = sky
   gl::Texture previousDepth; ///< R32F, view depth the surface had in the previous frame, m; 0 = sky or none
   // None where the settings ask for none.
-  gl::Texture mask;    ///< RG8: reactive (what was blended in), responsive (what changes without motion)
-  gl::Texture overlay; ///< RGBA16F, premultiplied, not jittered: what is laid over the output
+  gl::Texture mask;         ///< RG8: reactive (what was blended in), responsive (what changes without motion)
+  gl::Texture overlay;      ///< RGBA16F, premultiplied, not jittered: what is laid over the output
+  gl::Texture forwardCount; ///< R32F: pixels of the last frame whose surface lies here now; −1: not known
   // None where the scene has none.
   gl::Texture fog; ///< as color: light that fog scatters to the camera; alpha: what it takes of the surface's
   glm::ivec2 outputPx{0}; ///< size of the picture that is made of them; 0: their own

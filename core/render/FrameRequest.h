@@ -31,7 +31,9 @@ struct FrameRequest {
   std::vector<int> restarts = {}; ///< frames that use no history besides those where the shot is cut
   /// Texels that are wanted, as if all were drawn; others hold anything. A capture draws all. Default: all.
   std::optional<gl::Rect> part = {};
-  FaultSettings faults = {}; ///< of what is given; who draws knows nothing of them
+  bool movesOn = false;        ///< motion is that to the frame after, negated, instead of from the one before
+  bool untestedMotion = false; ///< what moves writes its motion where it is hidden, too
+  FaultSettings faults = {};   ///< of what is given; who draws knows nothing of them
   bool operator==(const FrameRequest&) const = default;
 };
 

@@ -2,6 +2,8 @@
 
 #include "core/base/Say.h"
 #include "core/gl/Context.h"
+#include "core/render/ForwardCount.h"
+#include "core/render/FrameClock.h"
 #include "core/render/View.h"
 #include "core/render/passes/CameraMotionPass.h"
 #include "core/render/passes/FogPass.h"
@@ -31,7 +33,7 @@ struct InputTexture {
   bool isNeeded = true;
 };
 
-std::array<InputTexture, 8> inputTextures(const InputSettings& settings) {
+std::array<InputTexture, 9> inputTextures(const InputSettings& settings) {
   const bool isHalf = settings.precision == Precision::Half;
   return {{{&FrameInputs::color, isHalf ? gl::Format::RGBA16F : gl::Format::RGBA32F, "color"},
            {&FrameInputs::motion, isHalf ? gl::Format::RG16F : gl::Format::RG32F, "motion"},
@@ -40,7 +42,21 @@ std::array<InputTexture, 8> inputTextures(const InputSettings& settings) {
            {&FrameInputs::previousDepth, gl::Format::R32F, "previous depth"},
            {&FrameInputs::depth, gl::Format::Depth32F, "depth"},
            {&FrameInputs::mask, gl::Format::RG8, "mask", settings.mask != MaskSource::None},
-           {&FrameInputs::overlay, gl::Format::RGBA16F, "overlay", settings.blended == BlendedAs::After}}};
+           {&FrameInputs::overlay, gl::Format::RGBA16F, "overlay", settings.blended == BlendedAs::After},
+           {&FrameInputs::forwardCount, gl::Format::R32F, "forward count", isOn(settings.forward)}}};
+}
+
+/// What the frame before is drawn with where its pixels are counted: nothing that costs and shows in color
+/// alone.
+InputSettings forwardInputs(InputSettings settings) {
+  settings.forward = Switch::Off;
+  settings.motion = MotionSource::Objects;
+  settings.precision = Precision::Full;
+  settings.shadows = Shadows::None;
+  settings.fogDensity = 0.0f;
+  settings.noise = InputNoise::None;
+  settings.mask = MaskSource::None;
+  return settings;
 }
 
 /// Whether the second is the first at another place of the pixel, as the samples of a reference are. (Forms
@@ -93,7 +109,8 @@ std::size_t scratchBytes(const InputSettings& settings, const glm::ivec2& pictur
   return (NoisePass::isNeeded(settings) ? color : 0) +
          (scene && drawsFog(*scene, settings) ? FogPass::scratchBytes(settings, color) : 0) +
          (scene && castsShadows(*scene, settings) ? ShadowPass::bytes() : 0) +
-         (settings.mask == MaskSource::AutoReactive ? color : 0);
+         (settings.mask == MaskSource::AutoReactive ? color : 0) +
+         (isOn(settings.forward) ? inputBytes(forwardInputs(settings), picturePx) : 0);
 }
 
 struct SceneRenderer::Impl {
@@ -107,6 +124,7 @@ struct SceneRenderer::Impl {
   std::unique_ptr<FogPass> fog;        ///< where the scene has some
   std::unique_ptr<ShadowPass> shadows; ///< made when they are first asked for
   gl::Buffer frame{sizeof(shared::FrameBlock), nullptr, "frame"};
+  FrameInputs before; ///< of the frame before, where its pixels are counted
   /// What was drawn last.
   struct Prepared {
     FrameRequest request;
@@ -139,6 +157,8 @@ struct SceneRenderer::Impl {
   void drawBlended(const InputSettings& settings, const GBufferPass::Source& source, const FrameInputs& out,
                    const Progress& warmUp);
   void drawFog(const FrameRequest& request, const View& view, FrameInputs& out);
+  /// Counts where the pixels of the frame before are now; leaves another view prepared.
+  void countForward(const FrameRequest& request, int number, gl::Texture& out);
 };
 
 SceneRenderer::SceneRenderer(std::shared_ptr<const Scene> scene, const Progress& progress)
@@ -219,12 +239,28 @@ void SceneRenderer::Impl::drawFog(const FrameRequest& request, const View& view,
   if (fog) fog->rest();
 }
 
+// Pixels' centers, as history has them: neither jittered nor a part, and with the motion that things really
+// have.
+void SceneRenderer::Impl::countForward(const FrameRequest& request, int number, gl::Texture& out) {
+  const int previous = previousFrame(*scene, number);
+  if (previous == number) return out.clear(kForwardUnknown, 0.0f, 0.0f, 0.0f);
+  FrameRequest asked = request;
+  asked.part.reset();
+  asked.jitterPx = glm::vec2(0.0f);
+  asked.movesOn = true;
+  asked.untestedMotion = false;
+  asked.inputs = forwardInputs(request.inputs);
+  draw(asked, previous, before, {});
+  out.upload(forwardCount(before.motion.download()));
+}
+
 void SceneRenderer::Impl::draw(const FrameRequest& asked, int number, FrameInputs& out,
                                const Progress& warmUp) {
   FrameRequest request = asked;
   request.inputs.shadows = shadowsOf(*scene, asked.inputs);
-  const View& view = prepare(request, number, warmUp);
   fitInputs(request, out);
+  if (out.forwardCount && !warmUp) countForward(request, number, out.forwardCount);
+  const View& view = prepare(request, number, warmUp);
   out.info = view.info;
   out.block = view.block;
   frame.update(0, &view.block, sizeof(view.block));
@@ -233,6 +269,10 @@ void SceneRenderer::Impl::draw(const FrameRequest& asked, int number, FrameInput
   drawSurfaces(drawn, out, warmUp);
   if (request.inputs.mask == MaskSource::AutoReactive) reactive.keepOpaque(out.color);
   drawBlended(request.inputs, drawn, out, warmUp);
+  if (request.untestedMotion) {
+    const gl::Framebuffer motion({{}, {&out.motion}}, nullptr, "untested motion");
+    gbuffer.drawUntested(drawn, motion);
+  }
   if (request.inputs.mask == MaskSource::AutoReactive) reactive.draw(out.color, out.mask, view.part);
   drawFog(request, view, out);
   if (isFromDepth(request.inputs.motion)) cameraMotion.draw(request.inputs.motion, frame, out, view.part);

@@ -56,7 +56,7 @@ View viewAt(const Scene& scene, const FrameRequest& request, int frame) {
   const glm::vec2 sizePx(drawnPx);
   view.part = drawnPart(scene, request, drawnPx);
   const double time = frameTime(scene, frame);
-  const int previous = previousFrame(scene, frame);
+  const int previous = request.movesOn ? frame + 1 : previousFrame(scene, frame);
   const double previousTime = frameTime(scene, previous);
   view.pose = poseAt(scene, time);
   view.previousPose = poseAt(scene, previousTime);

@@ -1,5 +1,6 @@
 #include "core/report/ManualTables.h"
 
+#include "core/base/EmbeddedFiles.h"
 #include "core/capture/format/Manifest.h"
 #include "core/render/passes/SunView.h"
 #include "core/report/ChoiceFunctions.h"
@@ -14,9 +15,12 @@
 #include "core/taa/rows/ChannelNames.h"
 #include "core/taa/rows/Intermediates.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstddef>
 #include <initializer_list>
+#include <sstream>
 #include <string_view>
 
 namespace taa {
@@ -128,10 +132,86 @@ ManualPage settingsPage() {
   return page;
 }
 
+/// Files below shaders/taa besides the one of a stage's id that are its.
+struct FileOfStage {
+  Stage stage;
+  std::string_view id;
+};
+constexpr FileOfStage kFilesOfStages[] = {
+    {Stage::FilterCurrent, "upsample"},
+    {Stage::ValidateHistory, "compare_depth"},
+    {Stage::ValidateHistory, "compare_geometry"},
+    {Stage::RectifyHistory, "hold_history"},
+    {Stage::Blend, "dither"},
+    {Stage::Output, "sharpen"},
+};
+
+/// A texture's name as the flow has it: "u_historyColor" is "history.color".
+std::string textureName(std::string_view name) {
+  constexpr std::string_view kHistory = "history";
+  if (!name.starts_with(kHistory)) return std::string(name);
+  std::string layer(name.substr(kHistory.size()));
+  layer.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(layer.front())));
+  return "history." + layer;
+}
+
+/// The words behind `prefix` in a stage's shader, each once, in their order. Declarations, comments and what
+/// is only exposed are no part of it.
+std::vector<std::string> wordsOfStage(const StageInfo& stage, std::string_view prefix) {
+  std::string text = embeddedText("shaders/taa/" + std::string(stage.id) + ".glsl");
+  for (const FileOfStage& file : kFilesOfStages)
+    if (file.stage == stage.stage) text += embeddedText("shaders/taa/" + std::string(file.id) + ".glsl");
+  std::vector<std::string> words;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    line.resize(std::min(line.find("//"), line.size()));
+    if (line.starts_with("layout(") || line.find("expose_") != line.npos) continue;
+    for (std::size_t at = line.find(prefix); at != line.npos; at = line.find(prefix, at + 1)) {
+      const std::size_t from = at + prefix.size();
+      std::size_t end = from;
+      while (end < line.size() && std::isalnum(static_cast<unsigned char>(line[end]))) ++end;
+      const std::string word = line.substr(from, end - from);
+      if (!word.empty() && std::ranges::find(words, word) == words.end()) words.push_back(word);
+    }
+  }
+  return words;
+}
+
+/// Which textures each stage reads and which it writes, drawn from the shaders.
+std::string flowText() {
+  std::string rows;
+  for (const StageInfo& stage : kStages) {
+    if (stage.stage == Stage::Jitter || stage.stage > Stage::Output) continue;
+    std::string reads, writes;
+    for (const std::string& name : wordsOfStage(stage, "u_"))
+      reads += (reads.empty() ? "" : ", ") + textureName(name);
+    if (reads.empty()) reads = "no texture";
+    if (stage.stage == Stage::Blend) writes = "resolved = history.color, history.surface";
+    if (stage.stage == Stage::Output) writes = "output";
+    for (const std::string& layer : wordsOfStage(stage, "keep_"))
+      writes += (writes.empty() ? "" : ", ") + std::string("history.") + layer;
+    const std::string label(stage.label);
+    const std::size_t wide = 52;
+    rows +=
+        label + std::string(18 - std::min<std::size_t>(label.size(), 17), ' ') + "│ " + reads +
+        (writes.empty() ? "" : std::string(wide - std::min(reads.size(), wide - 1), ' ') + "──► " + writes) +
+        "\n" + (stage.stage == Stage::Output ? "" : "        ▼         │\n");
+  }
+  return "\n## The flow\n\nOne program runs all stages from Inputs to Blend for a pixel; what a stage hands "
+         "to the next "
+         "stays in registers. These are the textures that each reads and writes. A history that is read is "
+         "the one that "
+         "the frame before has written; history.surface holds N and depth, and the layers object, normal, "
+         "motion, lock "
+         "and lumas are kept where settings need them.\n\n```text\n" +
+         rows + "```\n";
+}
+
 ManualPage intermediatesPage() {
   ManualPage page{"intermediates.md", "Intermediates", ""};
   page.text = pageHead(page.title, "Everything of a frame that can be looked at, probed and exported, by the "
                                    "stage that computes it. Colors are scene-linear, Rec. 709.");
+  page.text += flowText();
   for (const StageInfo& stage : kStages) {
     std::string rows;
     for (const Intermediate& row : kIntermediates)

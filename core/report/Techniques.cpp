@@ -88,7 +88,8 @@ constexpr auto kTechniques = std::to_array<Technique>({
     {"5.7", "one-sided test, as printed", "`validate.offScreen=oneSided`: beyond the left edge α = 0"},
     {"5.8", "position of the history",
      "always: the intermediate `historyPosition`; `reproject.method=motion`, or the step before it, "
-     "`reproject.method=inPlace`"},
+     "`reproject.method=inPlace`; with `inputs.forward` the map of what forward reprojection leaves, "
+     "`forwardCount`"},
     {"6.0", "point", "`history.filter=point`"},
     {"6.1", "bilinear", "`history.filter=bilinear`"},
     {"6.2", "Catmull-Rom 16", "`history.filter=catmullRom16`"},
@@ -129,7 +130,7 @@ constexpr auto kTechniques = std::to_array<Technique>({
     {"9.1", "RGB", "`space.color=rgb`"},
     {"9.2", "YCoCg", "`space.color=yCoCg`"},
     {"9.3", "YCoCg by lifting", "`space.color=yCoCgLifting`"},
-    {"9.4", "YCbCr", "`space.color=yCbCr`"},
+    {"9.4", "YCbCr", "`space.color=yCbCr`; of encoded colors with `space.tone=gamma`"},
     {"9.5", "after tone mapping",
      "`space.tone=reinhardLuma`, `space.tone=reinhardChannel`, `space.tone=maxChannel`, `space.tone=linear`"},
     {"9.6", "PQ", "`space.tone=pq`; powers of sums and products alone, the same bits everywhere"},
@@ -219,7 +220,7 @@ constexpr auto kTechniques = std::to_array<Technique>({
     {"14.6", "sanitize", "always: every stage"},
     {"14.7", "quantization noise", "`history.dither`"},
     {"15.0", "none", "`blend.tone=none`"},
-    {"15.1", "luma, Karis", "`blend.tone=luma`"},
+    {"15.1", "luma, Karis", "`blend.tone=luma`, L by `space.luma=rec709` or `space.luma=yCoCg`"},
     {"15.2", "Reinhard by luma", "`space.tone=reinhardLuma`; in the blend it equals 15.1"},
     {"15.3", "Reinhard", "`blend.tone=reinhardChannel`, `space.tone=reinhardChannel`"},
     {"15.4", "largest channel", "`blend.tone=maxChannel`, `space.tone=maxChannel`"},
@@ -299,6 +300,11 @@ constexpr auto kTechniques = std::to_array<Technique>({
     {"24", "sub-pixel buffers, cached shading, SVGF (004)",
      "Left out: other algorithms than the accumulation of one color a pixel."},
     {"24", "multi-view, XR (003)", "Left out: as 1.10."},
+    {"24", "bloom behind TAA (000)",
+     "Left out: a post effect that reads what the resolve has written and gives nothing back to it. What a "
+     "resolve "
+     "does to bloom is seen without one: single bright pixels and their flicker, `flicker` and "
+     "`relativeError`."},
     {"D1", "luma difference, swapped", "`weight.source=lumaDifferenceAsPrinted`"},
     {"D2", "no filter, as printed", "`current.filter=distanceAsPrinted`"},
     {"D3", "Mitchell, Blackman-Harris, as printed",

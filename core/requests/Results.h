@@ -116,13 +116,15 @@ struct Work {
   int done = 0, total = 0;
 };
 
-/// Something that could not be done: a sentence for people, and what it answers. Nothing else was lost.
+/// Something that could not be done: a sentence for people, and what it answers. Nothing else was lost, but
+/// for an end.
 struct Failure {
   std::string sentence;
   RequestKind kind = RequestKind::None;
   RequestId request = 0;                     ///< the latest of its kind that was taken up
   std::optional<SceneBudget> neededBudget{}; ///< that lets in a scene that asks for more than it may
   bool isChoice = false;                     ///< the shot has no such camera, object, animation or length
+  bool isEnd = false; ///< nothing is drawn from now on, as without OpenGL; it answers all that follows, too
 };
 
 /// Shaders were read anew.

@@ -59,6 +59,7 @@ enum class Fault : std::uint8_t {
   PreviousIdentity,
   OldTransformOnReturn,
   MotionCoarse,
+  MotionUntested,
   TransparentsWithoutMotion,
   TransparentsOverwriteMotion,
   DepthReversed,

@@ -74,13 +74,13 @@ struct Parameter {
   Stage stage;
   ParameterKind kind;
   Effect effect;
-  std::string_view unit; ///< "px", "px²", "frames"; empty for none
-  double minimum, maximum;
-  std::span<const Choice> choices; ///< Choice only
-  std::string_view tooltip;        ///< what it does, in a sentence
-  std::string_view formula;        ///< empty where there is none
-  std::string_view source;         ///< row of the manual, and who
-  Uses uses;                       ///< Toggle: where it is on; Number: below its maximum
+  std::string_view unit = {};           ///< "px", "px²", "frames"; empty for none
+  double minimum = 0.0, maximum = 1.0;  ///< of a choice by its choices
+  std::span<const Choice> choices = {}; ///< Choice only
+  std::string_view tooltip;             ///< what it does, in a sentence
+  std::string_view formula = {};        ///< empty where there is none
+  std::string_view source;              ///< row of the manual, and who
+  Uses uses = Uses();                   ///< Toggle: where it is on; Number: below its maximum
   Field field;
   double (*get)(const Settings&);
   void (*set)(Settings&, double);

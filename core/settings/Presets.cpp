@@ -109,14 +109,16 @@ const PresetGroup* startedGroup(const Preset& preset) {
 }
 
 Preset preset(const std::string& idOrPath) {
-  std::string known;
+  std::string known; // those of a source's ladder by its name alone: a hundred ids are no answer
   for (const Preset& row : builtinPresets()) {
     if (row.id == idOrPath) return row;
+    if (row.step > 0 && row.id.starts_with("source")) continue;
     known += (known.empty() ? "" : ", ") + row.id;
   }
   if (idOrPath.ends_with(".json")) return presetFromText(readFile(idOrPath, 1 << 20), idOrPath);
-  throw Error(say<"there is no preset \"%1\"; there are %2, or give a file that ends in .json">(
-      shownText(idOrPath), known));
+  throw Error(say<"there is no preset \"%1\"; there are %2, their steps (see list presets), or give a file "
+                  "that ends in "
+                  ".json">(shownText(idOrPath), known));
 }
 
 Preset presetFromText(const std::string& text, const std::string& place) {

@@ -70,6 +70,7 @@ struct InputSettings {
   Switch unjitterTextures = Switch::Off; ///< textures are read at the pixel's center, whatever the jitter
   BlendedAs blended = BlendedAs::Mask;   ///< how transparent materials are drawn
   MaskSource mask = MaskSource::None;    ///< where the masks of special content come from
+  Switch forward = Switch::Off;          ///< counts where the last frame's pixels are now
   float renderScale = 1.0f;            ///< r, size of what is drawn to that of the picture, a side; 0.5 to 1
   InputNoise noise = InputNoise::None; ///< added to the shaded color
   float noiseAmount = 1.0f;            ///< width of the noise, 1/255
@@ -171,10 +172,21 @@ struct CurrentSettings {
 };
 
 enum class ColorSpace : std::int32_t { Rgb, YCoCg, YCoCgLifting, YCbCr, YCoCgAsPrinted };
-enum class ToneSpace : std::int32_t { Linear, ReinhardLuma, ReinhardChannel, MaxChannel, Pq, Logarithm };
+enum class ToneSpace : std::int32_t {
+  Linear,
+  ReinhardLuma,
+  ReinhardChannel,
+  MaxChannel,
+  Pq,
+  Logarithm,
+  Gamma
+};
+/// Luma that weights of colors are made of; the box's own is the first axis of its space.
+enum class WeightLuma : std::int32_t { Rec709, YCoCg };
 struct SpaceSettings {
   ColorSpace color = ColorSpace::YCoCg;
   ToneSpace tone = ToneSpace::ReinhardLuma;
+  WeightLuma luma = WeightLuma::Rec709; ///< of weights by luma, in all stages
 };
 
 /// What a speed is counted in: px, px of a picture of 1080 lines, or 1080ths of the picture across and down.
@@ -393,6 +405,7 @@ struct FaultSettings {
   Switch zeroIsMissing = Switch::Off; ///< motion of 0 has no previous position
   std::int32_t motionShift = 0;  ///< texels up and to the left that it is read at; negative: down and right
   std::int32_t motionCoarse = 1; ///< texels that share one motion, a side
+  Switch motionUntested = Switch::Off; ///< objects write motion where they are hidden, too
   // Depth and color
   DepthFault depth = DepthFault::None;
   float nearPlane = 1.0f;       ///< factor on the stated one

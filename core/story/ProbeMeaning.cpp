@@ -21,6 +21,12 @@ using story::Values;
 
 namespace {
 
+std::string forwardMeaning(float count) {
+  if (count < 0.0f) return say<"not counted">();
+  if (count == 0.0f) return say<"a hole">();
+  return count > 1.0f ? say<"a collision">() : "";
+}
+
 std::string classText(int number) {
   switch (static_cast<ObjectClass>(number)) {
   case ObjectClass::Sky:
@@ -128,6 +134,8 @@ std::string meaningOf(IntermediateId id, const twin::PixelRecord& record, const 
     return depthMeaning(id, v);
   case Id::dilatedOffset:
     return v.pair(id) == glm::vec2(0.0f) ? say<"the pixel itself">() : say<"a neighbor">();
+  case Id::forwardCount:
+    return forwardMeaning(v.of(id));
   case Id::onScreen:
     return v.of(id) != 0 ? say<"inside">() : say<"outside">();
   case Id::sampleConfidence:

@@ -130,6 +130,9 @@ std::string inputWords(Id id, const Teller& t) {
   case Id::objectId:
   case Id::objectClass:
     return objectWords(t);
+  case Id::forwardCount:
+    return t.value(id) < 0 ? say<"nothing says where the last frame's pixels are now">()
+                           : say<"so many pixels of the last frame have their surface here now">();
   case Id::reactive:
     return t.value(id) > 0 ? say<"%1 was blended in">(t.percent(id)) : say<"nothing was blended in">();
   case Id::responsive:

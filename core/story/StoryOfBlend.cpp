@@ -29,7 +29,10 @@ RowStory toneStory(Id id, const Teller& t) {
   }
   if (tone == ToneWeight::LumaAsPrinted) color = twin::compress(color, ToneSpace::MaxChannel);
   return {say<"bright colors count less">(),
-          t.equals("1 / (1 + " + t.number(static_cast<double>(twin::luma(color))) + ")", id), ""};
+          t.equals("1 / (1 + " +
+                       t.number(static_cast<double>(twin::weightLuma(color, t.settings().space.luma))) + ")",
+                   id),
+          ""};
 }
 
 RowStory factorStory(const Teller& t) {

@@ -123,7 +123,7 @@ twin::Taps currentTaps(const Teller& t) {
   for (std::size_t k = 0; k < 9; ++k) {
     const glm::vec3& color = t.details().filterSamples[k];
     const float weight = t.details().filterWeights[k];
-    taps.add(color, byLuma ? weight / (1.0f + twin::luma(color)) : weight);
+    taps.add(color, byLuma ? weight / (1.0f + twin::weightLuma(color, t.settings().space.luma)) : weight);
   }
   return taps;
 }

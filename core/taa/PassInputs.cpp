@@ -15,7 +15,7 @@ namespace taa {
 namespace {
 
 // Units of shaders/taa/inputs.glsl for what a frame may be without.
-constexpr unsigned kFogUnit = 13, kMaskUnit = 14, kOverlayUnit = 15;
+constexpr unsigned kFogUnit = 13, kMaskUnit = 14, kOverlayUnit = 15, kForwardUnit = 16;
 
 shared::ResolveBlock makeBlock(const FrameInputs& inputs, const Settings& settings, int historyState,
                                const TargetPixels& target) {
@@ -49,6 +49,13 @@ gl::Texture blackTexel() {
   return texture;
 }
 
+// Likewise where the last frame's pixels are not counted.
+gl::Texture unknownTexel() {
+  gl::Texture texture({.width = 1, .height = 1}, gl::Format::R32F, "unknown");
+  texture.clear(kForwardUnknown, 0.0f, 0.0f, 0.0f);
+  return texture;
+}
+
 } // namespace
 
 std::string sparsePrelude(bool isSparse) {
@@ -56,7 +63,7 @@ std::string sparsePrelude(bool isSparse) {
 }
 
 PassInputs::PassInputs()
-    : nearest_(gl::SamplerState{}), nothing_(blackTexel()),
+    : nearest_(gl::SamplerState{}), nothing_(blackTexel()), unknown_(unknownTexel()),
       resolveBlock_(sizeof(shared::ResolveBlock), nullptr, "ResolveBlock"),
       settingsBlock_(taa::settingsBlock(Settings{}).size(), nullptr, "SettingsBlock") {}
 
@@ -76,6 +83,7 @@ void PassInputs::bind(gl::RenderPass& pass, const FrameInputs& inputs) const {
   for (unsigned unit = 0; unit < std::size(textures); ++unit) pass.texture(unit, *textures[unit], nearest_);
   pass.texture(kFogUnit, inputs.fog ? inputs.fog : nothing_, nearest_);
   pass.texture(kMaskUnit, inputs.mask ? inputs.mask : nothing_, nearest_);
+  pass.texture(kForwardUnit, inputs.forwardCount ? inputs.forwardCount : unknown_, nearest_);
   pass.texture(kOverlayUnit, inputs.overlay ? inputs.overlay : nothing_, nearest_);
 }
 

@@ -35,7 +35,7 @@ class PassInputs {
 
  private:
   gl::Sampler nearest_;
-  gl::Texture nothing_;
+  gl::Texture nothing_, unknown_;
   gl::Buffer resolveBlock_, settingsBlock_;
 };
 

@@ -12,6 +12,12 @@ float luma(vec3 c) {
   return result;
 }
 
+/// Luma that colors are weighed by, in every stage (15.1).
+float weightLuma(vec3 c) {
+  precise float y = (0.25 * c.r + 0.5 * c.g) + 0.25 * c.b;
+  return kSpaceLuma == kSpaceLuma_yCoCg ? y : luma(c);
+}
+
 /// Channels that are not sane, which are NaN, Inf, negative or cannot be stored, become those of another color.
 vec3 saneOr(vec3 other, vec3 c) {
   return mix(mix(other, c, greaterThanEqual(c, vec3(0.0))), other, greaterThan(c, vec3(kBrightest)));
@@ -66,6 +72,10 @@ vec3 logarithmChannel(vec3 c) { return vec3(logarithm(c.r), logarithm(c.g), loga
 vec3 inverseLogarithmChannel(vec3 c) {
   return vec3(inverseLogarithm(c.r), inverseLogarithm(c.g), inverseLogarithm(c.b));
 }
+
+vec3 gammaChannel(vec3 c) { return vec3(gammaEncoded(c.r), gammaEncoded(c.g), gammaEncoded(c.b)); }
+
+vec3 inverseGammaChannel(vec3 c) { return vec3(gammaDecoded(c.r), gammaDecoded(c.g), gammaDecoded(c.b)); }
 
 /// The chosen axes (manual §9).
 vec3 toAxes(vec3 color) {
@@ -131,6 +141,7 @@ vec3 toBox(vec3 color) {
   if (kSpaceTone == kSpaceTone_maxChannel) c = compressMax(c);
   if (kSpaceTone == kSpaceTone_pq) c = pqChannel(c);
   if (kSpaceTone == kSpaceTone_logarithm) c = logarithmChannel(c);
+  if (kSpaceTone == kSpaceTone_gamma) c = gammaChannel(c);
   return toAxes(c);
 }
 
@@ -142,5 +153,6 @@ vec3 fromBox(vec3 box) {
   if (kSpaceTone == kSpaceTone_maxChannel) c = inverseCompressMax(c);
   if (kSpaceTone == kSpaceTone_pq) c = inversePqChannel(c);
   if (kSpaceTone == kSpaceTone_logarithm) c = inverseLogarithmChannel(c);
+  if (kSpaceTone == kSpaceTone_gamma) c = inverseGammaChannel(c);
   return c;
 }

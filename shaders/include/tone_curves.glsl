@@ -30,6 +30,20 @@ float logarithm(float c) { return log2OfOnePlus(c); }
 
 float inverseLogarithm(float y) { return exp2LessOne(y); }
 
+/// The curve of sRGB (9.4), IEC 61966-2-1, which goes on beyond 1.
+float gammaEncoded(float c) {
+  precise float dark = 12.92 * c;
+  precise float bright = 1.055 * power(c, 0.4166666667) - 0.055; // 1/2.4
+  return mix(dark, bright, c > 0.0031308);
+}
+
+/// Of what lies below 0 in proportion: a box in other axes may.
+float gammaDecoded(float y) {
+  precise float dark = y / 12.92;
+  precise float base = (y + 0.055) / 1.055;
+  return mix(dark, power(base, 2.4), y > 0.04045);
+}
+
 /// c(1 + c/W²)/(1 + c): Reinhard's with a white that becomes 1 (15.6).
 vec3 whitePoint(vec3 c, float white) {
   precise float squared = white * white;

@@ -13,7 +13,7 @@ const bool kMixesCompressed = !kWeighsByLuma && kBlendTone != kBlendTone_none;
 float toneWeight(vec3 color) {
   precise vec3 measured = color;
   if (kBlendTone == kBlendTone_lumaAsPrinted) measured = compressMax(color);
-  precise float weight = 1.0 / (1.0 + luma(measured));
+  precise float weight = 1.0 / (1.0 + weightLuma(measured));
   return kWeighsByLuma ? weight : 1.0;
 }
 

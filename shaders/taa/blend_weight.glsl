@@ -30,8 +30,8 @@ const bool kHasChannelWeights = kWeightSource == kWeightSource_contrastPerChanne
 /// largest channel (13.12).
 float lumaLikeness(WeightInputs x) {
   const bool kIsCompressed = kWeightSource != kWeightSource_lumaDifference;
-  precise float current = luma(kIsCompressed ? compressMax(x.current) : x.current);
-  precise float history = luma(kIsCompressed ? compressMax(x.history) : x.history);
+  precise float current = weightLuma(kIsCompressed ? compressMax(x.current) : x.current);
+  precise float history = weightLuma(kIsCompressed ? compressMax(x.history) : x.history);
   float largest = maximum(maximum(current, history), 0.2);
   precise float likeness = 1.0 - abs(current - history) / largest;
   precise float squared = likeness * likeness;
@@ -106,8 +106,8 @@ float godotLuma(vec3 color) {
 float lumaFlickerFactor(WeightInputs x) {
   if (!kWeightLumaFlicker) return 1.0;
   const bool kIsCompressed = kWeightFlickerScale == kWeightFlickerScale_compressed;
-  precise float current = kIsCompressed ? godotLuma(x.current) : luma(x.current);
-  precise float history = kIsCompressed ? godotLuma(x.history) : luma(x.history);
+  precise float current = kIsCompressed ? godotLuma(x.current) : weightLuma(x.current);
+  precise float history = kIsCompressed ? godotLuma(x.history) : weightLuma(x.history);
   float largest = maximum(current, history);
   precise float divisor = 0.001 + largest;
   if (kIsCompressed) divisor = maximum(largest, 1.001);

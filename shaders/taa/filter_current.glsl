@@ -19,7 +19,7 @@ const bool kMayRing = kCurrentFilter == kCurrentFilter_mitchell || kCurrentFilte
 /// Weight of sample k, of this color: bright ones may count less (7.2).
 float sampleWeight(vec3 color, int k) {
   precise float weight = currentWeight(k);
-  if (kCurrentLumaWeighted) weight = weight / (1.0 + luma(color));
+  if (kCurrentLumaWeighted) weight = weight / (1.0 + weightLuma(color));
   return weight;
 }
 

@@ -21,6 +21,7 @@ layout(binding = 12) uniform sampler2D u_historyLumas;  // of the last four fram
 layout(binding = 13) uniform sampler2D u_fog;           // scattered light, opacity; one black texel when there is none
 layout(binding = 14) uniform sampler2D u_mask;          // reactive, responsive; one black texel when none is drawn
 layout(binding = 15) uniform sampler2D u_overlay;       // premultiplied, not jittered; likewise
+layout(binding = 16) uniform sampler2D u_forwardCount;  // pixels of the last frame; one texel of −1 when not counted
 
 /// Motion that says there is no previous position: the largest half float.
 const float kNoPreviousPosition = 65504.0;
@@ -120,6 +121,7 @@ Samples readInputs(Place place) {
   expose_overlayAlpha(texelAt(u_overlay, place.still).a);
   expose_fog(texelAt(u_fog, texel).rgb);
   expose_fogOpacity(texelAt(u_fog, texel).a);
+  expose_forwardCount(texelAt(u_forwardCount, texel).r);
   expose_objectClass(texelFetch(u_normal, texel, 0).w);
   return samples;
 }

@@ -34,7 +34,7 @@ struct NeighborhoodInputs {
 
 /// What a sample counts (10.7). Taps that vary count as the diagonals that they stand for.
 float momentWeight(int k, vec3 color, vec3 boxed) {
-  precise float byLuma = 1.0 / (1.0 + luma(color));
+  precise float byLuma = 1.0 / (1.0 + weightLuma(color));
   precise float byBoxLuma = 1.0 / (1.0 + boxLuma(boxed));
   float byDistance = k == 4 ? 1.0 : (k % 2 == 1 ? 0.47236655 : 0.22313016);
   if (kNeighborhoodWeights == kNeighborhoodWeights_luma) return byLuma;

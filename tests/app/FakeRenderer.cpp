@@ -48,6 +48,14 @@ std::shared_ptr<const CaptureFacts> fakeCapture() {
 
 } // namespace
 
+FakeRenderer::FakeRenderer(Listener listener) : listener_(std::move(listener)) {}
+
+FakeRenderer::~FakeRenderer() = default;
+
+void FakeRenderer::tell(Result result) const {
+  listener_({requests, std::move(result)});
+}
+
 RequestId FakeRenderer::post(Request request) {
   status.taken.note(ruleOf(request).kind, requests + 1);
   std::visit([this](const auto& asked) { take(asked); }, request);

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace taa::app::test {
@@ -27,7 +26,8 @@ inline constexpr std::uint64_t kTrianglesOfLarge = 30'000'000;
 /// and 10,000 more for each lane; stages have rejected n % of its pixels.
 class FakeRenderer final : public Renderer {
  public:
-  explicit FakeRenderer(Listener listener) : listener_(std::move(listener)) {}
+  explicit FakeRenderer(Listener listener);
+  ~FakeRenderer() override;
 
   static float valueAt(int x, int y, int frame) { return static_cast<float>(x + 100 * y + frame); }
 
@@ -35,7 +35,7 @@ class FakeRenderer final : public Renderer {
   static constexpr int kGray = 160, kOtherGray = 80, kDifferenceGray = 240;
 
   RequestId post(Request request) override;
-  void tell(Result result) const { listener_({requests, std::move(result)}); } ///< as the render thread would
+  void tell(Result result) const; ///< as the render thread would
 
   Status status;
   SceneBudget sceneBudget;

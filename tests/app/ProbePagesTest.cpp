@@ -45,11 +45,11 @@ TEST_F(ProbePages, AreOpenedByKeysAndAskForWhatTheyShow) {
   EXPECT_EQ(window.probe()->colorSpace()->view()->scene()->axes[0], "Y");
   key(Qt::Key_C, Qt::ControlModifier | Qt::AltModifier);
   EXPECT_EQ(window.probe()->colorSpace()->view()->scene()->axes[0], "R");
-  const app::Turn before = window.probe()->colorSpace()->view()->turn();
+  const SpaceTurn before = window.probe()->colorSpace()->view()->turn();
   key(Qt::Key_Left, Qt::ControlModifier | Qt::AltModifier);
   EXPECT_NE(window.probe()->colorSpace()->view()->turn(), before);
   key(Qt::Key_Home, Qt::ControlModifier | Qt::AltModifier);
-  EXPECT_EQ(window.probe()->colorSpace()->view()->turn(), app::Turn{});
+  EXPECT_EQ(window.probe()->colorSpace()->view()->turn(), app::SpaceTurn{});
   key(Qt::Key_F2);
   EXPECT_FALSE(renderer->probes.whatIf) << "nothing is worked out that nobody looks at";
   EXPECT_TRUE(window.probe()->table()->isVisible());

@@ -1,16 +1,13 @@
 // A window on a fake or a real renderer, and ways to wait for it.
 #pragma once
 
+#include "app/window/MainWindow.h"
 #include "tests/app/FakeRenderer.h"
-#include "tests/app/TestWindow.h"
 
-#include <QApplication>
 #include <QJsonObject>
+#include <QString>
 #include <QTest>
 #include <gtest/gtest.h>
-
-#include <memory>
-#include <utility>
 
 namespace taa::app::test {
 
@@ -29,21 +26,51 @@ inline QJsonObject withoutPlaces(QJsonObject window) {
   return window;
 }
 
+/// The window with its parts as tests reach them: by what they are, among its children.
+class TestWindow : public MainWindow {
+ public:
+  using MainWindow::MainWindow;
+
+  ViewArea* views() const;
+  Workspace* workspace() const;
+  LeftArea* left() const;
+  PipelinePanel* pipeline() const;
+  ScenePanel* scene() const;
+  ProbePanel* probe() const;
+  LowerArea* lower() const;
+  ProfilerPanel* profiler() const;
+  PlotsPanel* plots() const;
+  JitterPanel* jitter() const;
+  WeightsPanel* weights() const;
+  LineagePanel* lineage() const;
+  DoctorPanel* doctor() const;
+  TimelinePanel* timeline() const;
+  MessagesBar* messages() const;
+  StatusLine* statusLine() const;
+  FlightBar* flightBar() const;
+  SessionKeeper* keeper() const;
+  Exports* exports() const;
+  Flight* flight() const;
+  OwnPresets* presets() const;
+  ProbeCommands* probeCommands() const;
+  DoctorCommands* doctorCommands() const;
+  GoToPrompts* prompts() const;
+  ViewChoices* choices() const;
+  CommandLists* lists() const;
+
+  void openSource(const QString& source);
+  /// In the active view.
+  void showIntermediate(IntermediateId id);
+  /// What a session file keeps of the window.
+  QJsonObject state() const;
+};
+
 /// The window on a synthetic renderer with "builtin:fan" of 64×36 pixels open.
 class FakeWindow : public testing::Test {
  protected:
-  void SetUp() override {
-    applyTheme(*qApp, ThemeChoice::Dark);
-    window.resize(1280, 800);
-    window.show();
-    window.openSource("builtin:fan");
-    window.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
-    ASSERT_TRUE(waitFor([&] { return session.isOpen() && session.status().playing; }));
-    session.setPlaying(false);
-    QTest::mouseMove(&window, {1, 1}); // not where the last test left it
-    settle();
-  }
+  FakeWindow();
+  ~FakeWindow() override;
+  void SetUp() override;
 
   /// Lets all results arrive.
   void settle() { QTest::qWait(30); }
@@ -53,12 +80,8 @@ class FakeWindow : public testing::Test {
   }
 
   FakeRenderer* renderer = nullptr; ///< owned by the session
-  Session session{[this](Listener listener) {
-    auto made = std::make_unique<FakeRenderer>(std::move(listener));
-    renderer = made.get();
-    return made;
-  }};
-  TestWindow window{session, nullptr};
+  Session session;
+  TestWindow window;
 };
 
 } // namespace taa::app::test

@@ -1,4 +1,5 @@
 // What is laid over pictures, pixel by pixel: differences, hatches, tints, outlines, arrows.
+#include "core/base/Light.h"
 #include "core/picture/ColorMap.h"
 #include "core/picture/Visualizer.h"
 #include "tests/support/GlTest.h"

@@ -2,6 +2,7 @@
 #include "core/picture/Visualizer.h"
 
 #include "core/base/Error.h"
+#include "core/base/Light.h"
 #include "core/gl/RenderPass.h"
 #include "core/picture/ColorMap.h"
 #include "shaders/shared/ViewBlock.h"

@@ -1,5 +1,6 @@
 // A row against the frame before, each pixel where it came from: in scenes that stand, move and are cut, of
 // captures, and at probes.
+#include "core/base/Light.h"
 #include "core/inspect/ShownPicture.h"
 #include "core/picture/ColorMap.h"
 #include "tests/support/Paths.h"

@@ -1,4 +1,5 @@
 // Comparing on a small picture: lanes that come and go, frames beside the one on show, differences.
+#include "core/base/Light.h"
 #include "core/picture/ColorMap.h"
 #include "tests/support/SmallInspector.h"
 #include "tests/support/frames/Variants.h"

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
 using taa::Image;
@@ -77,7 +78,7 @@ TEST_F(ToneCurvesTest, MixAsTheTwinDoes) {
 
 TEST_F(ToneCurvesTest, GoToTheBoxAndBackAsTheTwinDoes) {
   const taa::twin::Inputs made = frame();
-  for (const char* tone : {"pq", "logarithm"}) {
+  for (const char* tone : {"pq", "logarithm", "gamma"}) {
     Settings settings = bareSettings();
     settings.rectify.method = taa::RectifyMethod::Clamp;
     taa::applyAssignment(settings, std::string("space.tone=") + tone);
@@ -88,6 +89,26 @@ TEST_F(ToneCurvesTest, GoToTheBoxAndBackAsTheTwinDoes) {
     EXPECT_EQ(difference(all.at(IntermediateId::neighborhoodMean), mean, tolerance), "") << tone;
     EXPECT_EQ(difference(all.at(IntermediateId::historyRectified), rectified, tolerance), "") << tone;
   }
+}
+
+// Where samples, moments and the mix are weighed by luma, and α by a difference of lumas.
+TEST_F(ToneCurvesTest, WeighByTheChosenLumaAsTheTwinDoes) {
+  const taa::twin::Inputs made = frame();
+  std::map<std::string, Image> resolved;
+  for (const std::string luma : {"rec709", "yCoCg"}) {
+    Settings settings = bareSettings();
+    for (const std::string& assignment :
+         {"space.luma=" + luma, std::string("current.filter=tent"), std::string("current.lumaWeighted=on"),
+          std::string("neighborhood.weights=luma"), std::string("blend.tone=luma"),
+          std::string("weight.lumaFlicker=on")})
+      taa::applyAssignment(settings, assignment);
+    const taa::test::Exposed all = expose(made, kShape, settings);
+    for (const IntermediateId id :
+         {IntermediateId::currentFiltered, IntermediateId::neighborhoodMean, IntermediateId::resolved})
+      EXPECT_EQ(difference(all.at(id), twin(made, settings, id), isExact() ? 0.0f : 1e-4f), "") << luma;
+    resolved[luma] = all.at(IntermediateId::resolved);
+  }
+  EXPECT_NE(resolved["rec709"].pixels, resolved["yCoCg"].pixels);
 }
 
 // An option that is off costs nothing.

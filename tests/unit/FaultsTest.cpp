@@ -76,7 +76,9 @@ TEST(Faults, OfTheGroupAreToldAndTechniquesAreNot) {
 }
 
 TEST(Faults, AreNotInThePresets) {
-  for (const Preset& preset : builtinPresets()) EXPECT_FALSE(isFaulty(preset.settings)) << preset.id;
+  // The second rung of the notes on URP goes on over cuts until the third one adds the reset.
+  for (const Preset& preset : builtinPresets())
+    EXPECT_EQ(isFaulty(preset.settings), preset.id == "source003-2") << preset.id;
 }
 
 TEST(Faults, ExcludeEachOtherWhereTheyWantDifferentValues) {

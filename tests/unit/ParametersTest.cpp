@@ -3,6 +3,7 @@
 
 #include "core/base/Error.h"
 #include "core/settings/AssignmentWords.h"
+#include "core/settings/Ladders.h"
 #include "core/settings/Presets.h"
 #include "tests/support/ErrorOf.h"
 
@@ -349,34 +350,127 @@ TEST(Presets, DifferFromEachOtherAndSayWhatTheyAre) {
   }
 }
 
-// Each source's listings, one after another: every step changes something, and the last is near to the whole
-// pipeline that ends the ladder.
-TEST(Presets, ClimbFromJitterToTheWholePipelineOfEverySource) {
-  const std::vector<std::pair<std::string, std::string>> ladders{{"source000", "source000"},
-                                                                 {"source001", "raptor-corrected"},
-                                                                 {"source002", "source002"},
-                                                                 {"source003", "urp-veryhigh"},
-                                                                 {"source004", "source004"}};
-  for (const auto& [group, whole] : ladders) {
-    const Settings goal = preset(whole).settings;
-    std::vector<const Preset*> rungs;
-    for (const Preset& row : builtinPresets())
-      if (row.group == group && row.step > 0) rungs.push_back(&row);
-    ASSERT_GE(rungs.size(), 7u) << group;
-    EXPECT_EQ(rungs.front()->step, 1) << group;
-    EXPECT_EQ(rungs.front()->settings.weight.alpha, 1.0f) << group << " begins with jitter alone";
-    std::size_t before = differences(rungs.front()->settings, goal).size(), last = before;
-    for (std::size_t i = 0; i < rungs.size(); ++i) {
-      EXPECT_EQ(rungs[i]->id, group + "-" + std::to_string(rungs[i]->step));
-      EXPECT_GT(rungs[i]->step, i > 0 ? rungs[i - 1]->step : 0) << rungs[i]->id;
-      const bool isAfter = rungs[i]->order > preset(whole).order;
-      const std::size_t left = differences(rungs[i]->settings, goal).size();
-      if (isAfter) continue;
-      EXPECT_LE(left, last) << rungs[i]->id << " goes away from " << whole;
-      last = left;
+/// A source's own order, as its text and code have it: what each rung sets besides those before.
+/// Whole pipelines, which have settings of their own, stand by their ids.
+struct SourceLadder {
+  std::string group;
+  std::vector<std::pair<std::string, std::string>> rungs; ///< preset, one assignment that it brings in
+};
+
+const std::vector<SourceLadder>& sourceLadders() {
+  static const std::vector<SourceLadder> ladders{{"source000",
+                                                  {{"source000-1", "weight.alpha=1"},
+                                                   {"source000-2", "weight.alpha=0.1"},
+                                                   {"source000-3", "reproject.method=motion"},
+                                                   {"source000-4", "rectify.method=clamp"},
+                                                   {"source000-5", "space.color=yCoCg"},
+                                                   {"source000-6", "rectify.method=clipToCenter"},
+                                                   {"source000-7", "neighborhood.box=variance"},
+                                                   {"source000-8", "blend.tone=luma"},
+                                                   {"source000-9", "current.filter=gaussian"},
+                                                   {"source000-10", "dilate.method=closest3x3"},
+                                                   {"source000-11", "history.filter=catmullRom5"},
+                                                   {"source000-12", "validate.depth=on"},
+                                                   {"source000-13", "weight.motion=squared"},
+                                                   {"source000", "inputs.motion=objects"}}},
+                                                 {"source001",
+                                                  {{"source001-1", "weight.alpha=1"},
+                                                   {"source001", "weight.alpha=0.1"},
+                                                   {"source001-3", "dilate.method=closest3x3"},
+                                                   {"source001-4", "history.filter=catmullRom9"},
+                                                   {"source001-5", "current.filter=mitchell"},
+                                                   {"source001-6", "rectify.method=clamp"},
+                                                   {"source001-7", "rectify.method=clipToCenter"},
+                                                   {"source001-8", "neighborhood.box=variance"},
+                                                   {"source001-9", "rectify.method=clampThenClip"},
+                                                   {"source001-10", "weight.source=contrastPerChannel"},
+                                                   {"source001-11", "blend.tone=luma"},
+                                                   {"source001-12", "weight.source=lumaDifferenceCompressed"},
+                                                   {"raptor", "jitter.period=2"},
+                                                   {"raptor-corrected", "jitter.period=4"},
+                                                   {"source001-15", "inputs.mipBias=-0.25"},
+                                                   {"source001-16", "inputs.unjitterTextures=on"},
+                                                   {"source001-17", "inputs.noise=blueNoise"}}},
+                                                 {"source002",
+                                                  {{"source002-1", "weight.alpha=1"},
+                                                   {"source002-2", "weight.alpha=0.05"},
+                                                   {"source002-3", "reproject.method=motion"},
+                                                   {"source002-4", "validate.offScreen=reject"},
+                                                   {"source002-5", "dilate.method=closestX"},
+                                                   {"source002-6", "rectify.method=clamp"},
+                                                   {"source002-7", "space.color=yCoCg"},
+                                                   {"source002-8", "rectify.method=clipToCenter"},
+                                                   {"source002-9", "weight.motion=added"},
+                                                   {"source002-10", "current.filter=unjitter"},
+                                                   {"source002-11", "blend.tone=whitePoint"},
+                                                   {"source002", "current.sharpen=laplacianAsPrinted"}}},
+                                                 {"source003",
+                                                  {{"source003-1", "weight.alpha=1"},
+                                                   {"source003-2", "weight.alpha=0.1"},
+                                                   {"source003-3", "fault.keepsAtCuts=off"},
+                                                   {"source003-4", "inputs.motion=objects"},
+                                                   {"urp-verylow", "rectify.method=clamp"},
+                                                   {"urp-low", "dilate.method=closestCross"},
+                                                   {"urp-medium", "space.color=yCoCg"},
+                                                   {"urp-high", "history.filter=catmullRom5"},
+                                                   {"urp-veryhigh", "rectify.method=clipToCenter"},
+                                                   {"source003-10", "dilate.method=longest3x3"},
+                                                   {"source003-11", "space.tone=gamma"},
+                                                   {"source003-12", "validate.class=on"},
+                                                   {"source003-13", "output.sharpen=rcas"}}},
+                                                 {"source004",
+                                                  {{"source004-1", "weight.alpha=1"},
+                                                   {"source004-2", "weight.source=historyLength"},
+                                                   {"source004-3", "reproject.method=motion"},
+                                                   {"source004-4", "validate.object=on"},
+                                                   {"source004-5", "validate.normal=on"},
+                                                   {"source004-6", "weight.source=historyLength"},
+                                                   {"source004-7", "weight.minimum=0.1"},
+                                                   {"source004", "blend.length=variance"},
+                                                   {"source004-9", "weight.sampleDistance=gaussianMoving"}}}};
+  return ladders;
+}
+
+TEST(Presets, ClimbInTheirSourcesOrder) {
+  for (const SourceLadder& source : sourceLadders()) {
+    const std::vector<const Preset*> ladder = ladderOf(source.group + "-1");
+    ASSERT_EQ(ladder.size(), source.rungs.size()) << source.group;
+    for (std::size_t i = 0; i < ladder.size(); ++i) {
+      const auto& [id, assignment] = source.rungs[i];
+      EXPECT_EQ(ladder[i]->id, id);
+      EXPECT_EQ(ladderOf(id), ladder) << id;
+      Settings wanted = ladder[i]->settings;
+      applyAssignment(wanted, assignment);
+      EXPECT_TRUE(wanted == ladder[i]->settings) << id << " has not " << assignment;
+      if (i == 0) continue;
+      Settings before = ladder[i - 1]->settings;
+      applyAssignment(before, assignment);
+      EXPECT_FALSE(before == ladder[i - 1]->settings)
+          << ladder[i - 1]->id << " has " << assignment << " already";
     }
-    EXPECT_LE(last, 9u) << group; // of source 003 URP's own qualities climb the rest
-    EXPECT_LT(last, before) << group;
+  }
+  EXPECT_TRUE(ladderOf("balanced").empty());
+  EXPECT_TRUE(ladderOf("ue4").empty());
+  EXPECT_TRUE(ladderOf("no such preset").empty());
+}
+
+// Source 000 reprojects by the camera alone until its last chapter, which is all that its whole pipeline
+// adds.
+TEST(Presets, TheUnityBlogTakesUpObjectsLast) {
+  EXPECT_EQ(differences(preset("source000").settings, preset("source000-11").settings),
+            std::vector<std::string>{"inputs.motion=objects"});
+}
+
+// A step has the number of its place, in the ladder and in its id, and is one change on top of a step before
+// it.
+TEST(Presets, CountTheirStepsByTheirPlaces) {
+  for (const SourceLadder& source : sourceLadders()) {
+    const std::vector<const Preset*> ladder = ladderOf(source.group + "-1");
+    for (std::size_t i = 0; i < ladder.size(); ++i)
+      if (ladder[i]->step > 0) {
+        EXPECT_EQ(ladder[i]->step, static_cast<int>(i) + 1) << ladder[i]->id;
+        EXPECT_EQ(ladder[i]->id, source.group + "-" + std::to_string(ladder[i]->step));
+      }
   }
 }
 

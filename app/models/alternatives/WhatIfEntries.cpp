@@ -1,6 +1,6 @@
 #include "app/models/alternatives/WhatIfEntries.h"
 
-#include "core/picture/ColorMap.h"
+#include "core/base/Light.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/twin/Known.h"
 

@@ -43,11 +43,23 @@ QString pixelEffectText(const RemedyAnswer& of, const TriedRemedy& tried) {
 QString pictureEffectText(const RemedyAnswer& of, const TriedRemedy& tried) {
   if (!of.picture || !tried.picture) return QObject::tr("Picture: being measured");
   const RemedyMeasure &before = *of.picture, &after = *tried.picture;
+  const auto stepsOf = [&](double RemedyMeasure::*value) {
+    RemedyMeasure alone = before;
+    alone.*value = after.*value;
+    const QString steps = arrowText(stepsText(before.*value), stepsText(after.*value));
+    return costsPicture(before, alone) ? QObject::tr("%1 (worse)").arg(steps) : steps;
+  };
   return QObject::tr("Picture: error %1, ghost %2, flicker %3, sharpness %4")
-      .arg(arrowText(stepsText(before.error), stepsText(after.error)),
-           arrowText(stepsText(before.ghost), stepsText(after.ghost)),
-           arrowText(stepsText(before.flicker), stepsText(after.flicker)),
+      .arg(stepsOf(&RemedyMeasure::error), stepsOf(&RemedyMeasure::ghost), stepsOf(&RemedyMeasure::flicker),
            arrowText(percentText(100.0 * before.sharpness), percentText(100.0 * after.sharpness)));
+}
+
+// What names the setting stands on the pixel's line: three remedies and what decided fit 800 pixels.
+QString remedyEffectsText(const RemedyAnswer& of, const TriedRemedy& tried) {
+  QString pixel = pixelEffectText(of, tried);
+  if (const std::string named = remedyNote(tried, of.pixel, {}); !named.empty())
+    pixel += QStringLiteral(". ") + qtext(named);
+  return pixel + QLatin1Char('\n') + pictureEffectText(of, tried);
 }
 
 QString rowValueText(const VerdictRow& row) {

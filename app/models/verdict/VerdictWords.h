@@ -19,6 +19,9 @@ QString pixelEffectText(const RemedyAnswer& of, const TriedRemedy& tried);
 /// 255
 QString pictureEffectText(const RemedyAnswer& of, const TriedRemedy& tried);
 
+/// Both, and whether the verdict names the setting.
+QString remedyEffectsText(const RemedyAnswer& of, const TriedRemedy& tried);
+
 /// What decided: "0.31", "0.31, limit 0.1", or a reason in words.
 QString rowValueText(const VerdictRow& row);
 /// Luma of a part of the error or of all of it, scene-linear: above 0 the pixel is too bright by it.

@@ -5,6 +5,7 @@
 #include "app/style/Theme.h"
 #include "app/views/legend/RangeMath.h"
 
+#include "core/base/Light.h"
 #include "core/picture/ColorMap.h"
 #include "core/taa/rows/ChannelNames.h"
 

@@ -1,6 +1,6 @@
 #include "app/views/plots/ColorItems.h"
 
-#include "core/picture/ColorMap.h"
+#include "core/base/Light.h"
 
 #include <QObject>
 
@@ -51,6 +51,14 @@ std::vector<PlotItem> colorItems(const ColorScene& scene, const ThemeColors& col
   if (!scene.taps.empty())
     items.push_back(
         {PlotShape::Ring, QObject::tr("taps"), colors.accent, scene.taps, {}, shownColors(scene.tapColors)});
+  if (!scene.byMethod.empty()) {
+    PlotItem each{PlotShape::Diamond, QObject::tr("by each method"), colors.accent};
+    for (const RectifiedPoint& rectified : scene.byMethod) {
+      each.points.push_back(rectified.point);
+      each.names.push_back(QString::fromStdString(rectified.methods));
+    }
+    items.push_back(std::move(each));
+  }
   if (scene.historyRaw && scene.historyRectified) {
     PlotItem way{PlotShape::Arrow, QObject::tr("clip ray"), colors.caution, {}, {}};
     if (*scene.historyRaw != *scene.historyRectified)

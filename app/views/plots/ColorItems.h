@@ -20,7 +20,8 @@ struct PlotItem {
   QColor color;
   std::vector<glm::vec3> points{};
   std::vector<Segment> lines{};
-  std::vector<QColor> fills{}; ///< of the points; empty: they are as the others of their shape
+  std::vector<QColor> fills{};  ///< of the points; empty: they are as the others of their shape
+  std::vector<QString> names{}; ///< of the points, beside them; empty: all have the label
 };
 
 std::vector<PlotItem> colorItems(const ColorScene& scene, const ThemeColors& colors);

@@ -118,7 +118,7 @@ void ColorSpaceView::setScene(const std::optional<ColorScene>& scene) {
   update();
 }
 
-void ColorSpaceView::setTurn(const Turn& turn) {
+void ColorSpaceView::setTurn(const SpaceTurn& turn) {
   turn_ = turn;
   update();
 }
@@ -184,6 +184,7 @@ void ColorSpaceView::paintPlot(QPainter& painter, const Content& content) const 
   painter.setPen(QPen(content.colors.line, 1));
   for (const auto& [a, b] : edgesOf(cornersOf(range_))) painter.drawLine(placeOf(a), placeOf(b));
   for (const PlotItem& item : content.items) paintItem(painter, item, place);
+  paintNames(painter, content);
   paintAxes(painter, content);
 }
 
@@ -213,6 +214,23 @@ std::vector<ChartLabel> ColorSpaceView::axisLabels() const {
     if (std::ranges::none_of(labels, hides)) labels.push_back({text, place});
   }
   return labels;
+}
+
+// Right of the points, each below what it would cover.
+void ColorSpaceView::paintNames(QPainter& painter, const Content& content) const {
+  std::vector<QRectF> taken;
+  for (const PlotItem& item : content.items)
+    for (std::size_t index = 0; index < item.names.size(); ++index) {
+      const QSizeF size(fontMetrics().horizontalAdvance(item.names[index]), fontMetrics().height());
+      QRectF rect(placeOf(item.points[index]) + QPointF(kUnit + 2, -size.height() / 2), size);
+      rect.moveRight(std::min(rect.right(), static_cast<double>(width())));
+      for (bool moved = true; std::exchange(moved, false);)
+        for (const QRectF& other : taken)
+          if (other.intersects(rect)) rect.moveTop(other.bottom()), moved = true;
+      taken.push_back(rect);
+      painter.setPen(item.color);
+      painter.drawText(rect, Qt::AlignCenter | Qt::TextDontClip, item.names[index]);
+    }
 }
 
 // Places, and what is there.
@@ -339,13 +357,15 @@ QString ColorSpaceView::textAt(QPointF place) const {
   double least = kNear;
   QString text;
   for (const PlotItem& item : colorItems(*scene_, themeColors(this)))
-    for (const glm::vec3& point : item.points)
+    for (std::size_t index = 0; index < item.points.size(); ++index)
       for (int plot = -1; plot < projections(); ++plot) {
+        const glm::vec3& point = item.points[index];
         const QPointF away = (plot < 0 ? placeOf(point) : flatPlace(point, plot)) - place;
         if (std::hypot(away.x(), away.y()) > least) continue;
         least = std::hypot(away.x(), away.y());
         const std::array values{point.x, point.y, point.z};
-        text = QStringLiteral("%1 %2").arg(item.label, tupleText(values));
+        text = QStringLiteral("%1 %2").arg(item.names.empty() ? item.label : item.names[index],
+                                           tupleText(values));
       }
   return text;
 }

@@ -27,8 +27,8 @@ class ColorSpaceView : public QWidget {
   /// Nothing: there is no probe to show.
   void setScene(const std::optional<ColorScene>& scene);
   const std::optional<ColorScene>& scene() const { return scene_; }
-  const Turn& turn() const { return turn_; }
-  void setTurn(const Turn& turn);
+  const SpaceTurn& turn() const { return turn_; }
+  void setTurn(const SpaceTurn& turn);
   void turnBy(double stepsRight, double stepsUp); ///< a step is 5 degrees
   void resetTurn() { setTurn({}); }
 
@@ -60,6 +60,7 @@ class ColorSpaceView : public QWidget {
   QPointF flatPlace(const glm::vec3& color, int projection) const;
   void paintPlot(QPainter& painter, const Content& content) const;
   void paintAxes(QPainter& painter, const Content& content) const;
+  void paintNames(QPainter& painter, const Content& content) const;
   void paintFlatAxes(QPainter& painter, const Content& content, int index) const;
   std::vector<std::pair<QPointF, double>> axisTicks() const;
   QString axisName(int axis) const; ///< expects a scene
@@ -68,7 +69,7 @@ class ColorSpaceView : public QWidget {
 
   std::optional<ColorScene> scene_;
   ColorRange range_;
-  Turn turn_;
+  SpaceTurn turn_;
   std::optional<QPointF> held_; ///< where the mouse was, while it turns the plot
 };
 

@@ -3,6 +3,7 @@
 #include "app/style/CurveColor.h"
 #include "app/style/Theme.h"
 
+#include "core/base/Light.h"
 #include "core/picture/ColorMap.h"
 
 #include <QPainter>

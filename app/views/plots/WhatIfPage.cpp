@@ -5,6 +5,7 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/widgets/ValueTable.h"
+#include "core/base/Light.h"
 #include "core/picture/ColorMap.h"
 
 #include <QHeaderView>

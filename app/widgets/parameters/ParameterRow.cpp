@@ -9,6 +9,7 @@
 #include "app/widgets/parameters/SegmentedButtons.h"
 #include "app/widgets/parameters/Toggle.h"
 
+#include <QLabel>
 #include <QSignalBlocker>
 
 #include <algorithm>
@@ -46,10 +47,15 @@ QString parameterToolTip(const Parameter& row) {
 }
 
 ParameterRow::ParameterRow(const Parameter& row, QWidget* parent)
-    : QWidget(parent), row_(row), label_(new ParameterLabel(tableText(row.label), this)) {
+    : QWidget(parent), row_(row), searched_(searchedRow(row)),
+      label_(new ParameterLabel(tableText(row.label), this)), found_(new QLabel(this)) {
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
+  found_->setTextFormat(Qt::PlainText);
+  found_->setFont(secondaryFont());
+  found_->setForegroundRole(QPalette::PlaceholderText);
+  found_->hide();
   makeEditor();
   editor_->setObjectName(path());
   editor_->setAccessibleName(tableText(row.label));
@@ -138,23 +144,15 @@ bool ParameterRow::isDimmed() const {
   return label_->isDimmed();
 }
 
-bool ParameterRow::matches(const QString& wanted) const {
-  const auto holds = [&](std::string_view field) {
-    return tableText(field).contains(wanted, Qt::CaseInsensitive);
-  };
-  return holds(row_.label) || holds(row_.path) || holds(row_.tooltip) || isAssigned(wanted) ||
-         std::ranges::any_of(row_.choices, [&](const Choice& choice) { return holds(choice.label); });
+void ParameterRow::setFound(const QString& why) {
+  if (why == found_->text()) return;
+  found_->setText(why);
+  found_->setVisible(!why.isEmpty());
+  updateGeometry();
 }
 
-// As presets, lessons and taa-batch write it, "rectify.method=clipToFiltered", also while it is being typed.
-bool ParameterRow::isAssigned(const QString& wanted) const {
-  const qsizetype sign = wanted.indexOf(QLatin1Char('='));
-  if (sign < 0 || wanted.left(sign).trimmed().compare(qtext(row_.path), Qt::CaseInsensitive) != 0)
-    return false;
-  const QString value = wanted.mid(sign + 1).trimmed();
-  return row_.choices.empty() || std::ranges::any_of(row_.choices, [&](const Choice& choice) {
-           return qtext(choice.id).startsWith(value, Qt::CaseInsensitive);
-         });
+QString ParameterRow::found() const {
+  return found_->text();
 }
 
 void ParameterRow::edit(double value) {
@@ -170,26 +168,33 @@ bool ParameterRow::fitsInOneLine(int width) const {
   return label_->sizeHint().width() + kUnit + editorWidth() <= width;
 }
 
+int ParameterRow::foundHeight() const {
+  return found_->text().isEmpty() ? 0 : found_->sizeHint().height();
+}
+
 int ParameterRow::heightForWidth(int width) const {
-  if (fitsInOneLine(width)) return rowHeight();
+  if (fitsInOneLine(width)) return rowHeight() + foundHeight();
   const int inset = 3 * kUnit;
-  return rowHeight() + (editor_->hasHeightForWidth() ? editor_->heightForWidth(width - inset) : rowHeight());
+  return rowHeight() + foundHeight() +
+         (editor_->hasHeightForWidth() ? editor_->heightForWidth(width - inset) : rowHeight());
 }
 
 QSize ParameterRow::sizeHint() const {
-  return {label_->sizeHint().width() + kUnit + editorWidth(), rowHeight()};
+  return {label_->sizeHint().width() + kUnit + editorWidth(), rowHeight() + foundHeight()};
 }
 
 void ParameterRow::resizeEvent(QResizeEvent*) {
+  const int inset = 3 * kUnit; // in line with the label's text
+  const int bottom = height() - foundHeight();
+  found_->setGeometry(inset, bottom, width() - inset, foundHeight());
   if (fitsInOneLine(width())) {
     const int left = width() - editorWidth();
     label_->setGeometry(0, 0, left - kUnit, rowHeight());
     editor_->setGeometry(left, 0, editorWidth(), rowHeight());
     return;
   }
-  const int inset = 3 * kUnit; // in line with the label's text
   label_->setGeometry(0, 0, width(), rowHeight());
-  editor_->setGeometry(inset, rowHeight(), width() - inset, height() - rowHeight());
+  editor_->setGeometry(inset, rowHeight(), width() - inset, bottom - rowHeight());
 }
 
 } // namespace taa::app

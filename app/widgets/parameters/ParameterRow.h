@@ -2,12 +2,14 @@
 #pragma once
 
 #include "app/style/Theme.h"
-#include "core/settings/Parameters.h"
+#include "core/taa/rows/SearchedRows.h"
 
 #include <QString>
 #include <QWidget>
 
 #include <functional>
+
+class QLabel;
 
 namespace taa::app {
 
@@ -29,8 +31,10 @@ class ParameterRow : public QWidget {
   void setFixed(const QString& why);
   bool isChanged() const;
   bool isDimmed() const;
-  /// Whether a search for `text` finds it.
-  bool matches(const QString& text) const;
+  const SearchedRow& searched() const { return searched_; }
+  /// Why a search found it, in a line below; empty: nothing to say.
+  void setFound(const QString& why);
+  QString found() const;
 
   bool hasHeightForWidth() const override { return true; }
   int heightForWidth(int width) const override;
@@ -47,14 +51,16 @@ class ParameterRow : public QWidget {
 
  private:
   void makeEditor();
-  bool isAssigned(const QString& wanted) const;
   void edit(double value);
   /// Whether label and editor fit side by side.
   bool fitsInOneLine(int width) const;
   int editorWidth() const;
+  int foundHeight() const;
 
   const Parameter& row_;
+  SearchedRow searched_;
   ParameterLabel* label_;
+  QLabel* found_;
   QWidget* editor_ = nullptr;
   std::function<void(double)> showValue_;
   std::function<void(bool)> dim_;

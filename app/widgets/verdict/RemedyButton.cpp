@@ -5,7 +5,10 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
+#include <QResizeEvent>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace taa::app {
 
@@ -32,6 +35,17 @@ void RemedyButton::setTexts(const QString& changes, const QString& effects) {
   setText(changes);
   changes_->setText(changes);
   effects_->setText(effects);
+  keepWhole();
+}
+
+void RemedyButton::keepWhole() {
+  layout()->activate();
+  setMinimumHeight(std::max(0, heightForWidth(width()))); // −1 before there are texts
+}
+
+void RemedyButton::resizeEvent(QResizeEvent* event) {
+  QAbstractButton::resizeEvent(event);
+  if (event->oldSize().width() != event->size().width()) keepWhole();
 }
 
 QString RemedyButton::effects() const {

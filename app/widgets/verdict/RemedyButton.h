@@ -21,8 +21,11 @@ class RemedyButton : public QAbstractButton {
  protected:
   void paintEvent(QPaintEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
 
  private:
+  void keepWhole(); ///< No column squeezes its lines.
+
   QLabel *changes_, *effects_;
 };
 

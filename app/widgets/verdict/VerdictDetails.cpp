@@ -115,9 +115,7 @@ void VerdictDetails::showRemedies(const VerdictDelivery& verdict) {
     remedies_[remedy]->setVisible(remedy < count);
     if (remedy >= count) continue;
     const TriedRemedy& tried = verdict.remedies->best[remedy];
-    remedies_[remedy]->setTexts(changesText(tried.remedy), pixelEffectText(*verdict.remedies, tried) +
-                                                               QLatin1Char('\n') +
-                                                               pictureEffectText(*verdict.remedies, tried));
+    remedies_[remedy]->setTexts(changesText(tried.remedy), remedyEffectsText(*verdict.remedies, tried));
   }
   QString note;
   if (!verdict.whyNot.empty())

@@ -77,7 +77,9 @@ void VerdictFeed::showWork() {
   const VerdictDelivery* verdict = session_.verdicts().verdict();
   const bool isWrong = verdict && verdict->answer && verdict->answer->verdict.kind != VerdictKind::None;
   QString what;
-  if (!verdict)
+  if (!session_.whyEnded().isEmpty())
+    what.clear(); // nothing is looked for any more
+  else if (!verdict)
     what = tr("Looking for the reason…");
   else if (isWrong && !verdict->remedies && verdict->whyNot.empty())
     what = tr("Looking for what mends it…");

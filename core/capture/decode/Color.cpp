@@ -1,6 +1,7 @@
 #include "core/capture/decode/Color.h"
 
 #include "core/base/Error.h"
+#include "core/base/Light.h"
 #include "core/base/Say.h"
 #include "core/capture/decode/Rows.h"
 
@@ -13,20 +14,12 @@ namespace taa::capture {
 
 namespace {
 
-// IEC 61966-2-1; what is below 0 goes on straight.
-double linearOf(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-double srgbOf(double linear) {
-  return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
-
-/// linearOf() at k / 65535, for 8 and 16 bits and what lies between, which is right to 10⁻¹⁰.
+/// srgbDecoded() at k / 65535, for 8 and 16 bits and what lies between, which is right to 10⁻¹⁰.
 constexpr std::size_t kSteps = 65535;
 const std::vector<double>& linearTable() {
   static const std::vector<double> kTable = [] {
     std::vector<double> table(kSteps + 1);
-    for (std::size_t i = 0; i <= kSteps; ++i) table[i] = linearOf(static_cast<double>(i) / kSteps);
+    for (std::size_t i = 0; i <= kSteps; ++i) table[i] = srgbDecoded(static_cast<double>(i) / kSteps);
     return table;
   }();
   return kTable;
@@ -34,7 +27,7 @@ const std::vector<double>& linearTable() {
 
 double fastLinearOf(double encoded, const double* table) {
   // Written so that NaN takes the slow way.
-  if (!(encoded >= 0.0 && encoded < 1.0)) return linearOf(encoded);
+  if (!(encoded >= 0.0 && encoded < 1.0)) return srgbDecoded(encoded);
   const double place = encoded * static_cast<double>(kSteps);
   const auto step = static_cast<std::size_t>(place);
   return table[step] + (place - static_cast<double>(step)) * (table[step + 1] - table[step]);
@@ -88,7 +81,7 @@ void ColorDecoder::decode(Image& color) const {
 void ColorDecoder::encode(Image& color) const {
   const double scale = exposure_;
   if (isSrgb_)
-    forColors(color, [=](double value) { return srgbOf(value * scale); });
+    forColors(color, [=](double value) { return srgbEncoded(value * scale); });
   else if (scale != 1.0)
     forColors(color, [=](double value) { return value * scale; });
 }

@@ -1,6 +1,7 @@
 #include "core/capture/import/FrameSamples.h"
 
 #include "core/base/Error.h"
+#include "core/base/Light.h"
 #include "core/base/Say.h"
 #include "core/capture/decode/CameraMotion.h"
 #include "core/capture/decode/Cameras.h"
@@ -109,7 +110,7 @@ Image comparedLuma(const Image& color) {
   Image luma(color.width, color.height, 1);
   for (std::size_t i = 0; i < luma.pixels.size(); ++i) {
     const float* at = color.pixels.data() + i * static_cast<std::size_t>(color.channels);
-    const float light = std::max(0.0f, 0.2126f * at[0] + 0.7152f * at[1] + 0.0722f * at[2]);
+    const float light = std::max(0.0f, luminance(glm::vec3(at[0], at[1], at[2])));
     const float bounded = light / (1.0f + light);
     luma.pixels[i] = std::isfinite(bounded) ? bounded : (light > 1.0f ? 1.0f : 0.0f);
   }

@@ -328,7 +328,10 @@ std::vector<Finding> measureConventions(const fs::path& folder, const Manifest& 
   TestState state{manifest.conventions};
   QuestionRules rules;
   rules.adopt = Adopt::None;
+  // Motion that is next to none says nothing of itself: all else is asked in the unit that pixels show.
+  std::optional<Finding> unit = askShortMotion(samples, state);
   std::vector<Finding> findings = askPixels(samples, state, rules, progress);
+  if (unit) *std::ranges::find(findings, unit->path, &Finding::path) = std::move(*unit);
   const Image depth = middlePlane(folder, manifest, PlaneKind::Depth);
   if (!depth.empty())
     if (const DepthValues values = depthValuesOf(depth); values.isKnown)

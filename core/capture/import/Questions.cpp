@@ -257,7 +257,49 @@ void search(FrameSamples& samples, TestState& state, const QuestionRules& rules,
   }
 }
 
+/// Whether something has motion, and nothing as much as a pixel, as stated.
+bool isShort(FrameSamples& samples, const TestState& state) {
+  float longest = 0.0f;
+  for (const FramePair& pair : samples.pairs()) {
+    const std::optional<PairMotion> motion = samples.motionOf(pair, state, false);
+    if (!motion) return false;
+    for (const glm::vec2& px : motion->stored)
+      if (std::isfinite(px.x) && std::isfinite(px.y))
+        longest = std::max({longest, std::abs(px.x), std::abs(px.y)});
+  }
+  return longest > 0.0f && longest < 1.0f;
+}
+
+/// Each unit with each direction and y axis, as one that is wrong hides another.
+std::vector<Trial> unitsAndAxes(const TestState& state) {
+  std::vector<Trial> trials;
+  for (const Trial& unit : units(state))
+    for (const Trial& direction : directions(unit.state))
+      for (const Trial& axis : motionAxes(direction.state)) {
+        Trial trial = axis;
+        trial.text = unit.text + ", " + direction.text + ", y " + axis.text;
+        trial.assignments = differences(trial.state.conventions, state.conventions);
+        if (trial.assignments.empty()) trial.assignments = unit.assignments;
+        trials.push_back(std::move(trial));
+      }
+  return trials;
+}
+
 } // namespace
+
+std::optional<Finding> askShortMotion(FrameSamples& samples, TestState& state) {
+  if (!samples.hasMotion() || state.conventions.motion.unit != ScreenUnit::Pixels || !isShort(samples, state))
+    return {};
+  const Question question{[] { return say<"Unit of motion">(); }, "motion.unit", withMotion, unitsAndAxes,
+                          true};
+  const std::vector<Trial> trials = unitsAndAxes(state);
+  AskedQuestion answer = ask(question, trials, samples, state, {Adopt::None, {}});
+  const Comparison comparison = compare(samples, trials);
+  const Trial& best = trials[comparison.best];
+  if (!comparison.isClear() || best.state.conventions.motion.unit == ScreenUnit::Pixels) return {};
+  state = best.state;
+  return std::move(answer.finding);
+}
 
 bool Finding::contradicts() const {
   if (!isSure || hypotheses.empty() || hypotheses.front().isChosen) return false;

@@ -7,6 +7,7 @@
 #include "core/capture/import/Guess.h"
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,6 +25,10 @@ struct QuestionRules {
 /// Asks all that the samples can say something about; `state` becomes what was adopted. Throws Cancelled.
 std::vector<Finding> askPixels(FrameSamples& samples, TestState& state, const QuestionRules& rules,
                                const Progress& progress);
+
+/// Motion that is stated in pixels and shorter than one everywhere, where pixels say clearly another unit,
+/// with whatever direction and y axis: `state` becomes that. Nothing where they do not.
+std::optional<Finding> askShortMotion(FrameSamples& samples, TestState& state);
 
 /// The twelve starting points by how well their motion and jitter fit.
 Finding askStartingPoints(FrameSamples& samples, const TestState& state);

@@ -5,18 +5,16 @@
 #include "core/base/ShownText.h"
 #include "core/capture/planes/PlaneFiles.h"
 
+#include <OpenImageIO/parallel.h>
 #include <glm/common.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <exception>
 #include <functional>
 #include <new>
 #include <string>
-#include <system_error>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -85,26 +83,16 @@ void read(const std::filesystem::path& folder, const Manifest& manifest, const C
   }
 }
 
-/// On this thread and one more.
+/// Side by side.
 void readAll(std::vector<ReadingJob>& jobs, const std::filesystem::path& folder, const Manifest& manifest,
              const CapturedFrame& frame) {
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < jobs.size(); i = next++) {
-      try {
-        read(folder, manifest, frame, jobs[i]);
-      } catch (...) {
-        jobs[i].failure = std::current_exception();
-      }
+  OIIO::parallel_for(std::size_t(0), jobs.size(), [&](std::size_t i) {
+    try {
+      read(folder, manifest, frame, jobs[i]);
+    } catch (...) {
+      jobs[i].failure = std::current_exception();
     }
-  };
-  std::thread second;
-  try {
-    if (jobs.size() > 1) second = std::thread(work);
-  } catch (const std::system_error&) { // no more threads: all is read here
-  }
-  work();
-  if (second.joinable()) second.join();
+  });
 }
 
 /// The planes, or the error of the first one that has one, whichever thread met it.

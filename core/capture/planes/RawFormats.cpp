@@ -1,5 +1,6 @@
 #include "core/capture/planes/RawFormats.h"
 
+#include "core/base/Light.h"
 #include "core/capture/planes/Planes.h"
 #include "core/capture/planes/SmallFloats.h"
 
@@ -87,19 +88,11 @@ void store(std::byte* at, T value) {
   std::memcpy(at, &value, sizeof(T));
 }
 
-double linearOfSrgb(double value) {
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
-
-double srgbOfLinear(double value) {
-  return value <= 0.0031308 ? value * 12.92 : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
-}
-
 const std::array<float, 256>& srgbTable() {
   static const std::array<float, 256> kTable = [] {
     std::array<float, 256> table{};
     for (std::size_t i = 0; i < table.size(); ++i)
-      table[i] = static_cast<float>(linearOfSrgb(static_cast<double>(i) / 255.0));
+      table[i] = static_cast<float>(srgbDecoded(static_cast<double>(i) / 255.0));
     return table;
   }();
   return kTable;
@@ -193,7 +186,7 @@ void encodeComponent(Layout layout, float value, int channel, std::byte* at) {
     return store(at, value);
   case Layout::Srgb8: {
     const float clamped = std::clamp(std::isnan(value) ? 0.0f : value, 0.0f, 1.0f);
-    const double encoded = channel < 3 ? srgbOfLinear(clamped) : clamped;
+    const double encoded = channel < 3 ? srgbEncoded(clamped) : clamped;
     return store(at, static_cast<std::uint8_t>(std::nearbyint(encoded * 255.0)));
   }
   case Layout::Float:

@@ -121,6 +121,8 @@ void CaptureSource::draw(const FrameRequest& request, int frame, FrameInputs& ou
   out.info = info(request, frame);
   out.block = blockOf(*decoded, impl_->manifest, fitted.precision);
   uploadSurfaces(*decoded, out);
+  if (out.forwardCount)
+    out.forwardCount.clear(kForwardUnknown, 0.0f, 0.0f, 0.0f); // it holds no forward motion
   impl_->drawMotion(fitted.motion, *decoded, out);
   gl::checkErrors(say<"uploading frame %1 of the capture">(impl_->numberOf(frame)));
 }

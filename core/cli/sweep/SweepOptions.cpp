@@ -38,7 +38,10 @@ void addTune(CLI::App& app, TuneArguments& tune, const Progress& progress) {
       ->add_option("--goal", tune.goal,
                    "METRIC=WEIGHT with commas between, of the metrics that metrics --json names, and cost, "
                    "the time of the resolve; each counts relative to what it is at the start")
-      ->required();
+      ->capture_default_str();
+  command->add_flag("--trade", tune.trades,
+                    "RMSE and flicker may become worse where the goal gains by it; else nothing is kept that "
+                    "raises one of them by more than 1 %");
   command->add_option("--frames", tune.frames,
                       "A..B, both included: what is measured; else the session's frame");
   addReferenceSamples(*command, tune.referenceSamples, "of the reference, 4 to 1024");

@@ -5,6 +5,7 @@
 #include "core/cli/Commands.h"
 #include "core/cli/Table.h"
 #include "core/cli/shot/Shot.h"
+#include "core/render/CaptureFacts.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 #include "core/sweep/MetricsOfFrames.h"
@@ -13,8 +14,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -58,9 +61,18 @@ void checkTuning(const TuneArguments& arguments) {
   if (!arguments.force) refuseToReplace(files);
 }
 
-TuneRequest tuneRequestOf(const TuneArguments& arguments, const FrameRange& frames) {
-  return {arguments.goal, arguments.varied,      {frames.first, frames.last, {}, arguments.referenceSamples},
-          arguments.seed, arguments.evaluations, arguments.seconds};
+/// Without a reference what needs none is tuned, and RMSE is not looked at.
+TuneRequest tuneRequestOf(const TuneArguments& arguments, const FrameRange& frames,
+                          const Inspector& inspector) {
+  const auto captured = inspector.shot().capture();
+  const int samples = captured && !captured->hasReference ? 0 : arguments.referenceSamples;
+  return {.goal = arguments.goal,
+          .varied = arguments.varied,
+          .metrics = {frames.first, frames.last, {}, samples},
+          .seed = arguments.seed,
+          .evaluations = arguments.evaluations,
+          .seconds = arguments.seconds,
+          .trades = arguments.trades};
 }
 
 std::vector<std::filesystem::path> writeTuned(const TuneArguments& arguments, const LaneChoice& choice,
@@ -72,6 +84,17 @@ std::vector<std::filesystem::path> writeTuned(const TuneArguments& arguments, co
   if (arguments.glsl.empty()) return {arguments.preset};
   writeFile(arguments.glsl, exportedGlsl(settings, settingsTitle(name, settings, settings)));
   return {arguments.preset, arguments.glsl};
+}
+
+std::optional<double> guardedMean(Metric metric, const TuneNumbers& numbers) {
+  return numbers.means[static_cast<std::size_t>(metric)];
+}
+
+/// Guarded metrics that the goal does not count.
+std::vector<Metric> uncountedGuards(const TuneGoal& goal) {
+  std::vector<Metric> guards(kGuardedMetrics.begin(), kGuardedMetrics.end());
+  for (const Metric counted : goal.metrics()) std::erase(guards, counted);
+  return guards;
 }
 
 void printTuned(std::ostream& out, const Tuning& tuning) {
@@ -87,7 +110,14 @@ void printTuned(std::ostream& out, const Tuning& tuning) {
     numbers.push_back({termName(term), shortMetricText(term.weight),
                        shortMetricText(termNumber(term, tuning.start())),
                        shortMetricText(termNumber(term, tuning.best()))});
+  for (const Metric metric : uncountedGuards(tuning.goal()))
+    numbers.push_back({metricHeading(metric), "-", shortMetricText(guardedMean(metric, tuning.start())),
+                       shortMetricText(guardedMean(metric, tuning.best()))});
+  numbers.push_back({"goal", "", shortMetricText(result.startGoal), shortMetricText(result.goal)});
   printTable(out, numbers);
+  for (const WorseMetric& worse : worseMetrics(tuning.best(), tuning.start()))
+    out << metricInfo(worse.metric).id << " is worse than at the start, by "
+        << shortMetricText(100.0 * worse.rise) << " %\n";
   out << '\n'
       << result.evaluations << " settings measured; "
       << (result.isComplete ? "no single change is better" : "the search was not at its end") << '\n';
@@ -102,6 +132,13 @@ ordered_json tunedJson(const Inspector& inspector, const Tuning& tuning, const F
                             {"weight", term.weight},
                             {"start", metricJson(termNumber(term, tuning.start()))},
                             {"best", metricJson(termNumber(term, tuning.best()))}});
+  for (const Metric metric : kGuardedMetrics)
+    json["guarded"].push_back({{"metric", metricInfo(metric).id},
+                               {"start", metricJson(guardedMean(metric, tuning.start()))},
+                               {"best", metricJson(guardedMean(metric, tuning.best()))}});
+  json["worse"] = ordered_json::array();
+  for (const WorseMetric& worse : worseMetrics(tuning.best(), tuning.start()))
+    json["worse"].push_back({{"metric", metricInfo(worse.metric).id}, {"rise", worse.rise}});
   json["startGoal"] = metricJson(result.startGoal);
   json["bestGoal"] = metricJson(result.goal);
   json["evaluations"] = result.evaluations;
@@ -126,7 +163,7 @@ void runTune(const TuneArguments& arguments, std::ostream& out, const Progress& 
   requireFrame(inspector, plan, frames.last);
   for (const Metric metric : goal.metrics())
     if (metricInfo(metric).needsReference) requireMeasurable(inspector, arguments.referenceSamples);
-  Tuning tuning(inspector, tuneRequestOf(arguments, frames), progress);
+  Tuning tuning(inspector, tuneRequestOf(arguments, frames, inspector), progress);
   const std::exception_ptr ended = tuning.run();
   if (!tuning.hasStart()) std::rethrow_exception(ended);
   const std::vector<std::filesystem::path> files =

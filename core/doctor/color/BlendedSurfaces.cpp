@@ -305,13 +305,13 @@ void tellBlended(const BlendedEvidence& evidence, bool isMaskUsed, Diagnosis& ou
     out.findings.push_back(unmovedShapes(evidence));
   const std::vector<Fault> faults{Fault::TransparentsWithoutMotion, Fault::TransparentsOverwriteMotion};
   if (!evidence.isMaskKnown)
-    out.undecided.push_back({say<"Transparent surfaces">(),
-                             say<"nothing says where something is blended over surfaces">(),
-                             say<"Capture the reactive mask, too.">(), faults});
+    out.parts.leaveOpen({say<"Transparent surfaces">(),
+                         say<"nothing says where something is blended over surfaces">(),
+                         say<"Capture the reactive mask, too.">(), faults});
   else if (evidence.blended > 0 && !isOverwritten && !isUnmoved)
-    out.undecided.push_back({say<"Transparent surfaces">(),
-                             say<"what is blended in moves too little, or by no one motion">(),
-                             say<"Let it, or the camera, move by some pixels a frame.">(), faults});
+    out.parts.leaveOpen({say<"Transparent surfaces">(),
+                         say<"what is blended in moves too little, or by no one motion">(),
+                         say<"Let it, or the camera, move by some pixels a frame.">(), faults});
 }
 
 } // namespace taa::doctor

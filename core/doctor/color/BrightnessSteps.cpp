@@ -168,12 +168,11 @@ FrameReader withBrightness(FrameReader read, std::map<int, double> stepped) {
 
 void tellBrightness(const BrightnessEvidence& evidence, Diagnosis& out) {
   if (evidence.pairs.empty()) {
-    out.undecided.push_back(
-        {say<"Exposure">(),
-         say<"too little of the picture can be followed from one frame to the next">(),
-         say<"Capture a picture that is neither black nor white, from a camera that moves "
-             "little.">(),
-         {Fault::ExposureStep}});
+    out.parts.leaveOpen({say<"Exposure">(),
+                         say<"too little of the picture can be followed from one frame to the next">(),
+                         say<"Capture a picture that is neither black nor white, from a camera that moves "
+                             "little.">(),
+                         {Fault::ExposureStep}});
     return;
   }
   std::vector<const BrightnessPair*> steps;
@@ -185,7 +184,8 @@ void tellBrightness(const BrightnessEvidence& evidence, Diagnosis& out) {
   if (!steps.empty())
     out.findings.push_back(stepFinding(steps));
   else if (most < kStepStops)
-    out.healthy.push_back(
+    out.parts.addRight(
+        say<"Exposure">(),
         say<"Brightness does not step: in the middle of the picture's places light changes by %1 "
             "stops from frame to frame at most.">(shortNumber(most)));
 }

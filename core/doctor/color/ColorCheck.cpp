@@ -12,7 +12,7 @@ namespace {
 /// How sharp a texture is before it is filtered is in no frame: one that is drawn too soft looks like one
 /// that has less detail.
 void tellTextures(Diagnosis& out) {
-  out.undecided.push_back(
+  out.parts.leaveOpen(
       {say<"Bias of textures' level of detail">(),
        say<"a texture that is drawn too sharp or too soft looks like one of more or of less "
            "detail">(),

@@ -278,7 +278,7 @@ bool isAlong(const ScreenTile& tile) {
 
 /// What motion says rests on the screen may be one, whether that motion is right or not.
 void tellAlong(std::size_t squares, Diagnosis& out) {
-  out.undecided.push_back(
+  out.parts.leaveOpen(
       {say<"Interface in the pictures">(),
        say<"in %1 squares of %2 pixels edges rest on the screen but for the jitter while the world moves, "
            "and "
@@ -296,14 +296,15 @@ void tellOpen(const ScreenTiles& tiles, Diagnosis& out) {
     if (tile.fittingPx() >= kWorldMovesPx) ++moving;
   }
   if (squares > 0 && static_cast<double>(moving) >= kOpenShare * static_cast<double>(squares)) {
-    out.healthy.push_back(
+    out.parts.addRight(
+        say<"Interface in the pictures">(),
         say<"No interface is in the pictures: nothing rests on the screen while all else moves.">());
     return;
   }
   std::vector<Fault> faults{Fault::InterfaceJittered};
   // Without jitter and motion nothing tells one from the other.
   if (tiles.jitteredPairs < kEnoughTilePairs) faults.push_back(Fault::InterfaceBefore);
-  out.undecided.push_back(
+  out.parts.leaveOpen(
       {say<"Interface in the pictures">(),
        say<"too little moves over the screen: what rests in the world and what is drawn over it "
            "look the same">(),
@@ -312,17 +313,18 @@ void tellOpen(const ScreenTiles& tiles, Diagnosis& out) {
 
 /// Edges that rest on the screen but for the jitter a little better than they move.
 void tellUnclear(std::size_t squares, Diagnosis& out) {
-  out.undecided.push_back({say<"Interface in the pictures">(),
-                           say<"in %1 squares of %2 pixels edges fit rest on the screen better than the "
-                               "motion given, and not clearly: "
-                               "what looks the same from all sides does, too">(squares, kTilePx),
-                           say<"Let the camera turn by some pixels a frame.">(),
-                           {Fault::InterfaceJittered}});
+  out.parts.leaveOpen({say<"Interface in the pictures">(),
+                       say<"in %1 squares of %2 pixels edges fit rest on the screen better than the "
+                           "motion given, and not clearly: "
+                           "what looks the same from all sides does, too">(squares, kTilePx),
+                       say<"Let the camera turn by some pixels a frame.">(),
+                       {Fault::InterfaceJittered},
+                       true});
 }
 
 /// What is drawn over the world with a jitter that is not known rests by none that is.
 void tellUnknownJitter(Diagnosis& out) {
-  out.undecided.push_back(
+  out.parts.leaveOpen(
       {say<"Interface in the pictures">(),
        say<"pictures have another jitter than is stated, and it is open which: what rests on the screen but "
            "for that does not show">(),

@@ -51,15 +51,16 @@ void tellEncoding(const BrightLight& light, const Patient& patient, Diagnosis& o
   const capture::ColorConventions& color = patient.conventions->color;
   const bool isLinear = color.encoding == capture::ColorEncoding::Linear;
   if (light.isSeen() && isLinear) {
-    out.healthy.push_back(say<"Color goes up to %1, beyond what is encoded for a screen: it is linear, as "
-                              "stated.">(shortNumber(light.most)));
+    out.parts.addRight(say<"Color's encoding">(),
+                       say<"Color goes up to %1, beyond what is encoded for a screen: it is linear, as "
+                           "stated.">(shortNumber(light.most)));
     return;
   }
   if (light.isSeen() && !color.preExposed) { // exposure that is taken off makes bright what was not
     out.findings.push_back(encodedLight(light));
     return;
   }
-  out.undecided.push_back(
+  out.parts.leaveOpen(
       {say<"Color's encoding">(),
        isLinear
            ? say<"hardly any light is above 1: color that is encoded for a screen would look like this, "

@@ -265,9 +265,12 @@ Finding endFinding(const DepthEnds& ends, bool isDistance) {
 }
 
 /// What is not decided about depth; what hides what is no witness of its scale.
-Undecided openDepth(const DepthOrder& order, std::string reason) {
-  Undecided out{say<"Depth">(), std::move(reason),
-                say<"Let the camera move sideways past things near and far that rest.">()};
+Undecided openDepth(const DepthOrder& order, bool isMisfit, std::string reason) {
+  Undecided out{say<"Depth">(),
+                std::move(reason),
+                say<"Let the camera move sideways past things near and far that rest.">(),
+                {},
+                isMisfit};
   if (order.verdict() != OrderVerdict::Agrees) return out;
   out.question = say<"Depth: its scale">();
   out.faults = {Fault::NearPlaneWrong};
@@ -443,7 +446,8 @@ void tellDepth(const DepthEvidence& evidence, Diagnosis& out, const DepthPatient
     return;
   }
   if (isMeasured && relations.front().residual <= kFittingLog) {
-    out.healthy.push_back(say<"Depth and matrices make the motion of what rests.">());
+    out.parts.addRight(say<"Depth and matrices">(),
+                       say<"Depth and matrices make the motion of what rests.">());
     return;
   }
   const DepthRelation* best = isMeasured ? clearRelation(relations, evidence.samples) : nullptr;
@@ -461,12 +465,14 @@ void tellDepth(const DepthEvidence& evidence, Diagnosis& out, const DepthPatient
     return;
   }
   if (evidence.order.verdict() == OrderVerdict::Agrees)
-    out.healthy.push_back(say<"What hides something else is nearer by the depth stored, at %1 of %2 pixels.">(
-        evidence.order.nearer, evidence.order.pixels()));
-  out.undecided.push_back(openDepth(
-      evidence.order, isMeasured ? say<"the depths that the motion given would have do not follow from those "
-                                       "stored: motion or matrices may be wrong">()
-                                 : say<"too few pixels move with the camera's way past them">()));
+    out.parts.addRight(say<"Depth: its order">(),
+                       say<"What hides something else is nearer by the depth stored, at %1 of %2 pixels.">(
+                           evidence.order.nearer, evidence.order.pixels()));
+  out.parts.leaveOpen(
+      openDepth(evidence.order, isMeasured,
+                isMeasured ? say<"the depths that the motion given would have do not follow from those "
+                                 "stored: motion or matrices may be wrong">()
+                           : say<"too few pixels move with the camera's way past them">()));
 }
 
 } // namespace taa::doctor

@@ -270,10 +270,12 @@ JitterMender tellUnstated(const JitterEvidence& evidence, bool isCameraKnown, co
     return {};
   }
   if (!isCameraKnown) {
-    out.undecided.push_back(
+    out.parts.leaveOpen(
         {say<"Jitter">(),
          say<"none is stated, and pictures shift by %1 px besides their motion">(shortNumber(shiftPx)),
-         say<"Capture depth and matrices, too.">()});
+         say<"Capture depth and matrices, too.">(),
+         {},
+         true});
     return {};
   }
   Finding finding = wordedFinding(jitterWords({}));
@@ -313,10 +315,11 @@ void tellTrial(const std::vector<JitterTrial>& trials, std::size_t trial, const 
 }
 
 void tellNoFit(double missPx, Diagnosis& out) {
-  out.undecided.push_back({say<"Jitter">(),
-                           say<"measured shifts are %1 px from those that are stated, and no other "
-                               "explanation fits clearly">(shortNumber(missPx)),
-                           say<"Capture 8 frames or more with camera and objects still.">(), jitterFaults()});
+  out.parts.leaveOpen({say<"Jitter">(),
+                       say<"measured shifts are %1 px from those that are stated, and no other "
+                           "explanation fits clearly">(shortNumber(missPx)),
+                       say<"Capture 8 frames or more with camera and objects still.">(), jitterFaults(),
+                       missPx > kMissingPx});
 }
 
 /// Whether parts of the pictures shift as is stated, whatever most of the detail does: an interface that is
@@ -329,13 +332,14 @@ bool areSomeShifting(const JitterEvidence& evidence) {
 }
 
 void tellSomeShifting(const JitterEvidence& evidence, Diagnosis& out) {
-  out.undecided.push_back(
+  out.parts.leaveOpen(
       {say<"Jitter">(),
        say<"most of the detail rests, as without jitter, but %1 of %2 parts of the pictures shift as is "
            "stated: an interface without jitter may lie over what has it">(evidence.shiftingParts,
                                                                            evidence.parts),
        say<"Capture without the interface, or let the camera turn by some pixels a frame.">(),
-       {Fault::JitterNotApplied, Fault::InterfaceBefore}});
+       {Fault::JitterNotApplied, Fault::InterfaceBefore},
+       true});
 }
 
 /// Pictures fit no better, and yet shifts that are measured are nearer to jitter of another length; or they
@@ -343,9 +347,9 @@ void tellSomeShifting(const JitterEvidence& evidence, Diagnosis& out) {
 void tellLength(const JitterFit& fit, const std::vector<JitterTrial>& trials, Diagnosis& out) {
   constexpr double kFitsAsWellShare = 1.02, kNearerLengthShare = 0.8, kCoarsePx = 0.1;
   const double missPx = fit.missPx.front();
-  const auto leaveOpen = [&](const std::string& reason, const std::vector<Fault>& faults) {
-    out.undecided.push_back(
-        {say<"Jitter's length">(), reason, say<"Capture a still scene with fine detail.">(), faults});
+  const auto leaveOpen = [&](const std::string& reason, const std::vector<Fault>& faults, bool isMisfit) {
+    out.parts.leaveOpen({say<"Jitter's length">(), reason, say<"Capture a still scene with fine detail.">(),
+                         faults, isMisfit});
   };
   for (std::size_t t = 0; t < trials.size(); ++t) {
     if (trials[t].kind != JitterKind::Scaled || fit.trials[t].share() > kFitsAsWellShare ||
@@ -355,12 +359,12 @@ void tellLength(const JitterFit& fit, const std::vector<JitterTrial>& trials, Di
     return leaveOpen(say<"measured shifts are %1 px from those that are stated, and %2 px from those of "
                          "jitter like this: %3; but pictures fit it no better">(
                          shortNumber(missPx), shortNumber(fit.missPx[t]), jitterTrialText(trials[t])),
-                     {fault});
+                     {fault}, true);
   }
   if (missPx > kCoarsePx)
     leaveOpen(say<"measured shifts are %1 px from those that are stated: jitter that is a little longer or "
                   "shorter would look the same">(shortNumber(missPx)),
-              {Fault::JitterDoubled, Fault::JitterHalved});
+              {Fault::JitterDoubled, Fault::JitterHalved}, false);
 }
 
 } // namespace
@@ -403,10 +407,10 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
     const glm::vec2 first = evidence.stated.begin()->second;
     if (isConstant(evidence) && !isNone(first))
       out.findings.push_back(frozenStatement(first, patient.patient));
-    out.undecided.push_back({say<"Jitter">(),
-                             say<"only %1 of %2 pairs of frames have detail enough to measure a shift">(
-                                 evidence.shifts.size(), evidence.pairs),
-                             say<"Capture 8 frames or more of a still, detailed scene.">(), jitterFaults()});
+    out.parts.leaveOpen({say<"Jitter">(),
+                         say<"only %1 of %2 pairs of frames have detail enough to measure a shift">(
+                             evidence.shifts.size(), evidence.pairs),
+                         say<"Capture 8 frames or more of a still, detailed scene.">(), jitterFaults()});
     return {};
   }
   if (isConstant(evidence)) return {tellUnstated(evidence, patient.isCameraKnown, patient.patient, out)};
@@ -417,7 +421,8 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
   const std::optional<std::size_t> atRest = trialAtRest(evidence, trials);
   const bool isConfirmed = fit.isConfirmed() || fit.isMeasured() || (atRest == 0u && !isContradicted);
   if (isConfirmed && missPx <= kMissingPx) {
-    out.healthy.push_back(say<"Jitter is in the pictures as it is stated, to %1 px.">(shortNumber(missPx)));
+    out.parts.addRight(say<"Jitter">(),
+                       say<"Jitter is in the pictures as it is stated, to %1 px.">(shortNumber(missPx)));
     tellLength(fit, trials, out);
     tellTrial(trials, 0, evidence, patient.sky, out);
     return {};

@@ -53,7 +53,7 @@ bool isRangeAround(const SequenceFacts& facts) {
 void tellMean(const SequenceFacts& facts, Diagnosis& out) {
   const bool isKnown = facts.period || facts.frames >= kEnoughForMean;
   if (!isKnown && !isRangeAround(facts)) {
-    out.undecided.push_back(
+    out.parts.leaveOpen(
         {say<"Jitter's mean">(),
          say<"the jitter of %1 frames does not repeat: the whole sequence may have another mean "
              "than theirs, %2 px">(facts.frames, shortVector(facts.meanPx)),
@@ -81,7 +81,7 @@ void tellRange(const SequenceFacts& facts, Diagnosis& out) {
             std::lround(100.0 * facts.beyondShare), shortNumber(facts.longestPx)),
         say<"Multiply the jitter that you draw with, and pass, by %1.">(shortNumber(0.5 / facts.longestPx))));
   else if (facts.longestPx > kHalfPixel)
-    out.undecided.push_back(
+    out.parts.leaveOpen(
         {say<"Jitter's range">(),
          say<"it reaches %1 px: beyond half a pixel it blurs, unless a wide filter is meant, which frames do "
              "not say">(shortNumber(facts.longestPx)),

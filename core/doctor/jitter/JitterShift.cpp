@@ -20,8 +20,6 @@ constexpr std::size_t kLeastShiftSamples = 200;
 constexpr int kShiftReachPx = 2;
 constexpr int kShiftSteps = 8;
 constexpr double kConvergedPx = 1e-3, kFarthestStepPx = 0.5;
-/// Differences of so many times the median are outliers (Tukey's biweight, with 1.48 · median for σ).
-constexpr double kTukey = 4.685 * 1.48;
 /// Of luma per px, squared, in the mean: with less detail along some direction there is nothing to measure.
 constexpr double kLeastDetail = 2e-6;
 /// Of what one place leaves: another one is told only where it leaves less than this share.
@@ -69,7 +67,7 @@ struct NormalEquations {
 
 NormalEquations equationsAt(const std::vector<SearchedPixel>& samples, const Image& luma,
                             const glm::vec2& shift) {
-  const double scale = std::max(1e-4, kTukey * medianDifference(samples, luma, shift));
+  const double scale = std::max(1e-4, kTukeyMedians * medianDifference(samples, luma, shift));
   NormalEquations out;
   for (const SearchedPixel& sample : samples) {
     const glm::vec2 place = sample.place + shift;
@@ -177,7 +175,7 @@ std::optional<double> measureShare(const std::vector<SearchedPixel>& samples, co
   };
   double share = left(0.0) < left(1.0) ? 0.0 : 1.0;
   for (int i = 0; i < kShiftSteps; ++i) {
-    const double scale = std::max(1e-6, kTukey * left(share));
+    const double scale = std::max(1e-6, kTukeyMedians * left(share));
     double slopes = 0.0, products = 0.0;
     for (const SearchedPixel& sample : samples) {
       const auto at = [&](float more) {

@@ -58,10 +58,10 @@ void tellSky(const JitterEvidence& evidence, const std::vector<JitterTrial>& tri
   const std::optional<bool> isResting = isSkyResting(evidence, trial);
   const std::optional<double> factor = trial == 0 ? skyFactor(evidence, trials) : std::nullopt;
   if (!isResting)
-    out.undecided.push_back({say<"Jitter of the sky">(),
-                             say<"it has too little detail to measure a shift">(),
-                             say<"Capture clouds, or a sky with a texture.">(),
-                             {Fault::SkyNotJittered}});
+    out.parts.leaveOpen({say<"Jitter of the sky">(),
+                         say<"it has too little detail to measure a shift">(),
+                         say<"Capture clouds, or a sky with a texture.">(),
+                         {Fault::SkyNotJittered}});
   else if (*isResting)
     out.findings.push_back(restingSky(fitOf(evidence.sky, kNotAppliedTrial, trial), place));
   else if (isOtherShare(factor))

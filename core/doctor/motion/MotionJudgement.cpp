@@ -139,13 +139,18 @@ void judgeByWitness(Judged& out, const MotionEvidence& evidence) {
   for (JudgedRegion& region : out.regions)
     if (region.witness.verdict == WitnessVerdict::Explained) open.push_back(&region);
   const double explained = pixelsWith(out.regions, WitnessVerdict::Explained);
-  const double known = pixelsWith(out.regions, WitnessVerdict::OfCamera) + explained;
+  const double ofCamera = pixelsWith(out.regions, WitnessVerdict::OfCamera), known = ofCamera + explained;
+  const double all = known + pixelsWith(out.regions, WitnessVerdict::Apart);
+  out.areMatricesTrusted = ofCamera > 0.0 && ofCamera >= kTrustedOfAll * all;
   while (!open.empty()) {
     const WitnessedRegions told = broadestWitness(open, out.regions, evidence.trials().size());
     std::erase_if(open, [&](JudgedRegion* region) { return std::ranges::count(told.regions, region) > 0; });
     const PixelsSay pixelsSay = told.pixelsSay();
     if (!isBelieved(told, evidence.trials()[told.trial], pixelsSay, out.regions)) {
-      if (pixelsSay == PixelsSay::No && !out.contradicted) out.contradicted = told.trial;
+      if (pixelsSay == PixelsSay::No && !out.contradicted) {
+        out.contradicted = told.trial;
+        for (const JudgedRegion* region : told.regions) out.contradictedIn.push_back(region->region);
+      }
       if (pixelsSay == PixelsSay::Nothing && isFitted(evidence.trials()[told.trial]) && !out.unconfirmed)
         out.unconfirmed = told.trial;
       continue;

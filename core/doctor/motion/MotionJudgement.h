@@ -37,6 +37,8 @@ struct Judged {
   std::vector<JudgedRegion> regions; ///< that were measured, and whose motion is one
   /// An explanation that depth and matrices make, and pixels contradict: these may be wrong instead.
   std::optional<std::size_t> contradicted;
+  std::vector<const Region*> contradictedIn; ///< regions that it would explain
+  bool areMatricesTrusted = false;           ///< so much has the camera's motion that they are right
   /// One that was fitted, and that pixels neither confirm nor contradict: wrong depth looks the same.
   std::optional<std::size_t> unconfirmed;
   std::size_t unseen = 0; ///< regions that have no pixel well inside them

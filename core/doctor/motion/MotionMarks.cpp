@@ -77,7 +77,7 @@ void tellMarks(const MotionEvidence& evidence, const std::vector<Region>& region
       ++moving;
   }
   if (moving > 0)
-    out.undecided.push_back(
+    out.parts.leaveOpen(
         {moving == 1 ? say<"Motion of a part without previous position">()
                      : say<"Motion of %1 parts without previous position">(moving),
          say<"it is said to have none in every frame, and what was there before fits it, at another place: a "
@@ -85,10 +85,10 @@ void tellMarks(const MotionEvidence& evidence, const std::vector<Region>& region
          say<"Write its motion, and look again.">(),
          {}});
   if (missing.regions.empty() && !rests)
-    out.undecided.push_back({say<"Zero motion">(),
-                             say<"nothing has it: whether it is taken for none does not show">(),
-                             say<"Capture some frames in which the camera rests.">(),
-                             {Fault::ZeroTakenAsMissing}});
+    out.parts.leaveOpen({say<"Zero motion">(),
+                         say<"nothing has it: whether it is taken for none does not show">(),
+                         say<"Capture some frames in which the camera rests.">(),
+                         {Fault::ZeroTakenAsMissing}});
   for (Finding* finding : {&unwritten, &missing})
     if (!finding->regions.empty()) {
       std::ranges::stable_sort(finding->regions, std::greater(), &RegionPlace::share);

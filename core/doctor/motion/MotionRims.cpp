@@ -148,9 +148,11 @@ void tellOpenRims(RimVerdict depth, RimVerdict motion, Diagnosis& out) {
                  {}};
   if (isOpen(depth)) open.faults = {Fault::DepthCoarse, Fault::DepthNotJittered};
   if (isOpen(motion)) open.faults.insert(open.faults.end(), {Fault::MotionShifted, Fault::MotionCoarse});
-  if (depth == RimVerdict::Unclear || motion == RimVerdict::Unclear)
+  if (depth == RimVerdict::Unclear || motion == RimVerdict::Unclear) {
     open.reason = say<"values there are neither those of the object nor those that another reading has">();
-  if (!open.faults.empty()) out.undecided.push_back(std::move(open));
+    open.isMisfit = true;
+  }
+  if (!open.faults.empty()) out.parts.leaveOpen(std::move(open));
 }
 
 } // namespace
@@ -251,7 +253,8 @@ void tellRims(const RimEvidence& evidence, bool isMotionRight, Diagnosis& out) {
                                ? texelFinding(Fault::MotionCoarse, *motionSide, coarseMotionChange())
                                : rimFinding(Fault::MotionCoarse, evidence.motion, coarseMotionChange()));
   if (depth == RimVerdict::Right && motion == RimVerdict::Right)
-    out.healthy.push_back(say<"Motion and depth lie on the objects that they are of.">());
+    out.parts.addRight(say<"Motion and depth at rims">(),
+                       say<"Motion and depth lie on the objects that they are of.">());
   tellOpenRims(depthSide ? RimVerdict::Coarse : depth, motionSide ? RimVerdict::Coarse : motion, out);
 }
 

@@ -221,7 +221,7 @@ bool isStuckExactly(double error, double others) {
 
 /// What fits best is α 0 or 1, and other weights fit hardly worse.
 void tellOpenAlpha(const ResolveFit& sound, double others, Diagnosis& out) {
-  out.undecided.push_back(
+  out.parts.leaveOpen(
       {say<"The weight of the current frame">(),
        say<"the output fits α %1 best, to %2 thousandths, and another one hardly worse, to %3">(
            alphaText(sound.alpha), shortNumber(kPer1000 * sound.error), shortNumber(kPer1000 * others)),
@@ -270,10 +270,10 @@ bool seesCuts(const ResolveEvidence& evidence) {
 /// Whether histories go on where the frames say that they start anew, by the models that fit elsewhere.
 void tellCuts(const ResolveEvidence& evidence, const ResolveFit& sound, Diagnosis& out) {
   if (!seesCuts(evidence)) {
-    out.undecided.push_back({say<"The resolve at cuts">(),
-                             say<"none of these frames states that history starts anew">(),
-                             say<"Capture a cut and some frames before and after it.">(),
-                             {Fault::NoResetAtCut}});
+    out.parts.leaveOpen({say<"The resolve at cuts">(),
+                         say<"none of these frames states that history starts anew">(),
+                         say<"Capture a cut and some frames before and after it.">(),
+                         {Fault::NoResetAtCut}});
     return;
   }
   const AlphaErrors* nearest = nullptr;
@@ -341,15 +341,16 @@ std::vector<Fault> resolveFaults(bool values) {
 }
 
 void leaveUndecided(std::string reason, std::string capture, Diagnosis& out, bool hasOutput = true) {
-  out.undecided.push_back(
+  out.parts.leaveOpen(
       {say<"The resolve">(), std::move(reason), std::move(capture), resolveFaults(!hasOutput)});
 }
 
 /// What fits, if all is as it should be, or why nothing is said.
 void tellNearest(const ResolveFit& sound, Diagnosis& out) {
   if (sound.error <= kAlike)
-    out.healthy.push_back(say<"The output is made of frames and history as it should be.">() + " " +
-                          nearestText(sound));
+    out.parts.addRight(say<"The resolve">(),
+                       say<"The output is made of frames and history as it should be.">() + " " +
+                           nearestText(sound));
   else
     leaveUndecided(say<"no resolve that is known here makes this output">() + ". " + nearestText(sound),
                    say<"Capture the output before it is tone-mapped, sharpened or drawn over.">(), out);
@@ -379,17 +380,17 @@ void tellApart(const ResolveEvidence& evidence, Diagnosis& out) {
     return true;
   };
   if (const std::optional<bool> isTold = told(PixelSet::Rims); !isTold.value_or(false))
-    out.undecided.push_back({say<"Dilation">(),
-                             isTold ? say<"at rims the motion of the farthest makes as good as the same">()
-                                    : say<"too few rims move otherwise than what is behind them">(),
-                             say<"Let something move before a background that rests.">(),
-                             {Fault::DilatesFarthest}});
+    out.parts.leaveOpen({say<"Dilation">(),
+                         isTold ? say<"at rims the motion of the farthest makes as good as the same">()
+                                : say<"too few rims move otherwise than what is behind them">(),
+                         say<"Let something move before a background that rests.">(),
+                         {Fault::DilatesFarthest}});
   if (const std::optional<bool> isTold = told(PixelSet::Border); !isTold.value_or(false))
-    out.undecided.push_back({say<"History beyond the picture">(),
-                             isTold ? say<"what comes in from its border looks as good as the same there">()
-                                    : say<"too little comes in from its border">(),
-                             say<"Let the camera turn by some pixels a frame.">(),
-                             {Fault::OffScreenClamped}});
+    out.parts.leaveOpen({say<"History beyond the picture">(),
+                         isTold ? say<"what comes in from its border looks as good as the same there">()
+                                : say<"too little comes in from its border">(),
+                         say<"Let the camera turn by some pixels a frame.">(),
+                         {Fault::OffScreenClamped}});
 }
 
 } // namespace

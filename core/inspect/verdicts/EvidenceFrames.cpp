@@ -10,8 +10,11 @@
 #include "core/verdict/lineage/TwinStep.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -33,9 +36,16 @@ gl::Rect tilesOf(const gl::Rect& part, const glm::ivec2& sizePx) {
           endOf(part.y + part.height, sizePx.y) - top};
 }
 
+/// Whether what one of the 3×3 pixels shows was not seen a frame before, or only beside its place.
+bool isUncovered(const twin::Texels& steps, const glm::ivec2& pixel) {
+  return std::ranges::any_of(stepsAround(steps, pixel), [](const glm::vec4& step) {
+    return std::isnan(step.x) || hasFlag(step.w, StepFlag::SeenBeside);
+  });
+}
+
 } // namespace
 
-EvidenceFrames::EvidenceFrames(ShotPlayer& player, References& references, int lane, int samples,
+EvidenceFrames::EvidenceFrames(ShotPlayer& player, References& references, int lane, EvidenceSamples samples,
                                const Progress& progress)
     : references_(references), frames_(player, lane, progress), lane_(lane), samples_(samples),
       progress_(progress), isWhole_(state().frames->capture() != nullptr),
@@ -78,7 +88,17 @@ ReferenceKey EvidenceFrames::keyOf(int frame) const {
 
 Image EvidenceFrames::referencePart(int frame, const gl::Rect& part) {
   const gl::PassGroup group(pass_group::kReference);
-  return references_.part(*state().frames, keyOf(frame), samples_, part, drawn_);
+  return references_.part(*state().frames, keyOf(frame), samples_.parts, part, drawn_);
+}
+
+// Of the tile, which is drawn for the reference anyway.
+std::optional<double> EvidenceFrames::referenceError(int frame, const glm::ivec2& pixel) {
+  if (isWhole_) return {};
+  const gl::PassGroup group(pass_group::kReference);
+  const gl::Rect tile = tilesOf({pixel.x, pixel.y, 1, 1}, {state().width, state().height});
+  const Image error = references_.partError(*state().frames, keyOf(frame), samples_.parts, tile, drawn_);
+  const float* channels = error.at(pixel.x - tile.x, pixel.y - tile.y);
+  return static_cast<double>(std::max({channels[0], channels[1], channels[2]}));
 }
 
 Image EvidenceFrames::stepsPart(int frame, const gl::Rect& part) {
@@ -88,7 +108,8 @@ Image EvidenceFrames::stepsPart(int frame, const gl::Rect& part) {
 
 Image EvidenceFrames::wholeReference(int frame) {
   const gl::PassGroup group(pass_group::kReference);
-  return references_.foundOrDrawn(*state().frames, keyOf(frame), samples_, references_, progress_).mean();
+  return references_.foundOrDrawn(*state().frames, keyOf(frame), samples_.pictures, references_, progress_)
+      .mean();
 }
 
 Image EvidenceFrames::wholeSteps(int frame) {
@@ -152,15 +173,32 @@ std::vector<SurfaceMoment> EvidenceFrames::moments(int frame, const glm::ivec2& 
     SurfaceMoment moment;
     moment.frame = frame - age;
     moment.pixel = glm::ivec2(position);
+    moment.place = position;
     moments.push_back(moment);
     awaited_[moment.frame].pixel = moment.pixel;
+    if (!isWhole_) surfaces_.expect(moment.frame, {{moment.pixel.x - 1, moment.pixel.y - 1, 3, 3}});
+    moments.back().isUncovered = isUncovered(steps(moment.frame), moment.pixel);
     const std::optional<glm::dvec2> step = stepAt(steps(moment.frame), position, object);
     if (!step) break;
+    moments.back().motion = step;
+    moments.back().isJump = glm::length(*step) > kJumpShare * state().width;
     position -= *step;
     if (position.x < 0.0 || position.y < 0.0 || position.x >= state().width || position.y >= state().height)
       break;
   }
   return moments;
+}
+
+glm::dvec3 EvidenceFrames::formerTruth(const SurfaceMoment& moment, const glm::dvec3& now) {
+  const glm::ivec2 corner(glm::floor(moment.place - 0.5));
+  glm::dvec3 low(std::numeric_limits<double>::max()), high(-low);
+  for (int texel = 0; texel < 4; ++texel) {
+    const glm::ivec2 at = corner + glm::ivec2(texel % 2, texel / 2);
+    const glm::dvec3 truth = pixelColorAt(reference(moment.frame), at);
+    low = glm::min(low, truth);
+    high = glm::max(high, truth);
+  }
+  return glm::clamp(now, low, high);
 }
 
 void EvidenceFrames::fill(std::vector<SurfaceMoment>& moments) {
@@ -170,6 +208,7 @@ void EvidenceFrames::fill(std::vector<SurfaceMoment>& moments) {
     moment.record = record(moment.frame, moment.pixel);
     moment.resolved = glm::dvec3(glm::vec3(twin::at(moment.record, IntermediateId::resolved)));
     moment.reference = pixelColorAt(reference(moment.frame), moment.pixel);
+    moment.former = formerTruth(moment, moments.front().reference);
   }
 }
 

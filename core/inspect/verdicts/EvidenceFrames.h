@@ -21,13 +21,19 @@ namespace taa {
 class References;
 struct ReferenceKey;
 
+/// Samples of references: of the parts that are read, and of whole pictures, of which so many cost too much.
+struct EvidenceSamples {
+  int parts = 0, pictures = 0;
+};
+
 /// One frame's inputs at a time, read where the twin looks; references and steps of all that were asked for,
 /// drawn where they are read. Captures have all of each at once. Needs the current context for its whole
 /// life.
 class EvidenceFrames : public EvidenceSource {
  public:
   /// `samples`: of each reference; what is drawn of them is kept in `references` as far as its budget goes.
-  EvidenceFrames(ShotPlayer& player, References& references, int lane, int samples, const Progress& progress);
+  EvidenceFrames(ShotPlayer& player, References& references, int lane, EvidenceSamples samples,
+                 const Progress& progress);
 
   PixelStep step(int frame, const glm::ivec2& pixel) override;
   twin::PixelRecord record(int frame, const glm::ivec2& pixel) override;
@@ -48,7 +54,10 @@ class EvidenceFrames : public EvidenceSource {
   const Settings& settings() const { return frames_.settings(); }
   const ShotState& state() const { return frames_.state(); }
   int lane() const { return lane_; }
-  int samples() const { return samples_; } ///< of each reference
+  int samples() const { return samples_.pictures; } ///< of whole references
+  /// Standard error of the reference at a pixel, as shown, 0 to 1, of the largest channel: not known where it
+  /// came with a capture.
+  std::optional<double> referenceError(int frame, const glm::ivec2& pixel);
 
  private:
   /// A moment's pixel, and its record once its frame was read.
@@ -61,12 +70,15 @@ class EvidenceFrames : public EvidenceSource {
   /// What of a frame is read, where that is known, or the pixel.
   std::vector<gl::Rect> partsRead(int frame, const glm::ivec2& pixel) const;
   ReferenceKey keyOf(int frame) const;
+  /// Of the four texels around the moment's place, and all between them, what is nearest to `now`.
+  glm::dvec3 formerTruth(const SurfaceMoment& moment, const glm::dvec3& now);
   Image referencePart(int frame, const gl::Rect& part);
   Image stepsPart(int frame, const gl::Rect& part);
 
   References& references_;
   TwinFrames frames_;
-  int lane_, samples_;
+  int lane_;
+  EvidenceSamples samples_;
   const Progress& progress_;
   bool isWhole_; // of each frame all or nothing
   std::map<int, twin::Texels> means_, steps_;

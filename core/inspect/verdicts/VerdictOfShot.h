@@ -21,21 +21,26 @@ namespace taa {
 class References;
 class ShotPlayer;
 
-/// Samples of each reference that a verdict is made from.
-inline constexpr int kVerdictSamples = 16;
+/// Samples of each reference that a verdict is made from, and up to how many there are where that is too few
+/// to conclude from.
+inline constexpr int kVerdictSamples = 16, kMaxVerdictSamples = 256;
 
 struct VerdictQuestion {
   int frame = 0;
   glm::ivec2 pixel{0};
   int lane = 0;
-  int samples = kVerdictSamples; ///< of the references
+  int samples = kVerdictSamples; ///< of the references, to begin with
 };
 
 struct VerdictAnswer {
   PixelVerdict verdict;
   PixelError error;
-  std::string object;   ///< name of what a ghost is of; empty: none, or it has none
+  /// Name of what a ghost is of, with its number where several objects bear it; empty: none, or it has none.
+  std::string object;
   std::string sentence; ///< in the user's language
+  int samples = 0;      ///< of the references that it was concluded from in the end
+  /// Standard error of the reference at the pixel, as shown, 0 to 1; nothing: it came with a capture.
+  std::optional<double> referenceError{};
 };
 
 /// The best remedies, and what they are held against.
@@ -44,16 +49,17 @@ struct RemedyAnswer {
   std::optional<RemedyMeasure> picture{}; ///< as it is; nothing: it was not measured
   std::vector<TriedRemedy> best;          ///< three at most
   int tried = 0;
-  int first = 0; ///< frame that they were tried from
+  int first = 0;   ///< frame that they were tried from
+  int samples = 0; ///< of the references at the pixel
 };
 
 /// How far a search for them got, for who may be cancelled.
 struct RemedySearch {
   std::optional<RemedyMeasure> before;  ///< the settings as they are
-  std::vector<TriedRemedy> tried;       ///< without their pictures
+  std::vector<TriedRemedy> tried;       ///< with the pictures of those that were measured
   std::vector<Remedy> waiting{};        ///< those of the present round
   int rounds = 0;                       ///< that were begun
-  std::vector<Checkpoints> histories{}; ///< of the present settings and of the best ones
+  std::vector<Checkpoints> histories{}; ///< of the present settings and of those that are being measured
 };
 
 class VerdictOfShot {
@@ -62,24 +68,29 @@ class VerdictOfShot {
   VerdictOfShot(ShotPlayer& player, References& references, const gl::Driver& driver);
 
   /// Of a pixel of any frame, exactly; what is on show stays. Throws Error where there is no such pixel or
-  /// frame, or where a capture has no reference; Cancelled.
+  /// frame, or where a capture has no reference; Cancelled. Where the reference is not certain enough for
+  /// what is concluded, it is drawn with four times the samples, and again.
   VerdictAnswer of(const VerdictQuestion& question, const Progress& progress = {});
   /// Tries what may mend it, and measures the best ones as the program would show them. As of().
-  RemedyAnswer remedies(const VerdictQuestion& question, const PixelVerdict& verdict,
+  RemedyAnswer remedies(const VerdictQuestion& question, const VerdictAnswer& answer,
                         const Progress& progress = {});
   /// Of these first what they do for the pixel, about: each remedy's frames are resolved from where the
   /// trouble began, a few frames before, on the history there was, around the pixel only. Goes on from what
   /// `search` holds of this question; Cancelled: it holds what was measured.
-  RemedyAnswer triedRemedies(const VerdictQuestion& question, const PixelVerdict& verdict,
+  RemedyAnswer triedRemedies(const VerdictQuestion& question, const VerdictAnswer& answer,
                              RemedySearch& search, const Progress& progress);
   /// And then, of whole pictures that are resolved from where history starts, how it is and what the best
-  /// ones make of it: fills in the pictures of `answer`, and the pixel exactly. What does not mend it after
-  /// all is left out. Likewise.
-  void measurePictures(const VerdictQuestion& question, RemedyAnswer& answer, RemedySearch& search,
-                       const Progress& progress);
+  /// ones make of it: fills in the pictures of `remedies`, and the pixel exactly. What does not mend it after
+  /// all is left out, and where one costs the picture the next best is measured as well. Likewise.
+  void measurePictures(const VerdictQuestion& question, const VerdictAnswer& answer, RemedyAnswer& remedies,
+                       RemedySearch& search, const Progress& progress);
 
  private:
   void require(const VerdictQuestion& question) const;
+  /// With references of so many samples, and whether they are too few to conclude from.
+  VerdictAnswer concluded(const VerdictQuestion& question, int samples, bool& isUncertain,
+                          const Progress& progress);
+  RemedyCase caseOf(const VerdictAnswer& answer, const Settings& settings) const;
 
   ShotPlayer& player_;
   References& references_;

@@ -66,12 +66,12 @@ void PixelJudging::tryOn() {
     known_.isWhole = delivery.answer->verdict.kind == VerdictKind::None;
   } else if (!delivery.remedies) {
     delivery.remedies =
-        verdicts.triedRemedies(question, delivery.answer->verdict, known_.search,
+        verdicts.triedRemedies(question, *delivery.answer, known_.search,
                                desk_.progressUntilAny(WorkKind::Verdict, say<"Trying remedies">()));
     known_.isWhole = delivery.remedies->best.empty();
   } else {
     verdicts.measurePictures(
-        question, *delivery.remedies, known_.search,
+        question, *delivery.answer, *delivery.remedies, known_.search,
         desk_.progressUntilAny(WorkKind::Verdict, say<"Measuring what remedies cost">()));
     known_.isWhole = true;
   }

@@ -14,17 +14,12 @@ namespace taa {
 namespace {
 
 glm::vec3 colorAt(const Image& image, int x, int y) {
-  const float* color = image.at(std::clamp(x, 0, image.width - 1), std::clamp(y, 0, image.height - 1));
+  const float* color = image.nearest(x, y);
   return {color[0], color[1], color[2]};
 }
 
-/// Bilinear between centers of pixels.
 glm::vec3 sampledColor(const Image& image, const glm::vec2& positionPx) {
-  const glm::vec2 place = positionPx - 0.5f, corner = glm::floor(place), part = place - corner;
-  const auto x = static_cast<int>(corner.x), y = static_cast<int>(corner.y);
-  const glm::vec3 above = glm::mix(colorAt(image, x, y), colorAt(image, x + 1, y), part.x);
-  const glm::vec3 below = glm::mix(colorAt(image, x, y + 1), colorAt(image, x + 1, y + 1), part.x);
-  return glm::mix(above, below, part.y);
+  return bilinear(positionPx, [&](int x, int y) { return colorAt(image, x, y); });
 }
 
 /// The color of the reference's 3×3 box that is nearest to `color`.

@@ -113,7 +113,7 @@ bool changesMotion(const FaultSettings& faults) {
          faults.previousAge > 1 || faults.motionLag != 0 || faults.motionJitter != none.motionJitter ||
          isOn(faults.motionSwapped) || faults.motionX != 1.0f || faults.motionY != 1.0f ||
          faults.motionUnit != none.motionUnit || isOn(faults.zeroIsMissing) || faults.motionShift != 0 ||
-         faults.motionCoarse > 1;
+         faults.motionCoarse > 1 || isOn(faults.motionUntested);
 }
 
 bool changesDepth(const FaultSettings& faults) {

@@ -111,8 +111,11 @@ const gl::Texture& FaultySource::motionOf(const FrameRequest& request, int frame
   int from = std::max(frame - request.faults.motionLag, 0);
   if (const auto facts = source_->capture()) // which ends with its frames
     from = std::min(from, static_cast<int>(facts->jitterPx.size()) - 1);
-  if (from == frame) return out.motion;
-  source_->draw(plain(request, from), from, other_);
+  const bool isUntested = isOn(request.faults.motionUntested) && isDrawn();
+  if (from == frame && !isUntested) return out.motion;
+  FrameRequest asked = plain(request, from);
+  asked.untestedMotion = isUntested;
+  source_->draw(asked, from, other_);
   return other_.motion;
 }
 

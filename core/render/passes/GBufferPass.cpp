@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <span>
@@ -321,7 +322,7 @@ void GBufferPass::draw(const Source& source, const gl::Framebuffer& target, cons
   if (items_.empty()) return;
   gl::RenderPass pass(target, {.depthTest = true, .depthWrite = true, .scissor = part_},
                       draws_ == Draws::Casters ? "ShadowPass" : "GBufferPass");
-  drawItems(source, false, pass, warmUp);
+  drawItems(source, visible_, calls_, pass, warmUp);
 }
 
 void GBufferPass::drawBlended(const Source& source, const gl::Framebuffer& target, const Progress& warmUp) {
@@ -329,14 +330,23 @@ void GBufferPass::drawBlended(const Source& source, const gl::Framebuffer& targe
                       "GBufferPass blended");
   pass.blending(0, gl::Blending::Over);
   pass.blending(kMaskAttachment, gl::Blending::Largest);
-  drawItems(source, true, pass, warmUp);
+  drawItems(source, blended_, blendedCalls_, pass, warmUp);
 }
 
-void GBufferPass::drawItems(const Source& source, bool ofBlended, gl::RenderPass& pass,
-                            const Progress& warmUp) {
-  const std::vector<Visible>& items = ofBlended ? blended_ : visible_;
-  DrawCalls& calls = ofBlended ? blendedCalls_ : calls_;
-  std::size_t drawn = ofBlended ? visible_.size() : 0;
+void GBufferPass::drawUntested(const Source& source, const gl::Framebuffer& target) {
+  std::vector<Visible> moving;
+  std::ranges::copy_if(visible_, std::back_inserter(moving), [&](const Visible& visible) {
+    return items_[visible.item].objectClass != ObjectClass::Still;
+  });
+  if (moving.empty()) return;
+  makeCalls(moving, untestedCalls_);
+  gl::RenderPass pass(target, {.scissor = part_}, "GBufferPass untested");
+  drawItems(source, moving, untestedCalls_, pass, {});
+}
+
+void GBufferPass::drawItems(const Source& source, const std::vector<Visible>& items, DrawCalls& calls,
+                            gl::RenderPass& pass, const Progress& warmUp) {
+  std::size_t drawn = &items == &blended_ ? visible_.size() : 0;
   const auto blockOf = [&](std::size_t i) { return drawBlock(source.scene, source.view, items[i]); };
   pass.uniformBlock(2, source.frame);
   pass.uniformBlock(3, lightBlock_);

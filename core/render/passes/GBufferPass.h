@@ -67,6 +67,9 @@ class GBufferPass {
   /// motion, and where it is larger than the mask. Other attachments are null; depth is only tested.
   void drawBlended(const Source& source, const gl::Framebuffer& target, const Progress& warmUp = {});
 
+  /// The motion of all in draw() that moves or deforms, without a depth test: what lies behind comes last.
+  void drawUntested(const Source& source, const gl::Framebuffer& target);
+
   /// Of the last view, with what draw() leaves to drawBlended().
   const DrawCounts& counts() const { return counts_; }
   /// For tests: whether what lies outside the view is left out, as it is at first. No bit depends on it.
@@ -128,7 +131,8 @@ class GBufferPass {
   Bounds boundsOf(const Scene& scene, const View& view, const Item& item) const;
   /// Fills joint matrices and morph weights of both frames.
   void prepareDeformation(const Scene& scene, const View& view);
-  void drawItems(const Source& source, bool ofBlended, gl::RenderPass& pass, const Progress& warmUp);
+  void drawItems(const Source& source, const std::vector<Visible>& items, DrawCalls& calls,
+                 gl::RenderPass& pass, const Progress& warmUp);
   shared::DrawBlock drawBlock(const Scene& scene, const View& view, const Visible& visible) const;
 
   Draws draws_;
@@ -143,6 +147,7 @@ class GBufferPass {
   std::map<std::pair<int, int>, DeformExtent> extents_; ///< by mesh and primitive, of those that deform
   std::vector<Visible> visible_, blended_;
   DrawCalls calls_, blendedCalls_; ///< of them
+  DrawCalls untestedCalls_;        ///< of those that move
   PartTriangles partTriangles_;
   gl::Buffer partIndexBuffer_;      ///< starts with their indices
   DrawCounts counts_, wholeCounts_; ///< the second without what is drawn in parts

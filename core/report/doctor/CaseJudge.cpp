@@ -38,7 +38,7 @@ bool leavesOpen(const doctor::Undecided& open, Fault fault) {
 }
 
 bool isOpenIn(const Diagnosis& diagnosis, Fault fault) {
-  return std::ranges::any_of(diagnosis.undecided,
+  return std::ranges::any_of(diagnosis.parts.undecided(),
                              [&](const doctor::Undecided& open) { return leavesOpen(open, fault); });
 }
 

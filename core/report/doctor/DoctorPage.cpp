@@ -4,6 +4,7 @@
 #include "core/base/Say.h"
 #include "core/doctor/NumberText.h"
 #include "core/doctor/Outline.h"
+#include "core/report/doctor/DoctorReport.h"
 #include "core/report/doctor/ShownPng.h"
 
 #include <algorithm>
@@ -149,12 +150,12 @@ std::string mendedHtml(const doctor::MendedLook& look, const Diagnosis& diagnosi
 
 std::string doctorHtml(const Diagnosis& diagnosis, const std::string& source,
                        const doctor::MendedLook* mended) {
-  const std::string title = say<"What the doctor says of %1">(source);
+  const std::string title = say<"What the doctor says of %1">(reportedName(source));
   std::string text = "<!DOCTYPE html>\n<html>\n<head>\n<meta charset=\"utf-8\">\n" + htmlTag("title", title) +
                      "<style>" + std::string(kPageStyle) + "</style>\n</head>\n<body>\n" +
                      htmlTag("h1", title) +
                      htmlTag("p", say<"%1 frames, %2 pairs compared">(diagnosis.frames, diagnosis.pairs));
-  if (diagnosis.isHealthy()) text += htmlTag("p", say<"Nothing wrong was found.">());
+  if (diagnosis.isHealthy()) text += htmlTag("p", diagnosis.healthySentence());
   int number = 0;
   for (const Finding& finding : diagnosis.findings) {
     text += findingHtml(finding, number + 1);
@@ -162,9 +163,11 @@ std::string doctorHtml(const Diagnosis& diagnosis, const std::string& source,
     ++number;
   }
   if (mended) text += mendedHtml(*mended, diagnosis);
-  text += htmlList(say<"Right">(), diagnosis.healthy);
+  std::vector<std::string> right;
+  for (const doctor::RightPart& part : diagnosis.parts.right()) right.push_back(part.sentence);
+  text += htmlList(say<"Right">(), right);
   std::vector<std::string> undecided;
-  for (const doctor::Undecided& open : diagnosis.undecided)
+  for (const doctor::Undecided& open : diagnosis.parts.undecided())
     undecided.push_back(open.question + ": " + open.reason + "." +
                         (open.capture.empty() ? "" : " " + open.capture));
   text +=

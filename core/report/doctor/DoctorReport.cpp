@@ -1,7 +1,9 @@
 #include "core/report/doctor/DoctorReport.h"
 
 #include "core/base/Say.h"
+#include "core/capture/source/Capture.h"
 #include "core/doctor/NumberText.h"
+#include "core/scene/SceneSource.h"
 #include "core/settings/Parameters.h"
 
 #include <nlohmann/json.hpp>
@@ -92,6 +94,7 @@ ordered_json undecidedJson(const Undecided& undecided) {
   return {{"question", undecided.question},
           {"reason", undecided.reason},
           {"capture", undecided.capture},
+          {"misfit", undecided.isMisfit},
           {"faults", listJson(undecided.faults, [](Fault fault) { return faultInfo(fault).id; })}};
 }
 
@@ -125,33 +128,37 @@ std::string spacedWords(const std::vector<std::string>& words) {
 
 } // namespace
 
+std::string reportedName(const std::string& source) {
+  return isBuiltinScene(source) ? source : capture::nameOf(source);
+}
+
 std::string doctorText(const Diagnosis& diagnosis, const std::string& source) {
   std::string text =
-      say<"%1: %2 frames, %3 pairs compared">(source, diagnosis.frames, diagnosis.pairs) + "\n";
+      say<"%1: %2 frames, %3 pairs compared">(reportedName(source), diagnosis.frames, diagnosis.pairs) + "\n";
   if (diagnosis.isHealthy())
-    text += say<"Nothing wrong was found.">() + "\n";
+    text += diagnosis.healthySentence() + "\n";
   else if (!diagnosis.hasNews())
     text += say<"Nothing was found that is not known.">() + "\n";
   int number = 0;
   for (const doctor::Finding& finding : diagnosis.findings)
     text += "\n" + std::to_string(++number) + ". " + findingText(finding);
-  if (!diagnosis.healthy.empty()) text += "\n" + say<"Right">() + "\n";
-  for (const std::string& sentence : diagnosis.healthy) text += "  " + sentence + "\n";
-  if (!diagnosis.undecided.empty()) text += "\n" + say<"Not decided by these frames">() + "\n";
-  for (const Undecided& undecided : diagnosis.undecided) text += undecidedText(undecided);
+  if (!diagnosis.parts.right().empty()) text += "\n" + say<"Right">() + "\n";
+  for (const doctor::RightPart& right : diagnosis.parts.right()) text += "  " + right.sentence + "\n";
+  if (!diagnosis.parts.undecided().empty()) text += "\n" + say<"Not decided by these frames">() + "\n";
+  for (const Undecided& undecided : diagnosis.parts.undecided()) text += undecidedText(undecided);
   if (!diagnosis.notes.empty()) text += "\n" + say<"Notes">() + "\n";
   for (const std::string& note : diagnosis.notes) text += "  " + note + "\n";
   return text;
 }
 
 ordered_json doctorJson(const Diagnosis& diagnosis, const std::string& source) {
-  return {{"source", source},
+  return {{"source", reportedName(source)},
           {"frames", diagnosis.frames},
           {"pairs", diagnosis.pairs},
-          {"healthy", diagnosis.isHealthy()},
+          {"healthy", diagnosis.isHealthy() && !diagnosis.isMisfit()},
           {"findings", listJson(diagnosis.findings, foundJson)},
-          {"undecided", listJson(diagnosis.undecided, undecidedJson)},
-          {"right", diagnosis.healthy},
+          {"undecided", listJson(diagnosis.parts.undecided(), undecidedJson)},
+          {"right", listJson(diagnosis.parts.right(), [](const auto& right) { return right.sentence; })},
           {"notes", diagnosis.notes}};
 }
 

@@ -10,6 +10,10 @@
 
 namespace taa {
 
+/// What a report calls a source: a built-in scene's own name, else that of the folder or file, wherever it
+/// lies.
+std::string reportedName(const std::string& source);
+
 /// Findings with their evidence, then what is undecided, what is right, and notes.
 std::string doctorText(const doctor::Diagnosis& diagnosis, const std::string& source);
 
@@ -17,8 +21,8 @@ std::string doctorText(const doctor::Diagnosis& diagnosis, const std::string& so
 /// "wholePicture",
 /// "regions": [{"name", "frame", "box": [left, top, right, bottom], "pixel": [x, y], "share"}], "reason",
 /// "measure", "residuals": [{"id", "text", "value", "given", "best"}], "symptom", "change", "mending":
-/// ["path=value"]}], "undecided":
-/// [{"question", "reason", "capture"}], "right": [""], "notes": [""]}
+/// ["path=value"]}], "undecided": [{"question", "reason", "capture", "misfit": bool, "faults"}], "right":
+/// [""], "notes": [""]}; "healthy": nothing was found, and all that was measured fits.
 nlohmann::ordered_json doctorJson(const doctor::Diagnosis& diagnosis, const std::string& source);
 
 /// What is made right, by which settings, what is found then, and how far both are from the reference.

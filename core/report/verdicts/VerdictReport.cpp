@@ -2,11 +2,14 @@
 
 #include "core/inspect/verdicts/RemedyTrial.h"
 #include "core/io/FrameJson.h"
+#include "core/story/StoryText.h"
 #include "core/verdict/parts/PartsRows.h"
 #include "core/verdict/pixel/VerdictText.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 
@@ -18,6 +21,11 @@ namespace {
 
 ordered_json numberJson(double value) {
   return floatJson(static_cast<float>(value));
+}
+
+/// What JSON has no number for is text: "inf".
+ordered_json decibelJson(double value) {
+  return std::isinf(value) ? ordered_json("inf") : numberJson(value);
 }
 
 std::string shortNumber(double value) {
@@ -49,12 +57,15 @@ ordered_json rowJson(const VerdictRow& row) {
 }
 
 ordered_json pixelMeasureJson(const RemedyMeasure& pixel) {
-  return {{"error", numberJson(pixel.error)}, {"errorChange", numberJson(pixel.errorChange)}};
+  return {{"error", numberJson(pixel.error)},
+          {"latest", numberJson(pixel.latest)},
+          {"errorChange", numberJson(pixel.errorChange)}};
 }
 
 ordered_json pictureMeasureJson(const std::optional<RemedyMeasure>& picture) {
   if (!picture) return {};
   return {{"error", numberJson(picture->error)},
+          {"psnr", decibelJson(psnrOf(*picture))},
           {"flicker", numberJson(picture->flicker)},
           {"ghost", numberJson(picture->ghost)},
           {"sharpness", numberJson(picture->sharpness)}};
@@ -63,11 +74,16 @@ ordered_json pictureMeasureJson(const std::optional<RemedyMeasure>& picture) {
 ordered_json remediesJson(const RemedyAnswer& remedies) {
   ordered_json json{{"firstFrame", remedies.first},
                     {"tried", remedies.tried},
+                    {"referenceSamples", remedies.samples},
                     {"pixel", pixelMeasureJson(remedies.pixel)},
                     {"picture", pictureMeasureJson(remedies.picture)},
                     {"best", ordered_json::array()}};
   for (const TriedRemedy& tried : remedies.best)
     json["best"].push_back({{"changes", tried.remedy.changes},
+                            {"named", tried.isNamed},
+                            {"mends", isMending(remedies.pixel, tried.pixel)},
+                            {"costsPicture", remedies.picture && tried.picture &&
+                                                 costsPicture(*remedies.picture, *tried.picture)},
                             {"pixel", pixelMeasureJson(tried.pixel)},
                             {"picture", pictureMeasureJson(tried.picture)}});
   return json;
@@ -90,6 +106,9 @@ ordered_json laneValues(const VerdictOfLane& lane) {
       {"causeName", lane.answer.object},
       {"resolved", channelsJson(lane.answer.error.resolved)},
       {"reference", channelsJson(lane.answer.error.reference)},
+      {"referenceSamples", lane.answer.samples},
+      {"referenceError",
+       lane.answer.referenceError ? numberJson(*lane.answer.referenceError) : ordered_json()},
       {"parts", splitJson(lane.answer.error.sum)},
       {"rows", ordered_json::array()},
       {"frames", ordered_json::array()},
@@ -113,13 +132,62 @@ std::string changesText(const std::vector<std::string>& changes) {
   return text;
 }
 
-std::string measureText(const RemedyMeasure& pixel, const std::optional<RemedyMeasure>& picture) {
-  const std::string text =
-      "pixel: error " + shortNumber(pixel.error) + ", its change " + shortNumber(pixel.errorChange);
-  if (!picture) return text;
-  return text + "; picture: error " + shortNumber(picture->error) + ", flicker " +
-         shortNumber(picture->flicker) + ", ghost " + shortNumber(picture->ghost) + ", sharpness " +
-         shortNumber(picture->sharpness);
+std::string stepsChange(double before, double after) {
+  return story::numberText(255.0 * before, 3) + " → " + story::numberText(255.0 * after, 3);
+}
+
+std::string pictureChange(const RemedyMeasure& before, const RemedyMeasure& after) {
+  return "picture: PSNR " + story::numberText(psnrOf(before), 4) + " → " +
+         story::numberText(psnrOf(after), 4) + " dB, flicker " + stepsChange(before.flicker, after.flicker) +
+         ", ghost " + stepsChange(before.ghost, after.ghost) + ", sharpness " +
+         story::percentText(before.sharpness) + " → " + story::percentText(after.sharpness);
+}
+
+/// Before → after, of 255 steps where nothing else is said.
+std::string remedyText(const RemedyAnswer& remedies, const TriedRemedy& tried) {
+  std::string text = "  " + changesText(tried.remedy.changes) + "\n    pixel: error " +
+                     stepsChange(remedies.pixel.error, tried.pixel.error) + ", in this frame " +
+                     stepsChange(remedies.pixel.latest, tried.pixel.latest) + ", change per frame " +
+                     stepsChange(remedies.pixel.errorChange, tried.pixel.errorChange) + '\n';
+  if (remedies.picture && tried.picture)
+    text += "    " + pictureChange(*remedies.picture, *tried.picture) + '\n';
+  const std::string note = remedyNote(tried, remedies.pixel, remedies.picture);
+  return note.empty() ? text : text + "    " + note + '\n';
+}
+
+std::string remediesText(const RemedyAnswer& remedies) {
+  if (remedies.tried == 0) return "No remedy was tried: nothing is wrong.\n";
+  std::string text = "Remedies: " + std::to_string(remedies.tried) + " changes tried from frame " +
+                     std::to_string(remedies.first) + ", measured over the last " +
+                     std::to_string(kMeasuredFrames) + " frames, in steps of 255\n";
+  for (const TriedRemedy& tried : remedies.best) text += remedyText(remedies, tried);
+  const auto mends = [&](const TriedRemedy& tried) { return isMending(remedies.pixel, tried.pixel); };
+  if (std::ranges::none_of(remedies.best, mends))
+    text += "  None of them brings the pixel clearly nearer to the reference.\n";
+  return text;
+}
+
+std::string referenceText(const VerdictAnswer& answer) {
+  if (!answer.referenceError) return "Reference: it came with the capture.\n";
+  return "Reference: " + std::to_string(answer.samples) + " samples, ± " +
+         story::numberText(255.0 * *answer.referenceError, 2) + "/255 here.\n";
+}
+
+/// "dilatedMotion (-18.2, 0) px in frame 30 at 591,240; the limit is 3"
+std::string evidenceText(const VerdictRow& row) {
+  const Intermediate& of = intermediate(row.id);
+  std::string values = story::numberText(row.value);
+  if (of.channels > 1) {
+    for (int channel = 1; channel < of.channels; ++channel)
+      values += ", " + story::numberText(static_cast<double>(row.channels[channel]));
+    values = "(" + values + ")";
+  }
+  std::string text = std::string(of.name) + " " + values;
+  if (!of.unit.empty()) text += " " + std::string(of.unit);
+  text += " in frame " + std::to_string(row.frame) + " at " + std::to_string(row.pixel.x) + "," +
+          std::to_string(row.pixel.y);
+  if (row.limit) text += "; the limit is " + story::numberText(*row.limit);
+  return text;
 }
 
 } // namespace
@@ -141,13 +209,11 @@ std::string verdictText(const VerdictOfLane& lane) {
   const PixelVerdict& verdict = lane.answer.verdict;
   std::string text = lane.answer.sentence + '\n';
   if (verdict.kind != VerdictKind::None) text += verdictMeasures(verdict) + '\n';
-  text += "Because of\n";
-  for (const VerdictRow& row : verdict.rows) {
-    text += "  " + std::string(intermediate(row.id).name) + " " + shortNumber(row.value);
-    if (row.limit) text += " against " + shortNumber(*row.limit);
-    text += " in frame " + std::to_string(row.frame) + " at " + std::to_string(row.pixel.x) + "," +
-            std::to_string(row.pixel.y) + '\n';
-  }
+  text += referenceText(lane.answer);
+  if (verdict.kind != VerdictKind::None)
+    text += "Stage: " + std::string(stageInfo(verdict.stage).label) + '\n';
+  text += "Evidence\n";
+  for (const VerdictRow& row : verdict.rows) text += "  " + evidenceText(row) + '\n';
   text += "Parts of the error (red, green, blue)\n";
   for (std::size_t part = 0; part < kErrorParts; ++part) {
     const glm::dvec3& value = lane.answer.error.sum[part];
@@ -155,15 +221,7 @@ std::string verdictText(const VerdictOfLane& lane) {
             shortNumber(value.y) + " " + shortNumber(value.z) + '\n';
   }
   if (!lane.remedies) return text;
-  text += "Remedies, of " + std::to_string(lane.remedies->tried) + " tried from frame " +
-          std::to_string(lane.remedies->first) + ", measured over the last " +
-          std::to_string(kMeasuredFrames) +
-          " frames\n  as it is: " + measureText(lane.remedies->pixel, lane.remedies->picture) + '\n';
-  for (const TriedRemedy& tried : lane.remedies->best)
-    text += "  " + changesText(tried.remedy.changes) + ": " + measureText(tried.pixel, tried.picture) + '\n';
-  if (lane.remedies->best.empty())
-    text += "  none of them brings the pixel clearly nearer to the reference\n";
-  return text;
+  return text + remediesText(*lane.remedies);
 }
 
 } // namespace taa

@@ -1,6 +1,7 @@
 #include "core/scene/gltf/GltfNodes.h"
 
 #include "core/base/Error.h"
+#include "core/base/Light.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
 #include "core/base/json/JsonFields.h"
@@ -216,8 +217,7 @@ void keepStrongestLights(GltfContext& context) {
   std::iota(order.begin(), order.end(), std::size_t(0));
   const auto rank = [&](std::size_t index) {
     const Light& light = lights[index];
-    const float luminance = glm::dot(light.color, glm::vec3(0.2126f, 0.7152f, 0.0722f)); // Rec. 709
-    return std::pair(light.kind == LightKind::Directional, luminance * light.intensity);
+    return std::pair(light.kind == LightKind::Directional, luminance(light.color) * light.intensity);
   };
   std::ranges::stable_sort(order, std::ranges::greater{}, rank);
   order.resize(most);

@@ -13,7 +13,7 @@ inline constexpr Choice kAlphaSources[] = {
     {"lumaDifference", "Luma difference",
      "More of the current frame where its luma differs from history: against ghosts (manual 13.10, "
      "Lottes).",
-     Uses(USED(weight.sourceMax), USED(weight.sourceMin)), "lumaLikeness"},
+     Uses(USED(weight.sourceMax), USED(weight.sourceMin), USED(space.luma)), "lumaLikeness"},
     {"contrast", "Contrast", "Less of it where the box is large against the pixel's luma (manual 13.14).",
      Uses(), "contrastWeight"},
     {"depth", "Depth", "More history far away; none for the sky (manual 13.8).", Uses(USED(weight.alpha)),
@@ -22,7 +22,7 @@ inline constexpr Choice kAlphaSources[] = {
      "As printed in Raptor's chapter 11: of colors over 1 + their largest channel, and the weights are "
      "swapped, so that equal luma takes only the current frame and nothing is averaged (manual 13.12, "
      "D1).",
-     Uses(), "lumaLikeness"},
+     Uses(USED(space.luma)), "lumaLikeness"},
     {"contrastPerChannel", "Contrast, by channel",
      "Each of red, green and blue by its own contrast, as Raptor's weights are vectors; N counts with the "
      "α of luma (manual 13.14, 14.2).",
@@ -34,7 +34,7 @@ inline constexpr Choice kAlphaSources[] = {
     {"lumaDifferenceCompressed", "Luma difference, compressed",
      "As Luma difference, of colors over 1 + their largest channel: the corrected form of source 001, with "
      "limits of 1 and 0 (manual 13.12).",
-     Uses(USED(weight.sourceMax), USED(weight.sourceMin)), "lumaLikeness"},
+     Uses(USED(weight.sourceMax), USED(weight.sourceMin), USED(space.luma)), "lumaLikeness"},
 };
 inline constexpr Choice kMotionAlphas[] = {
     {"none", "None", "Motion does not matter.", Uses()},
@@ -56,8 +56,8 @@ inline constexpr Choice kMotionAlphas[] = {
      Uses(USED(weight.motionSpeed), USED(weight.motionSpeedIn)), "movedWeight"},
 };
 inline constexpr Choice kFlickerScales[] = {
-    {"relative", "Relative", "Of the larger luma: |Ls − Lh|/(0.001 + max) (manual 13.11, Filament).", Uses(),
-     "lumaFlickerFactor"},
+    {"relative", "Relative", "Of the larger luma: |Ls − Lh|/(0.001 + max) (manual 13.11, Filament).",
+     Uses(USED(space.luma)), "lumaFlickerFactor"},
     {"compressed", "Compressed",
      "Of lumas after c/(1 + c), 0.299 R + 0.587 G + 0.114 B and at least 0.0001, against 1.001: dark "
      "differences count for little (manual 13.11, Godot).",
@@ -89,7 +89,8 @@ inline constexpr Choice kMaskAlphas[] = {
 };
 inline constexpr Choice kToneWeights[] = {
     {"none", "None", "Plain blend: a firefly counts as much as it shines (manual 15.0).", Uses()},
-    {"luma", "Luma", "Colors weighted by 1/(1 + luma) (manual 15.1, Karis 2014).", Uses(), "toneWeight"},
+    {"luma", "Luma", "Colors weighted by 1/(1 + luma) (manual 15.1, Karis 2014).", Uses(USED(space.luma)),
+     "toneWeight"},
     {"reinhardChannel", "Reinhard", "Mixed after c/(1 + c), each channel by itself (manual 15.3).", Uses(),
      "compress"},
     {"maxChannel", "Largest channel", "Mixed after c/(1 + largest channel) (manual 15.4, Filament).", Uses(),
@@ -97,7 +98,7 @@ inline constexpr Choice kToneWeights[] = {
     {"lumaAsPrinted", "Luma, as printed",
      "As printed in Raptor's chapter 11: the luma of the compressed color, so that weights only span 1 to ½ "
      "and fireflies stay (manual §26, D19).",
-     Uses(), "toneWeight"},
+     Uses(USED(space.luma)), "toneWeight"},
     {"pq", "PQ",
      "Mixed as SMPTE ST 2084 codes them, 10000 as 1. Goes on beyond 1, where Donut cuts it off (manual "
      "15.5, Donut).",

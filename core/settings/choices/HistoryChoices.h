@@ -33,6 +33,15 @@ inline constexpr Choice kToneSpaces[] = {
      "where Donut cuts it off (manual 9.6, 15.5, Donut).",
      Uses(), "toBox"},
     {"logarithm", "Logarithm", "log₂(1 + c), each channel by itself (manual 15.7, Intel).", Uses(), "toBox"},
+    {"gamma", "Gamma",
+     "Encoded as for a screen, by the curve of sRGB, each channel by itself, and on beyond 1: with YCbCr the "
+     "Y'CbCr of gamma colors (manual 9.4, source 003; IEC 61966-2-1).",
+     Uses(), "toBox"},
+};
+inline constexpr Choice kWeightLumas[] = {
+    {"rec709", "Rec. 709", "0.2126 R + 0.7152 G + 0.0722 B (manual 15.1).", Uses(), "weightLuma"},
+    {"yCoCg", "Y of YCoCg", "(R + 2G + B)/4: red and blue weigh alike (manual 9.2, 15.1, source 000).",
+     Uses(), "weightLuma"},
 };
 inline constexpr Choice kNeighborhoodShapes[] = {
     {"cross", "Cross", "Five samples: tighter box, more flicker (manual 8.1).", Uses(), "measureSamples"},
@@ -64,8 +73,8 @@ inline constexpr Choice kSpeedUnits[] = {
 };
 inline constexpr Choice kMomentWeights[] = {
     {"equal", "Equal", "Every sample counts alike.", Uses(), "momentWeight"},
-    {"luma", "Luma", "Samples weighted by 1/(1 + luma): fireflies pull less (manual 10.7).", Uses(),
-     "momentWeight"},
+    {"luma", "Luma", "Samples weighted by 1/(1 + luma): fireflies pull less (manual 10.7).",
+     Uses(USED(space.luma)), "momentWeight"},
     {"distance", "Distance", "exp(−¾ r²): near samples count more (manual 10.7, DiligentFX).", Uses(),
      "momentWeight"},
     {"boxLuma", "Luma of the box",

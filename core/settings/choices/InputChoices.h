@@ -91,8 +91,8 @@ inline constexpr Choice kInputNoises[] = {
     {"whiteNoise", "White noise", kWhiteNoise, Uses(USED(inputs.noiseAmount), USED(inputs.noiseTriangular))},
 };
 inline constexpr Choice kFogNoises[] = {
-    {"none", "None", "All rays stop at the same distances: the fog has as many levels as steps, in bands.",
-     Uses()},
+    {"none", "None",
+     "All rays stop at the same distances: as many levels as steps fit into a beam, in bands.", Uses()},
     {"gradientNoise", "Gradient noise", kGradientNoise, Uses(USED(inputs.fogAnimated))},
     {"blueNoise", "Blue noise", kBlueNoise, Uses(USED(inputs.fogAnimated))},
     {"whiteNoise", "White noise", kWhiteNoise, Uses(USED(inputs.fogAnimated))},

@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/ShownText.h"
 #include "core/base/Text.h"
 
 #include <algorithm>
@@ -52,6 +53,18 @@ double relative(Metric metric, double now, double start) {
 }
 
 } // namespace
+
+std::vector<WorseMetric> worseMetrics(const TuneNumbers& now, const TuneNumbers& start) {
+  constexpr double kUnseenRise = 0.01;
+  std::vector<WorseMetric> worse;
+  for (const Metric metric : kGuardedMetrics) {
+    const auto index = static_cast<std::size_t>(metric);
+    if (!now.means[index] || !start.means[index]) continue;
+    const double rise = relative(metric, *now.means[index], *start.means[index]) - 1.0;
+    if (rise > kUnseenRise) worse.push_back({metric, rise});
+  }
+  return worse;
+}
 
 TuneGoal::TuneGoal(const std::string& text) {
   std::istringstream parts(text);

@@ -13,11 +13,26 @@ namespace taa {
 /// What a goal calls the time of the resolve, which is no metric of a picture.
 inline constexpr const char* kCostGoal = "cost";
 
+/// What tuning looks for where nobody says what for.
+inline constexpr const char* kDefaultGoal = "rmse=1,flicker=1";
+
+/// What everybody sees, whatever the goal: how far pictures are off, and how much they flicker more.
+inline constexpr std::array kGuardedMetrics{Metric::Rmse, Metric::Flicker};
+
 /// What is known of some settings.
 struct TuneNumbers {
   std::array<std::optional<double>, kMetrics.size()> means; ///< over the frames
   double cost = 1.0; ///< of the resolve, against that of the settings at the start (CostRatio::known())
 };
+
+/// A guarded metric that has become worse.
+struct WorseMetric {
+  Metric metric{};
+  double rise = 0.0; ///< share of what it was at the start
+};
+/// Those that are above what they were by more than a hundredth; a start is counted as in TuneGoal::value().
+/// What is not known of either is left out.
+std::vector<WorseMetric> worseMetrics(const TuneNumbers& now, const TuneNumbers& start);
 
 struct GoalTerm {
   std::optional<Metric> metric; ///< nothing: the cost

@@ -13,8 +13,12 @@ TuneShot::TuneShot(Inspector& inspector, const TuneGoal& goal, const MetricsRequ
     : inspector_(inspector), goal_(goal), request_(request), start_(inspector.shot().settings()) {
   assert(inspector.shot().laneCount() == 1);
   request_.wanted = goal.metrics();
-  if (std::ranges::none_of(request_.wanted, [](Metric metric) { return metricInfo(metric).needsReference; }))
-    request_.referenceSamples = 0;
+  const auto needsReference = [](Metric metric) { return metricInfo(metric).needsReference; };
+  for (const Metric metric : kGuardedMetrics)
+    if (std::ranges::find(request_.wanted, metric) == request_.wanted.end() &&
+        (request.referenceSamples > 0 || !needsReference(metric)))
+      request_.wanted.push_back(metric);
+  if (std::ranges::none_of(request_.wanted, needsReference)) request_.referenceSamples = 0;
   costs_.emplace(programKey(start_), 1.0);
   keepReferences(inspector, request_);
 }

@@ -16,6 +16,7 @@ class Inspector;
 class TuneShot {
  public:
   /// `inspector` has one lane, with the settings at the start. Its lanes change with each measurement.
+  /// Guarded metrics are measured besides what the goal counts, as far as `request` has samples for them.
   TuneShot(Inspector& inspector, const TuneGoal& goal, const MetricsRequest& request);
 
   /// The cost is that of the resolve's program, timed on the last frame beside the one at the start, once for

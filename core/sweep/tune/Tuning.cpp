@@ -4,6 +4,7 @@
 #include "core/base/Say.h"
 #include "core/inspect/Inspector.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <limits>
@@ -19,10 +20,10 @@ Tuning::Tuning(Inspector& inspector, const TuneRequest& request, const Progress&
 
 std::exception_ptr Tuning::run(const std::function<void()>& evaluated) {
   evaluated_ = evaluated;
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(request_.seconds);
+  began_ = std::chrono::steady_clock::now();
   TuneLimits limits{request_.evaluations, {}};
   if (request_.seconds > 0)
-    limits = {std::numeric_limits<int>::max(), [end] { return std::chrono::steady_clock::now() >= end; }};
+    limits = {std::numeric_limits<int>::max(), [this] { return secondsSoFar() >= request_.seconds; }};
   try {
     search_.run(limits);
   } catch (const Cancelled&) {
@@ -45,16 +46,27 @@ double Tuning::goalOf(const Settings& settings) {
     throw Error(
         say<"the metric %1 is not known of any of these frames: take more of them">(metricInfo(*unknown).id));
   measured_.push_back(std::move(numbers));
-  return goal_.value(measured_.back(), start());
+  const bool isRefused = !request_.trades && !worseMetrics(measured_.back(), start()).empty();
+  return isRefused ? std::numeric_limits<double>::infinity() : goal_.value(measured_.back(), start());
+}
+
+int Tuning::secondsSoFar() const {
+  const auto passed = std::chrono::steady_clock::now() - began_;
+  return static_cast<int>(std::chrono::duration_cast<std::chrono::seconds>(passed).count());
 }
 
 bool Tuning::tell() const {
   if (!progress_) return true;
-  const int done = result().evaluations;
-  const int total = request_.seconds > 0 ? done + 1 : request_.evaluations;
-  if (!hasStart()) return progress_(say<"Tuning; settings measured">(), done, total);
-  return progress_(say<"Tuning, goal %1 now; settings measured">(shortMetricText(result().goal)), done,
-                   total);
+  const bool isTimed = request_.seconds > 0;
+  const int measured = result().evaluations;
+  const int done = isTimed ? std::min(secondsSoFar(), request_.seconds) : measured;
+  const int total = isTimed ? request_.seconds : request_.evaluations;
+  if (!hasStart())
+    return progress_(isTimed ? say<"Tuning; seconds">() : say<"Tuning; settings measured">(), done, total);
+  const std::string goal = shortMetricText(result().goal);
+  return progress_(isTimed ? say<"Tuning, goal %1 now, %2 settings measured; seconds">(goal, measured)
+                           : say<"Tuning, goal %1 now; settings measured">(goal),
+                   done, total);
 }
 
 std::string termName(const GoalTerm& term) {

@@ -7,6 +7,7 @@
 #include "core/sweep/tune/TuneSearch.h"
 #include "core/sweep/tune/TuneShot.h"
 
+#include <chrono>
 #include <exception>
 #include <functional>
 #include <optional>
@@ -18,12 +19,13 @@ namespace taa {
 class Inspector;
 
 struct TuneRequest {
-  std::string goal;                ///< see TuneGoal
+  std::string goal = kDefaultGoal; ///< see TuneGoal
   std::vector<std::string> varied; ///< paths or groups; empty: all of the resolve
   MetricsRequest metrics{};        ///< frames and samples; what is measured follows from the goal
   unsigned seed = 1;
   int evaluations = 200;
-  int seconds = 0; ///< instead of evaluations; 0: those count
+  int seconds = 0;     ///< instead of evaluations; 0: those count
+  bool trades = false; ///< guarded metrics may become worse where the goal gains by it
 };
 
 /// How far a search has come.
@@ -55,12 +57,14 @@ class Tuning {
  private:
   double goalOf(const Settings& settings);
   bool tell() const;
+  int secondsSoFar() const;
 
   TuneRequest request_;
   const Progress& progress_;
   TuneGoal goal_;
   TuneShot shot_;
   std::function<void()> evaluated_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   std::vector<TuneNumbers> measured_; ///< of each evaluation, the start's first
   TuneSearch search_;
 };

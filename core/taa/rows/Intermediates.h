@@ -82,6 +82,9 @@ inline constexpr MadeOf kOfParts{.isReference = true, .overTime = OverTime::Part
       "How much of the surface's light the fog takes: 1 − transmittance.")                                   \
   ROW(objectClass, "Object class", Inputs, 1, "", 0, 4, Index, 0,                                            \
       "What the object is: 0 the sky, 1 still, 2 moves rigidly, 3 deforms, 4 a character.")                  \
+  ROW(forwardCount, "Forward count", Inputs, 1, "", -1, 4, Index, 0,                                         \
+      "Pixels of the last frame whose surface lies here now, render px: 0 a hole of forward reprojection, "  \
+      "2 and more a collision; −1 where inputs.forward is off or frames do not say it.")                     \
   ROW(dilatedOffset, "Dilated offset", DilateMotion, 2, "px", -1, 1, Vector, 0,                              \
       "Step to the neighbor whose motion is used, render px.")                                               \
   ROW(dilatedDepth, "Dilated depth", DilateMotion, 1, "", 0, 1, Depth, 1e-6,                                 \

@@ -27,6 +27,10 @@ bool hasMask(const Settings& s) {
   return s.inputs.mask != MaskSource::None;
 }
 
+bool hasForwardMap(const Settings& s) {
+  return isOn(s.inputs.forward);
+}
+
 bool hasOverlay(const Settings& s) {
   return s.inputs.blended == BlendedAs::After;
 }
@@ -66,6 +70,7 @@ constexpr ConstantRow kConstants[] = {
     {overlayAlpha, [](const Settings& s) { return constantUnless(hasOverlay(s), 0.0f); }},
     {dilatedOffset,
      [](const Settings& s) { return constantUnless(s.dilate.method != DilateMethod::None, 0.0f); }},
+    {forwardCount, [](const Settings& s) { return constantUnless(hasForwardMap(s), -1.0f); }},
     {depthEdge, [](const Settings& s) { return constantUnless(takesEdges(s), 0.0f); }},
     {sampleConfidence, [](const Settings& s) { return constantUnless(isUpsampled(s), 1.0f); }},
     {boxGamma, [](const Settings& s) { return constantUnless(changesGamma(s), s.neighborhood.gamma); }, true},
@@ -121,6 +126,7 @@ constexpr auto kWithoutDilation = [](const Settings& s) {
 };
 constexpr auto kAtFullSize = [](const Settings& s) { return !isUpsampled(s); };
 constexpr auto kWithMask = [](const Settings& s) { return !isUpsampled(s) && hasMask(s); };
+constexpr auto kWithForwardMap = [](const Settings& s) { return !isUpsampled(s) && hasForwardMap(s); };
 constexpr auto kWithOverlay = [](const Settings& s) { return !isUpsampled(s) && hasOverlay(s); };
 constexpr auto kShowsResolved = [](const Settings& s) { return !changesOutput(s); };
 constexpr auto kAlways = [](const Settings&) { return true; };
@@ -138,6 +144,7 @@ constexpr HeldEntry kHeld[] = {
     {responsive, {&FrameInputs::mask, nullptr, 1}, kWithMask},
     {overlay, {&FrameInputs::overlay}, kWithOverlay},
     {overlayAlpha, {&FrameInputs::overlay, nullptr, 3}, kWithOverlay},
+    {forwardCount, {&FrameInputs::forwardCount}, kWithForwardMap},
     {dilatedDepth, {&FrameInputs::depth}, kWithoutDilation},
     {dilatedMotion, {&FrameInputs::motion}, kWithoutDilation},
     {depthExpected, {&FrameInputs::previousDepth}, kWithoutDilation},

@@ -1,6 +1,7 @@
 // Color arithmetic of the CPU twin; order of operations as in the definition of the resolve.
 #include "core/taa/twin/Color.h"
 
+#include "core/base/Light.h"
 #include "core/taa/twin/ToneCurves.h"
 
 #include <array>
@@ -60,7 +61,17 @@ glm::vec3 storable(const glm::vec3& color) {
 }
 
 float luma(const glm::vec3& color) {
-  return (0.2126f * color.x + 0.7152f * color.y) + 0.0722f * color.z;
+  return luminance(color);
+}
+
+float weightLuma(const glm::vec3& color, WeightLuma chosen) {
+  switch (chosen) {
+  case WeightLuma::Rec709:
+    return luma(color);
+  case WeightLuma::YCoCg:
+    return (0.25f * color.x + 0.5f * color.y) + 0.25f * color.z;
+  }
+  return luma(color);
 }
 
 float saturated(float x) {
@@ -81,6 +92,8 @@ glm::vec3 compress(const glm::vec3& c, ToneSpace tone) {
     return eachChannel(c, pq);
   case ToneSpace::Logarithm:
     return eachChannel(c, logarithm);
+  case ToneSpace::Gamma:
+    return eachChannel(c, gammaEncoded);
   }
   return c;
 }
@@ -99,6 +112,8 @@ glm::vec3 decompress(const glm::vec3& y, ToneSpace tone) {
     return eachChannel(y, inversePq);
   case ToneSpace::Logarithm:
     return eachChannel(y, inverseLogarithm);
+  case ToneSpace::Gamma:
+    return eachChannel(y, gammaDecoded);
   }
   return y;
 }
@@ -217,7 +232,8 @@ glm::vec3 fromBox(const glm::vec3& box, const SpaceSettings& space) {
 }
 
 SpaceSettings withoutClamp(const SpaceSettings& space) {
-  return {space.color == ColorSpace::YCoCgAsPrinted ? ColorSpace::YCoCg : space.color, space.tone};
+  return {space.color == ColorSpace::YCoCgAsPrinted ? ColorSpace::YCoCg : space.color, space.tone,
+          space.luma};
 }
 
 float boxLuma(const glm::vec3& box, const SpaceSettings& space) {

@@ -20,6 +20,8 @@ glm::vec3 storable(const glm::vec3& color);
 
 /// Rec. 709 luma of scene-linear color.
 float luma(const glm::vec3& color);
+/// Luma that colors are weighed by, in every stage (manual 15.1).
+float weightLuma(const glm::vec3& color, WeightLuma chosen);
 
 /// Within 0 and 1; NaN becomes 0.
 float saturated(float x);

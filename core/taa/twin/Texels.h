@@ -3,6 +3,7 @@
 
 #include "core/base/Image.h"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <memory>
@@ -27,6 +28,10 @@ class Texels : public Image {
   Texels(int width_, int height_, int channels_, Fetch fetch, int tile = kTile);
 
   glm::vec4 texel(int x, int y) const { return lazy_ ? fetched(x, y) : Image::texel(x, y); }
+  /// Of a place beyond the border the nearest at it.
+  glm::vec4 nearestTexel(int x, int y) const {
+    return texel(std::clamp(x, 0, width - 1), std::clamp(y, 0, height - 1));
+  }
   bool empty() const { return !lazy_ && Image::empty(); }
 
  private:

@@ -47,6 +47,14 @@ float inverseLogarithm(float y) {
   return exp2LessOne(y);
 }
 
+float gammaEncoded(float c) {
+  return c > 0.0031308f ? 1.055f * power(c, 1.0f / 2.4f) - 0.055f : 12.92f * c;
+}
+
+float gammaDecoded(float y) {
+  return y > 0.04045f ? power((y + 0.055f) / 1.055f, 2.4f) : y / 12.92f;
+}
+
 float whitePoint(float c, float white) {
   return (c * (1.0f + c / (white * white))) / (1.0f + c);
 }

@@ -11,6 +11,10 @@ float inversePq(float y);
 float logarithm(float c);
 float inverseLogarithm(float y);
 
+/// The curve of sRGB, IEC 61966-2-1, on beyond 1 (9.4); back: in proportion below 0.
+float gammaEncoded(float c);
+float gammaDecoded(float y);
+
 /// c(1 + c/W²)/(1 + c), 1 at W (15.6).
 float whitePoint(float c, float white);
 float inverseWhitePoint(float y, float white);

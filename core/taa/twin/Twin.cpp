@@ -41,6 +41,8 @@ void recordInputs(PixelRecord& record, const Inputs& inputs, const Place& place)
   set(record, IntermediateId::fog, glm::vec3(fog));
   set(record, IntermediateId::fogOpacity, fog.w);
   set(record, IntermediateId::objectClass, inputs.normal.texel(p.x, p.y).w);
+  set(record, IntermediateId::forwardCount,
+      inputs.forwardCount.empty() ? -1.0f : inputs.forwardCount.texel(p.x, p.y).x);
 }
 
 void recordNeighborhood(PixelRecord& record, const Neighborhood& neighborhood) {
@@ -133,8 +135,8 @@ WeightInputs seenBy(const Inputs& inputs, const SpaceSettings& space, const glm:
   const auto boxed = [&space](const glm::vec3& color) { return boxLuma(toBox(color, space), space); };
   WeightInputs weighed;
   weighed.hasHistory = !inputs.historyColor.empty();
-  weighed.lumaCurrent = luma(current);
-  weighed.lumaHistory = luma(history);
+  weighed.lumaCurrent = weightLuma(current, space.luma);
+  weighed.lumaHistory = weightLuma(history, space.luma);
   weighed.boxCurrent = boxed(current);
   weighed.boxHistoryRaw = boxed(historyRaw);
   weighed.boxHistory = boxed(history);
@@ -142,8 +144,8 @@ WeightInputs seenBy(const Inputs& inputs, const SpaceSettings& space, const glm:
   weighed.boxHigh = boxLuma(n.boxMax, space);
   weighed.compressedCurrent = godotLuma(compress(current, ToneSpace::ReinhardChannel));
   weighed.compressedHistory = godotLuma(compress(history, ToneSpace::ReinhardChannel));
-  weighed.maxCurrent = luma(compress(current, ToneSpace::MaxChannel));
-  weighed.maxHistory = luma(compress(history, ToneSpace::MaxChannel));
+  weighed.maxCurrent = weightLuma(compress(current, ToneSpace::MaxChannel), space.luma);
+  weighed.maxHistory = weightLuma(compress(history, ToneSpace::MaxChannel), space.luma);
   weighed.stepSeconds = inputs.stepSeconds;
   return weighed;
 }
@@ -162,7 +164,8 @@ CurrentSettings currentSettings(const Settings& settings) {
 
 CurrentColor filteredAt(const Inputs& inputs, const Settings& settings, const Place& place, float speed) {
   if (!isTaaOn(settings)) return {currentColor(inputs, place.texel), 1.0f};
-  if (!isUpsampled(settings)) return {filterCurrent(inputs, settings.current, place.texel), 1.0f};
+  if (!isUpsampled(settings))
+    return {filterCurrent(inputs, settings.current, place.texel, settings.space.luma), 1.0f};
   CurrentColor current = upsample(inputs, settings.current.upsample, place, speed);
   current.color = sharpenCurrent(inputs, settings.current, place.texel, current.color);
   return current;
@@ -189,7 +192,7 @@ void describeTaps(const Inputs& inputs, const Settings& settings, const Place& p
     details.filterWeights = currentWeights(current, inputs.jitterPx);
   details.unsharpened = isSmaller
                             ? upsample(inputs, settings.current.upsample, place, details.weighed.speed).color
-                            : unsharpenedCurrent(inputs, current, place.texel);
+                            : unsharpenedCurrent(inputs, current, place.texel, settings.space.luma);
   if (inputs.historyColor.empty()) return;
   HistorySettings read = settings.history;
   if (history.isEdge) read.filter = HistoryFilter::Bilinear;

@@ -25,6 +25,7 @@ struct Inputs {
   Texels mask;           ///< 2: reactive, responsive; empty: none
   Texels overlay;        ///< 4, premultiplied; empty: none
   Texels fog;            ///< 4: scattered light, opacity; empty: none
+  Texels forwardCount;   ///< 1: pixels of the last frame that land there; empty: not counted
   Texels historyColor;   ///< 4; empty: no history
   Texels historySurface; ///< 2: N, view depth
   Texels resolved;       ///< 3 or more: what all pixels resolved to; empty: nothing is known of stage Output

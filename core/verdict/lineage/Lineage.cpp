@@ -1,5 +1,6 @@
 #include "core/verdict/lineage/Lineage.h"
 
+#include "core/base/Light.h"
 #include "core/base/Say.h"
 
 #include <algorithm>
@@ -12,11 +13,6 @@
 namespace taa {
 
 namespace {
-
-/// Rec. 709.
-double lumaWeight(const glm::dvec3& channels) {
-  return 0.2126 * channels.x + 0.7152 * channels.y + 0.0722 * channels.z;
-}
 
 double greatestOf(const glm::dvec3& weight) {
   return std::max({std::fabs(weight.x), std::fabs(weight.y), std::fabs(weight.z)});
@@ -106,7 +102,7 @@ void LineageWalk::visit(int frame) {
   samples_.clear();
   heaviest_ = 0.0;
   for (const auto& [pixel, node] : nodes_) follow(pixel, node, entry);
-  entry.weight = lumaWeight(entry.channels);
+  entry.weight = luminance(entry.channels);
   entry.pixels = static_cast<int>(nodes_.size());
   lineage_.weight += entry.weight;
   lineage_.rectified += entry.rectified;
@@ -119,7 +115,7 @@ void LineageWalk::prune() {
   std::erase_if(nodes_, [this](const auto& item) {
     const LineageNode& node = item.second;
     if (greatestOf(node.weight) >= options_.minWeight) return false;
-    lineage_.pruned += lumaWeight(node.weight);
+    lineage_.pruned += luminance(node.weight);
     lineage_.rest += node.weight * node.color;
     return true;
   });
@@ -135,8 +131,8 @@ void LineageWalk::describePlace(LineageFrame& entry) const {
   double squares = 0.0, sum = 0.0;
   for (const auto& [pixel, node] : nodes_) {
     const glm::dvec2 from = glm::dvec2(pixel) + 0.5 - entry.place;
-    squares += lumaWeight(node.weight) * (from.x * from.x + from.y * from.y);
-    sum += std::fabs(lumaWeight(node.weight));
+    squares += luminance(node.weight) * (from.x * from.x + from.y * from.y);
+    sum += std::fabs(luminance(node.weight));
   }
   if (sum > 0.0) entry.spreadPx = std::sqrt(std::max(0.0, squares / sum));
 }
@@ -155,7 +151,7 @@ void LineageWalk::follow(const glm::ivec2& pixel, const LineageNode& node, Linea
     entry.object = step.object;
   }
   entry.channels += samples;
-  entry.rectified += lumaWeight(step.rectified * history);
+  entry.rectified += luminance(step.rectified * history);
   entry.color += samples * step.current;
   readSamples(step, {samples, {}, node.offset, node.scale});
   const glm::dvec3 read = readHistory(step, node, kept);
@@ -163,7 +159,7 @@ void LineageWalk::follow(const glm::ivec2& pixel, const LineageNode& node, Linea
 }
 
 void LineageWalk::readSamples(const PixelStep& step, const LineageNode& node) {
-  const double weight = lumaWeight(node.weight);
+  const double weight = luminance(node.weight);
   if (weight == 0.0) return;
   for (const SampleRead& sample : step.samples) {
     SampleNode& known = samples_[sample.texel];
@@ -187,7 +183,7 @@ glm::dvec3 LineageWalk::readHistory(const PixelStep& step, const LineageNode& no
       read += weight;
       color += weight * tap.color;
     }
-  lineage_.blank += lumaWeight(kept - read);
+  lineage_.blank += luminance(kept - read);
   return color;
 }
 
@@ -204,7 +200,7 @@ void LineageWalk::listSamples(int frame) {
 
 void LineageWalk::end() {
   for (const auto& [pixel, node] : nodes_) {
-    lineage_.older += lumaWeight(node.weight);
+    lineage_.older += luminance(node.weight);
     lineage_.rest += node.weight * node.color;
   }
   double sum = 0.0, squares = 0.0;

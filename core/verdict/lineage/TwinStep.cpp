@@ -106,7 +106,9 @@ std::vector<TexelWeight> nineWeights(const TwinPixel& pixel) {
   const bool byLuma = isOn(pixel.settings.current.lumaWeighted);
   for (std::size_t k = 0; k < 9; ++k) {
     double weight = pixel.details.filterWeights[k];
-    if (byLuma) weight /= 1.0 + static_cast<double>(twin::luma(pixel.details.filterSamples[k]));
+    if (byLuma)
+      weight /= 1.0 + static_cast<double>(
+                          twin::weightLuma(pixel.details.filterSamples[k], pixel.settings.space.luma));
     weights.push_back(
         {pixel.details.texel + glm::ivec2(static_cast<int>(k) % 3 - 1, static_cast<int>(k) / 3 - 1), weight});
   }

@@ -18,12 +18,12 @@ namespace {
 constexpr float kSamePlacePx = 0.5f; // along an axis: within the pixel
 
 glm::vec3 pixelColor(const Image& image, int x, int y) {
-  const float* value = image.at(std::clamp(x, 0, image.width - 1), std::clamp(y, 0, image.height - 1));
+  const float* value = image.nearest(x, y);
   return {value[0], value[1], value[2]};
 }
 
 glm::vec3 pixelColor(const twin::Texels& texels, int x, int y) {
-  return texels.texel(std::clamp(x, 0, texels.width - 1), std::clamp(y, 0, texels.height - 1));
+  return texels.nearestTexel(x, y);
 }
 
 void setPixelColor(Image& image, int x, int y, const glm::vec3& color) {

@@ -1,10 +1,13 @@
 #include "core/verdict/pixel/Cures.h"
 
 #include "core/settings/Parameters.h"
+#include "core/taa/twin/stages/HistoryStages.h"
 
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <span>
+#include <string_view>
 
 namespace taa {
 
@@ -18,25 +21,42 @@ struct Cure {
 
 using Wrong = VerdictKind;
 
-/// Weight of the current frame, wherever it comes from.
-void scaleAlpha(Settings& s, float factor) {
-  const auto scale = [factor](float& weight) { weight = std::min(weight * factor, 1.0f); };
-  switch (s.weight.source) {
+/// The settings that bound α, by where it comes from.
+struct AlphaBounds {
+  float *least, *most;
+  std::string_view path; ///< of the one that says how much the current frame counts
+};
+
+AlphaBounds alphaBounds(WeightSettings& weight) {
+  switch (weight.source) {
   case AlphaSource::Constant:
   case AlphaSource::Depth:
-    return scale(s.weight.alpha);
+    return {&weight.alpha, &weight.alpha, "weight.alpha"};
   case AlphaSource::HistoryLength:
-    s.weight.minimum = std::max(s.weight.minimum, 0.03f); // 1/(N+1) gets there
-    return scale(s.weight.minimum);
+    return {&weight.minimum, &weight.minimum, "weight.minimum"};
   case AlphaSource::LumaDifference:
   case AlphaSource::Contrast:
   case AlphaSource::LumaDifferenceAsPrinted:
   case AlphaSource::ContrastPerChannel:
   case AlphaSource::Confidence:
   case AlphaSource::LumaDifferenceCompressed:
-    scale(s.weight.sourceMax);
-    scale(s.weight.sourceMin);
+    break;
   }
+  return {&weight.sourceMin, &weight.sourceMax, "weight.sourceMax"};
+}
+
+void scaleAlpha(Settings& s, float factor) {
+  if (s.weight.source == AlphaSource::HistoryLength)
+    s.weight.minimum = std::max(s.weight.minimum, 0.03f); // 1/(N+1) gets there
+  const AlphaBounds bounds = alphaBounds(s.weight);
+  *bounds.most = std::min(*bounds.most * factor, 1.0f);
+  if (bounds.least != bounds.most) *bounds.least = std::min(*bounds.least * factor, 1.0f);
+}
+
+/// A recursive average of so many frames that noise of samples cannot be seen.
+void averageFrames(Settings& s) {
+  s.weight.source = AlphaSource::HistoryLength;
+  s.weight.minimum = std::min(s.weight.minimum, 0.1f);
 }
 
 /// What is marked follows the current frame.
@@ -177,31 +197,169 @@ std::vector<double> otherValues(const Parameter& row, double value) {
     const double more = value != 0.0 ? 2.0 * value : kShareOfRange * std::min(row.maximum, 1.0);
     return {std::clamp(0.5 * value, row.minimum, row.maximum), std::clamp(more, row.minimum, row.maximum)};
   }
+  if (row.kind == ParameterKind::Toggle) return {0.0, 1.0};
   std::vector<double> values;
-  for (double other = row.minimum; other <= row.maximum; ++other) {
-    const bool isMisprint = row.kind == ParameterKind::Choice &&
-                            row.choices[static_cast<std::size_t>(other)].id.ends_with("AsPrinted");
-    if (!isMisprint) values.push_back(other);
-  }
+  for (std::size_t choice = 0; choice < row.choices.size(); ++choice)
+    if (!row.choices[choice].id.ends_with("AsPrinted")) values.push_back(static_cast<double>(choice));
   return values;
 }
 
+void addValues(const Parameter& row, const Settings& settings, std::vector<Settings>& changed) {
+  for (const double value : otherValues(row, row.get(settings))) {
+    changed.push_back(settings);
+    row.set(changed.back(), value);
+  }
+}
+
+/// Where no single test is named.
+constexpr std::string_view kTests[] = {
+    "validate.depth", "validate.object",    "validate.class",   "validate.normal", "validate.velocity",
+    "validate.speed", "validate.offScreen", "validate.flicker", "validate.action", "validate.depthTolerance"};
+
+/// The test that a reject reason is of; empty: that of none, as history that starts.
+std::string_view testOf(twin::RejectReason reason) {
+  switch (reason) {
+  case twin::RejectReason::OffScreen:
+    return "validate.offScreen";
+  case twin::RejectReason::Depth:
+    return "validate.depth";
+  case twin::RejectReason::Speed:
+    return "validate.speed";
+  case twin::RejectReason::Object:
+    return "validate.object";
+  case twin::RejectReason::Class:
+    return "validate.class";
+  case twin::RejectReason::Normal:
+    return "validate.normal";
+  case twin::RejectReason::Velocity:
+    return "validate.velocity";
+  case twin::RejectReason::Kept:
+  case twin::RejectReason::NoHistory:
+  case twin::RejectReason::NoPrevious:
+    break;
+  }
+  return {};
+}
+
+/// The test that rejected history first, as the rows of the verdict have it.
+std::vector<std::string_view> namedTests(const PixelVerdict& verdict) {
+  std::vector<std::string_view> named;
+  for (const VerdictRow& row : verdict.rows) {
+    if (row.id != IntermediateId::rejectReason) continue;
+    const std::string_view test = testOf(static_cast<twin::RejectReason>(static_cast<int>(row.value)));
+    if (!test.empty()) named.push_back(test);
+  }
+  if (named.empty()) named.assign(std::begin(kTests), std::end(kTests));
+  return named;
+}
+
+std::vector<std::string_view> namedInputs(const PixelVerdict& verdict) {
+  switch (verdict.kind) {
+  case VerdictKind::MaskSmear:
+    return {"inputs.mask"};
+  case VerdictKind::Ghost:
+  case VerdictKind::Lag:
+    return {"inputs.motion"};
+  default:
+    return {"inputs.mipBias", "inputs.unjitterTextures", "inputs.renderScale"};
+  }
+}
+
+/// The setting that α comes from.
+std::string_view weightPath(WeightSettings weight) {
+  return alphaBounds(weight).path;
+}
+
 } // namespace
+
+std::vector<std::string_view> namedSettings(const PixelVerdict& verdict, const Settings& settings) {
+  if (verdict.kind == VerdictKind::None) return {};
+  if (!isTaaOn(settings)) return {"taa.enabled"};
+  if (accumulatesNothing(settings)) return {weightPath(settings.weight), "weight.source"};
+  switch (verdict.stage) {
+  case Stage::Jitter:
+    return {"jitter.sequence", "jitter.scale"};
+  case Stage::Inputs:
+    return namedInputs(verdict);
+  case Stage::DilateMotion:
+    return {"dilate.method"};
+  case Stage::Reproject:
+    return {"reproject.method"};
+  case Stage::SampleHistory:
+    return {"history.filter"};
+  case Stage::FilterCurrent:
+    return {"current.filter"};
+  case Stage::Neighborhood:
+    return {"neighborhood.box", "neighborhood.shape", "neighborhood.gamma"};
+  case Stage::ValidateHistory:
+    return namedTests(verdict);
+  case Stage::RectifyHistory:
+    return {"rectify.method", "neighborhood.box", "neighborhood.gamma"};
+  case Stage::Blend:
+    return {"blend.tone"};
+  case Stage::BlendWeight:
+    if (verdict.kind == VerdictKind::MaskSmear) return {"weight.mask", "weight.maskAlpha"};
+    return {weightPath(settings.weight), "weight.source"};
+  case Stage::Output:
+  case Stage::Reference:
+  case Stage::Faults:
+    break;
+  }
+  return {};
+}
+
+bool accumulatesNothing(const Settings& settings) {
+  if (!isTaaOn(settings)) return true;
+  WeightSettings weight = settings.weight;
+  return weight.source != AlphaSource::Depth && *alphaBounds(weight).least >= 1.0f;
+}
+
+std::vector<Settings> accumulatingCures(const Settings& settings) {
+  if (!accumulatesNothing(settings)) return {};
+  std::vector<Settings> cures;
+  const auto add = [&](auto change) {
+    Settings& cure = cures.emplace_back(settings);
+    cure.jitter.taa = Switch::On;
+    change(cure);
+  };
+  if (!isTaaOn(settings)) {
+    add([](Settings&) {});
+    return cures;
+  }
+  for (const float alpha : {0.1f, 0.05f, 0.2f})
+    add([alpha](Settings& s) {
+      s.weight.source = AlphaSource::Constant;
+      s.weight.alpha = alpha;
+    });
+  add(averageFrames);
+  // What reads history in place averages another surface wherever something moves.
+  for (const Settings& still : std::vector<Settings>(cures)) {
+    if (still.reproject.method == ReprojectMethod::Motion) break;
+    cures.push_back(still);
+    cures.back().reproject.method = ReprojectMethod::Motion;
+  }
+  return cures;
+}
 
 std::vector<Settings> likelyCures(VerdictKind kind, const Settings& settings) {
   return curedOf(settings, kind, true);
 }
 
 std::vector<Settings> otherCures(VerdictKind kind, const Settings& settings) {
-  std::vector<Settings> cured = curedOf(settings, kind, false);
-  for (const Parameter& row : parameters()) {
-    if (!isOfResolving(row) || !isRelevant(row, settings)) continue;
-    for (const double value : otherValues(row, row.get(settings))) {
-      cured.push_back(settings);
-      row.set(cured.back(), value);
-    }
-  }
-  return cured;
+  return curedOf(settings, kind, false);
+}
+
+std::vector<Settings> singleChanges(const std::vector<std::string_view>& paths, const Settings& settings) {
+  std::vector<Settings> changed;
+  for (const std::string_view path : paths) addValues(parameter(path), settings, changed);
+  return changed;
+}
+
+std::vector<Settings> singleChanges(const Settings& settings) {
+  std::vector<Settings> changed;
+  for (const Parameter& row : parameters())
+    if (isOfResolving(row) && isRelevant(row, settings)) addValues(row, settings, changed);
+  return changed;
 }
 
 } // namespace taa

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace taa {
@@ -19,9 +20,21 @@ namespace taa {
 struct SurfaceMoment {
   int frame = 0;
   glm::ivec2 pixel{0};
+  glm::dvec2 place{0.5}; ///< px, of the surface, in that pixel
   twin::PixelRecord record{};
   glm::dvec3 resolved{0.0}, reference{0.0}; ///< scene-linear
+  /// Of truth at the place between pixels where the surface was then, by its four texels, what is nearest to
+  /// today's; nothing: not known.
+  std::optional<glm::dvec3> former{};
+  std::optional<glm::dvec2> motion{}; ///< px, true one to here from the frame before; nothing: not seen then
+  bool isUncovered =
+      false;           ///< by the scene's geometry: within a pixel of it something has just come into sight
+  bool isJump = false; ///< it came there by more than kJumpShare of the picture's width, as at a cut
 };
+
+/// Of the picture's width. A surface that moves further in one frame crosses the picture in eight: nobody can
+/// follow it, and nothing comes and goes on it.
+inline constexpr double kJumpShare = 0.125;
 
 /// All of one lane. Frames may be asked for in any order; those that lie in the window are kept.
 class EvidenceSource : public LineageSource {
@@ -35,9 +48,7 @@ class EvidenceSource : public LineageSource {
   virtual const twin::Texels& steps(int frame) = 0;
   /// The object that the pixel shows, or the nearest to it in the picture: of steps(), for less.
   virtual int object(int frame, const glm::ivec2& pixel) {
-    const twin::Texels& seen = steps(frame);
-    return static_cast<int>(
-        seen.texel(std::clamp(pixel.x, 0, seen.width - 1), std::clamp(pixel.y, 0, seen.height - 1)).z);
+    return static_cast<int>(steps(frame).nearestTexel(pixel.x, pixel.y).z);
   }
   /// Says what of all that will be read of a frame, so that it can be drawn together. Not all of it need lie
   /// in the picture.
@@ -46,13 +57,11 @@ class EvidenceSource : public LineageSource {
 
 /// A value of a three-channel picture; pixels beyond the border are those at it.
 inline glm::dvec3 pixelColorAt(const Image& image, const glm::ivec2& pixel) {
-  const float* value =
-      image.at(std::clamp(pixel.x, 0, image.width - 1), std::clamp(pixel.y, 0, image.height - 1));
+  const float* value = image.nearest(pixel.x, pixel.y);
   return {value[0], value[1], value[2]};
 }
 inline glm::dvec3 pixelColorAt(const twin::Texels& texels, const glm::ivec2& pixel) {
-  return glm::vec3(
-      texels.texel(std::clamp(pixel.x, 0, texels.width - 1), std::clamp(pixel.y, 0, texels.height - 1)));
+  return glm::vec3(texels.nearestTexel(pixel.x, pixel.y));
 }
 
 } // namespace taa

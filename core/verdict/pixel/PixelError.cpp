@@ -57,6 +57,23 @@ struct TrueChange {
   bool isOfMotion = false; ///< the surface's own motion would have led to less than half of that ghost
 };
 
+/// The object of one of the eight pixels around that moves otherwise than what the pixel shows, by more than
+/// half a pixel a frame, or has just come into sight; −1: none. Of what such a pixel shows, shares change.
+int passingObject(const twin::Texels& steps, const glm::ivec2& pixel) {
+  constexpr float kSameMotionPx = 0.5f;
+  const glm::vec4 own = steps.texel(pixel.x, pixel.y);
+  int passing = -1;
+  float furthest = kSameMotionPx;
+  for (const glm::vec4& other : stepsAround(steps, pixel)) {
+    if (other.z == own.z) continue;
+    const float apart = glm::length(glm::vec2(other) - glm::vec2(own));
+    if (apart <= furthest) continue; // NaN, which was not seen before, is further than anything
+    furthest = std::isnan(apart) ? std::numeric_limits<float>::max() : apart;
+    passing = static_cast<int>(other.z);
+  }
+  return passing;
+}
+
 class ErrorWalk {
  public:
   ErrorWalk(EvidenceSource& source, const LineageOptions& options, PixelError& found)
@@ -162,6 +179,7 @@ void ErrorWalk::follow(const glm::ivec2& pixel, const ErrorNode& node, const Pix
     const float flags = source_.steps(entry.frame).texel(pixel.x, pixel.y).w;
     entry.isBlendedOver = hasFlag(flags, StepFlag::BlendedOver);
     entry.isChanging = hasFlag(flags, StepFlag::Changes);
+    entry.passedBy = passingObject(source_.steps(entry.frame), pixel);
   }
   entry.weight += meanOf(node.weight);
   addStray(step.sampled, node.strayed * step.alpha, step.current);

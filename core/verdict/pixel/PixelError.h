@@ -55,6 +55,7 @@ struct ErrorOfFrame {
   double weight = 0.0;          ///< share of all its pixels in today's, luma
   bool isBlendedOver = false;   ///< something is blended over what `pixel` shows
   bool isChanging = false;      ///< its material changes without motion
+  int passedBy = -1; ///< object in one of the eight around `pixel` that moves otherwise; −1: none does
 };
 
 /// Samples of one frame and one object that history was read of instead of today's surface.

@@ -46,6 +46,7 @@ struct VerdictEvidence {
   PixelError error;
   std::optional<PixelError> older{};  ///< that it comes from, where most of it does (olderError())
   std::vector<SurfaceMoment> moments; ///< latest first, along the surface's true motion while it was seen
+  int object = -1;                    ///< that the pixel shows; −1: not known
   bool endsHidden = false;            ///< before the last of them the surface was not seen, as far as known
   // Of `older` where it is known.
   twin::PixelRecord ghostRecord{}; ///< of the pixel through which most of the ghost came in
@@ -69,6 +70,13 @@ struct VerdictRow {
   glm::ivec2 pixel{0};
   double value = 0.0;
   std::optional<double> limit; ///< what it was held against
+  glm::vec4 channels{0.0f};    ///< all of them; `value` is the first
+};
+
+/// Of the frames that were looked at those in which a stage did something, and the largest of what it did.
+struct RepeatedEvent {
+  int events = 0, frames = 0;
+  double largest = 0.0;
 };
 
 struct PixelVerdict {
@@ -84,6 +92,7 @@ struct PixelVerdict {
   bool isOlder = false;           ///< it was there before the window
   int causeFrame = 0;             ///< frame of what is seen in it; of a ghost the latest
   std::optional<int> causeObject; ///< that a ghost is of, as it is drawn; 0: the sky
+  RepeatedEvent repeated;         ///< of flicker, by the stage
   std::vector<VerdictRow> rows;   ///< four or five that decided it
 };
 

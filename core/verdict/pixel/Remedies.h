@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace taa {
@@ -34,29 +35,51 @@ struct TriedRemedy {
   Remedy remedy;
   RemedyMeasure pixel;
   std::optional<RemedyMeasure> picture{}; ///< nothing: it was not measured
+  bool isNamed = false;                   ///< it changes a setting that the verdict names
 };
 
 /// What is to be mended.
 struct RemedyCase {
   VerdictKind kind = VerdictKind::None;
-  Settings settings;         ///< that made the frames
-  bool drawsInputs = true;   ///< inputs may be drawn otherwise: they are not those of a capture
-  RemedyMeasure before = {}; ///< of the pixel, as it is
+  Settings settings;                      ///< that made the frames
+  bool drawsInputs = true;                ///< inputs may be drawn otherwise: they are not those of a capture
+  std::vector<std::string_view> named{};  ///< namedSettings() of the verdict
+  RemedyMeasure before{};                 ///< of the pixel, as it is
+  std::optional<RemedyMeasure> picture{}; ///< as it is; nothing: it was not measured
 };
 
-/// Rounds of a search: likely changes; where none of them helps clearly all others of one setting; the best
-/// with those that help besides; that once more.
+/// PSNR of a measure, dB.
+double psnrOf(const RemedyMeasure& picture);
+/// A change may take so much of the picture's PSNR, dB, before it counts as a cost: a limit that was
+/// chosen, not calibrated.
+inline constexpr double kPictureCost = 0.1;
+/// And its flicker may rise by this share, if that is at least a twentieth of a step of 255 a frame.
+inline constexpr double kFlickerCost = 0.1;
+bool costsPicture(const RemedyMeasure& before, const RemedyMeasure& after);
+
+/// Whether it leaves clearly less of the pixel's error than there was, by its errors and their change
+/// together, and less in the last frame.
+bool isMending(const RemedyMeasure& before, const RemedyMeasure& after);
+
+/// What is to be known of a remedy besides its numbers, in sentences: that the verdict names it, that it does
+/// not help, what it costs the picture. Mostly empty. `pixel`, `picture`: as it is.
+std::string remedyNote(const TriedRemedy& tried, const RemedyMeasure& pixel,
+                       const std::optional<RemedyMeasure>& picture);
+
+/// Rounds of a search: what averages frames where nothing does, what the verdict names and likely
+/// changes; where all of these leave what can be seen, all choices and numbers of one setting, and where none
+/// helps clearly those against other kinds; the best with those that help besides; that once more.
 inline constexpr int kRemedyRounds = 4;
 /// What a round tries, knowing `tried` of all rounds before: nothing twice, nothing that changes nothing or
 /// more than three settings.
 std::vector<Remedy> remedyRound(int round, const RemedyCase& of, const std::vector<TriedRemedy>& tried);
 
-/// The best `count` of those that bring the pixel clearly nearer to the truth than `before`, by its errors
-/// and their change together, and nearer in the last frame. Of those that nobody could tell apart the one
-/// that costs the picture least comes first, by its error and flicker together; where that is the same or
-/// not measured the simplest. One that has all changes of one that is told, and more, is left out. One that
-/// takes out what was injected comes before all.
-std::vector<TriedRemedy> bestRemedies(const std::vector<TriedRemedy>& tried, const RemedyMeasure& before,
+/// The best `count` of those that mend the pixel. Those that cost the picture come last, as far as it was
+/// measured. Of those that leave about the same the one with fewer changes comes first, then the one whose
+/// picture is best, by its error and flicker together. One that has all changes of one that is told, and
+/// more, is left out. What takes out what was injected, or turns TAA on, comes before all. One that changes a
+/// setting that the verdict names is always among them, after all others where it does not mend the pixel.
+std::vector<TriedRemedy> bestRemedies(const std::vector<TriedRemedy>& tried, const RemedyCase& of,
                                       std::size_t count);
 
 } // namespace taa

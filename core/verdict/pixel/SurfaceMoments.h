@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/taa/rows/Intermediates.h"
+#include "core/taa/twin/stages/HistoryStages.h"
 #include "core/verdict/pixel/Evidence.h"
 
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <vector>
 
 namespace taa {
@@ -24,8 +26,41 @@ double flickerOf(const std::vector<SurfaceMoment>& moments);
 /// in.
 bool isHighlight(const std::vector<SurfaceMoment>& moments);
 
-/// Whether what lay at the surface's place a frame ago hid it: of the depths there, the best match was
-/// nearer.
-bool wasBehind(const twin::PixelRecord& record);
+/// Whether its sample, or what the filter makes of it, exceeds white in a channel.
+bool isBrighterThanWhite(const SurfaceMoment& moment);
+
+/// How many moments do, and in how many of them the sample itself does not: the filter took that in beside
+/// it.
+struct BrightFrames {
+  int all = 0, filtered = 0;
+};
+BrightFrames brightFrames(const std::vector<SurfaceMoment>& moments);
+
+/// A jitter pattern of no more places has shown all of them twice in the frames that are followed.
+inline constexpr int kFewJitterPlaces = 8;
+
+/// Which test rejected history, or why there was none.
+twin::RejectReason rejectReasonOf(const twin::PixelRecord& record);
+
+/// The frame's sample as it would be shown, unfiltered.
+glm::dvec3 shownSample(const SurfaceMoment& moment);
+
+/// The middle one of the weights of the current frame where tests keep history; 0 where they seldom do.
+double usualWeight(const std::vector<SurfaceMoment>& moments);
+
+/// Whether the samples since the start are weighed so unequally that they do the work of less than three
+/// quarters of them: (Σw)²/Σw² of their weights.
+bool areWeighedUnevenly(const std::vector<SurfaceMoment>& moments);
+
+/// Whether no history counts.
+bool isRestart(const twin::PixelRecord& record);
+
+/// How many of them, from the latest, could have been averaged: back to where there was no history, or where
+/// it was given up while something came into sight there, by the scene's geometry.
+std::size_t availableSamples(const std::vector<SurfaceMoment>& moments);
+
+/// Largest channel of what the mean of the colors that `row` has of the latest `count` is off, as shown, 0
+/// to 1.
+double errorOfMean(const std::vector<SurfaceMoment>& moments, std::size_t count, IntermediateId row);
 
 } // namespace taa

@@ -10,10 +10,13 @@
 #include "app/panels/ScenePanel.h"
 #include "app/style/Theme.h"
 #include "app/widgets/Chooser.h"
+#include "app/widgets/IntermediateRow.h"
 #include "app/widgets/SearchField.h"
 #include "app/widgets/bars/OfferBar.h"
 #include "app/widgets/bars/Strip.h"
 #include "app/widgets/parameters/ParameterRow.h"
+#include "core/base/Error.h"
+#include "tests/app/PaintedTexts.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QLabel>
@@ -38,7 +41,7 @@ using namespace taa::app;
 
 namespace {
 
-using Search = test::FakeWindow;
+using SearchFields = test::FakeWindow;
 
 /// What is said in the place of hits; empty: nothing.
 QString missed(const QWidget* where) {
@@ -48,7 +51,7 @@ QString missed(const QWidget* where) {
 
 } // namespace
 
-TEST_F(Search, OfSettingsSaysThatNothingWasFound) {
+TEST_F(SearchFields, OfSettingsSaysThatNothingWasFound) {
   SearchField* field = window.pipeline()->searchField();
   field->setFocus();
   QTest::keyClicks(field, "clip");
@@ -61,7 +64,7 @@ TEST_F(Search, OfSettingsSaysThatNothingWasFound) {
 }
 
 // What presets, lessons and taa-batch write.
-TEST_F(Search, OfSettingsKnowsAssignments) {
+TEST_F(SearchFields, OfSettingsKnowsAssignments) {
   const auto shown = [&] {
     std::set<QString> paths;
     for (const auto* row : window.pipeline()->findChildren<ParameterRow*>())
@@ -82,8 +85,75 @@ TEST_F(Search, OfSettingsKnowsAssignments) {
   field->clear();
 }
 
+TEST_F(SearchFields, OfSettingsKnowsWhatOthersCallThemAndSaysWhyTheyAreThere) {
+  const auto found = [&](const QString& path) {
+    for (const ParameterRow* row : window.pipeline()->parameterRows())
+      if (row->path() == path) return row->isVisible() ? row->found() : QStringLiteral("hidden");
+    return QString();
+  };
+  SearchField* field = window.pipeline()->searchField();
+  field->setText("AABB");
+  EXPECT_EQ(found("neighborhood.box"), "here: box");
+  EXPECT_EQ(found("jitter.period"), "hidden");
+  for (const IntermediateRow* row : window.pipeline()->intermediateRows()) {
+    if (row->id() == IntermediateId::boxMin) {
+      EXPECT_TRUE(row->isVisible());
+      EXPECT_EQ(row->found(), "here: box");
+    }
+  }
+  field->setText("Karis");
+  EXPECT_EQ(found("rectify.method"), "choice: Clip to filtered");
+  field->setText("sharpen");
+  EXPECT_EQ(found("output.sharpen"), "") << "the label says it";
+  field->clear();
+  EXPECT_EQ(found("rectify.method"), "") << "nothing is searched for";
+}
+
+// "Box" is a choice of the current filter, and the name of a setting of a later stage.
+TEST_F(SearchFields, OfSettingsShowsWhatIsFoundByItsLabelFirst) {
+  window.pipeline()->setAllExpanded(true);
+  const auto y = [&](const QString& path) {
+    settle();
+    for (const ParameterRow* row : window.pipeline()->parameterRows())
+      if (row->path() == path) return row->mapTo(&window, QPoint()).y();
+    return 0;
+  };
+  SearchField* field = window.pipeline()->searchField();
+  ASSERT_LT(y("current.filter"), y("neighborhood.box"));
+  field->setText("box");
+  EXPECT_LT(y("neighborhood.box"), y("current.filter"));
+  EXPECT_LT(y("neighborhood.box"), y("neighborhood.gamma")) << "within a stage, too";
+  field->clear();
+  EXPECT_LT(y("current.filter"), y("neighborhood.box")) << "the order of the stages again";
+  EXPECT_LT(y("space.color"), y("neighborhood.box"));
+}
+
+TEST_F(SearchFields, OfCommandsAndIntermediatesKnowsWhatOthersCallThem) {
+  for (const bool ofCommands : {true, false}) {
+    if (ofCommands)
+      key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+    else
+      key(Qt::Key_I);
+    auto* chooser = qobject_cast<Chooser*>(QApplication::activePopupWidget());
+    ASSERT_TRUE(chooser);
+    chooser->search("AABB");
+    const auto* list = chooser->findChild<QListWidget*>();
+    int boxes = 0;
+    for (int at = 0; at < list->count(); ++at) {
+      const QListWidgetItem* item = list->item(at);
+      if (item->isHidden() || !item->text().startsWith("Box")) continue;
+      ++boxes;
+      EXPECT_TRUE(item->data(Qt::UserRole + 1).toString().startsWith("here: box"))
+          << item->data(Qt::UserRole + 1).toString().toStdString();
+    }
+    EXPECT_GE(boxes, ofCommands ? 1 : 2);
+    chooser->close();
+    settle();
+  }
+}
+
 // Commands of the menu File stand before and after those of its menu Export.
-TEST_F(Search, OfCommandsNamesEachGroupOnce) {
+TEST_F(SearchFields, OfCommandsNamesEachGroupOnce) {
   key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
   auto* chooser = qobject_cast<Chooser*>(QApplication::activePopupWidget());
   ASSERT_TRUE(chooser);
@@ -102,7 +172,7 @@ TEST_F(Search, OfCommandsNamesEachGroupOnce) {
   settle();
 }
 
-TEST_F(Search, OfObjectsSaysThatNothingWasFound) {
+TEST_F(SearchFields, OfObjectsSaysThatNothingWasFound) {
   window.left()->openPage(LeftPage::Scene);
   settle();
   QTest::keyClicks(window.scene()->filterField(), "nobody");
@@ -111,7 +181,7 @@ TEST_F(Search, OfObjectsSaysThatNothingWasFound) {
   EXPECT_EQ(missed(window.scene()), "");
 }
 
-TEST_F(Search, OfCommandsAndIntermediatesSaysThatNothingWasFound) {
+TEST_F(SearchFields, OfCommandsAndIntermediatesSaysThatNothingWasFound) {
   for (const bool ofCommands : {true, false}) {
     if (ofCommands)
       key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
@@ -133,7 +203,7 @@ TEST_F(Search, OfCommandsAndIntermediatesSaysThatNothingWasFound) {
   }
 }
 
-TEST_F(Search, OfKeysFindsThemByWhatTheyDo) {
+TEST_F(SearchFields, OfKeysFindsThemByWhatTheyDo) {
   key(Qt::Key_Question);
   auto* dialog = window.findChild<KeysDialog*>();
   ASSERT_TRUE(dialog);
@@ -156,7 +226,7 @@ TEST_F(Search, OfKeysFindsThemByWhatTheyDo) {
   dialog->close();
 }
 
-TEST_F(Search, OfTheManualSaysWhereElseATextIs) {
+TEST_F(SearchFields, OfTheManualSaysWhereElseATextIs) {
   key(Qt::Key_F1);
   auto* dialog = window.findChild<ReferenceDialog*>();
   ASSERT_TRUE(dialog);
@@ -171,7 +241,7 @@ TEST_F(Search, OfTheManualSaysWhereElseATextIs) {
 }
 
 // A document on show is laid out anew for each cell that comes to a table: the window stood still meanwhile.
-TEST_F(Search, PagesOfTheManualAreMadeBeforeTheyAreShown) {
+TEST_F(SearchFields, PagesOfTheManualAreMadeBeforeTheyAreShown) {
   ReferenceDialog dialog(&window);
   dialog.show();
   auto* browser = dialog.findChild<QTextBrowser*>();
@@ -215,6 +285,64 @@ TEST(FirstPicture, UntilItIsThereTheWindowSaysWhatItDoes) {
   EXPECT_TRUE(test::waitFor([&] { return gone.isNull(); })) << "a picture has come";
 }
 
+namespace {
+
+/// Of what the window says to be under way.
+QStringList underWay(QWidget& window) {
+  QStringList found;
+  for (const test::PaintedText& painted : test::paintedTexts(window))
+    for (const char* words : {"Loading", "so far", "Reading", "Looking for", "being ", "of 12"})
+      if (painted.text.contains(QLatin1String(words))) found << painted.text;
+  return found;
+}
+
+} // namespace
+
+// Without OpenGL the render thread ends, and no picture comes.
+TEST(FirstPicture, ThatNeverComesEndsAllThatSaysItIsUnderWay) {
+  test::FakeRenderer* renderer = nullptr;
+  Session session([&](Listener listener) {
+    auto made = std::make_unique<test::FakeRenderer>(std::move(listener));
+    renderer = made.get();
+    return made;
+  });
+  test::TestWindow window(session, nullptr);
+  renderer->holdsBack = true;
+  window.resize(1280, 800);
+  window.show();
+  window.openSource("builtin:fan");
+  session.probes().setPixel(glm::ivec2(12, 7));
+  auto* note = window.findChild<LoadingNote*>();
+  ASSERT_TRUE(test::waitFor([&] { return note->isVisible(); }));
+  renderer->tell(Work{WorkKind::Opening, "Reading textures", 3, 12});
+  QTest::qWait(500); // the bar of what takes long is shown by now
+  EXPECT_GE(underWay(window).size(), 3);
+
+  renderer->tell(Failure{.sentence = "cannot draw: there is no OpenGL", .isEnd = true});
+  ASSERT_TRUE(test::waitFor([&] { return !session.whyEnded().isEmpty(); }));
+  QTest::qWait(500); // what would be said later is said by now
+  EXPECT_EQ(underWay(window).join("; ").toStdString(), "");
+  EXPECT_EQ(note->text(), "Nothing can be drawn\nCannot draw: there is no OpenGL.");
+
+  window.openSource("builtin:disocclusion");
+  QTest::qWait(500);
+  EXPECT_EQ(underWay(window).join("; ").toStdString(), "");
+  EXPECT_EQ(note->text(), "Nothing can be drawn\nCannot draw: there is no OpenGL.");
+}
+
+TEST(FirstPicture, IsNotWaitedForWhereTheRenderThreadDoesNotStart) {
+  Session session([](Listener) -> std::unique_ptr<Renderer> { throw Error("cannot start a thread"); });
+  test::TestWindow window(session, nullptr);
+  window.resize(1280, 800);
+  window.show();
+  window.openSource("builtin:fan");
+  auto* note = window.findChild<LoadingNote*>();
+  ASSERT_TRUE(test::waitFor([&] { return note->isVisible(); }));
+  QTest::qWait(500);
+  EXPECT_EQ(note->text(), "Nothing can be drawn\nCannot start a thread.");
+  EXPECT_EQ(underWay(window).join("; ").toStdString(), "");
+}
+
 TEST(FirstStart, ShowsOneStripAtATime) {
   const QTemporaryDir folder;
   QSettings settings(folder.filePath("settings.ini"), QSettings::IniFormat);
@@ -241,7 +369,7 @@ TEST(FirstStart, ShowsOneStripAtATime) {
 }
 
 // With a verdict, its remedies and a long description: those are read first.
-TEST_F(Search, TheValuesKeepTheirRoomBelowAVerdict) {
+TEST_F(SearchFields, TheValuesKeepTheirRoomBelowAVerdict) {
   session.probes().setPixel(glm::ivec2(12, 7));
   window.resize(1280, 760);
   settle();

@@ -59,8 +59,8 @@ Diagnosis wrongSky() {
   diagnosis.pairs = 31;
   diagnosis.sizePx = {32, 18};
   diagnosis.findings = {skyFinding()};
-  diagnosis.undecided = {{"Motion of the floor", "it is plain", "Capture it with a texture."}};
-  diagnosis.healthy = {"jitter fits"};
+  diagnosis.parts.leaveOpen({"Motion of the floor", "it is plain", "Capture it with a texture."});
+  diagnosis.parts.addRight("Jitter", "jitter fits");
   diagnosis.notes = {"frame 0 is not jittered"};
   return diagnosis;
 }
@@ -315,7 +315,7 @@ TEST_F(DoctorPageTest, SaysThatNothingIsWrong) {
   Diagnosis healthy;
   healthy.frames = 32;
   healthy.pairs = 31;
-  healthy.healthy = {"jitter fits"};
+  healthy.parts.addRight("Jitter", "jitter fits");
   script_->early = script_->all = healthy;
   examine();
   EXPECT_EQ(panel()->details()->title(), "Nothing wrong was found.");

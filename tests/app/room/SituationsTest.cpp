@@ -160,6 +160,24 @@ TEST_F(LargeText, DialogsCutNothingAtTwoHundredPercent) {
   window.setTextPercent(100);
 }
 
+// A list that hints at less than it paints cuts words where a line breaks in one and not in the other.
+TEST_F(LargeText, LinesOfAListAreAsHighAsTheirWordsAtEveryWidth) {
+  QListWidget list;
+  list.setWordWrap(true);
+  list.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  const QString name = QStringLiteral("Unity blog, step 7: the history is clipped to a box (mine)");
+  list.addItems({name, QStringLiteral("HDRP TAA, high"), QStringLiteral("NVIDIA variance clipping")});
+  list.show();
+  const int first =
+      QFontMetrics(list.font()).horizontalAdvance(QStringLiteral("variance")) + 7 * kUnit; // widest word
+  for (int width = first; width < 3 * first; ++width) {
+    SCOPED_TRACE(width);
+    list.resize(width, 600);
+    settle();
+    test::expectWholeTexts(list);
+  }
+}
+
 TEST(PaintedTexts, TellWhatIsCutAndWhatWasPaintedWhole) {
   QWidget window;
   window.resize(100, 80);

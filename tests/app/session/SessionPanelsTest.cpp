@@ -92,7 +92,7 @@ TEST_F(SessionPanels, ThePagesOfTheProbeComeBack) {
   EXPECT_FALSE(probe->table()->isExpanded(probe->model()->index(3, 0)));
   EXPECT_EQ(probe->model()->idOf(probe->table()->currentIndex()), IntermediateId::alpha);
   EXPECT_EQ(probe->colorSpace()->space(), PlotSpace::Rgb);
-  EXPECT_EQ(probe->colorSpace()->view()->turn(), (app::Turn{1.25, -0.5}));
+  EXPECT_EQ(probe->colorSpace()->view()->turn(), (SpaceTurn{1.25, -0.5}));
   probe->setTab(ProbeTab::Values);
   settle();
   EXPECT_EQ(probe->table()->verticalScrollBar()->value(), 150);

@@ -236,8 +236,30 @@ TEST_F(VerdictPanel, NamesRemediesAsTheTablesDo) {
   const RemedyButton* first = details()->remedies()[0];
   EXPECT_EQ(first->text(), inWords("validate.object", QStringLiteral("on")) + QLatin1Char('\n') + method);
   EXPECT_EQ(details()->remedies()[1]->text(), method);
-  EXPECT_EQ(first->effects(), "This pixel, last 4 frames: off by 40 → 5 of 255\n"
-                              "Picture: error 4 → 3, ghost 2 → 0.5, flicker 1 → 1.5, sharpness 90 % → 95 %");
+  EXPECT_EQ(first->effects(),
+            "This pixel, last 4 frames: off by 40 → 5 of 255\n"
+            "Picture: error 4 → 3, ghost 2 → 0.5, flicker 1 → 1.5 (worse), sharpness 90 % → 95 %");
+}
+
+// The setting that the verdict names is told in more lines, and the picture's come later.
+TEST_F(VerdictPanel, GivesEachRemedyTheHeightOfItsLines) {
+  const taa::VerdictDelivery measured = renderer->verdict;
+  taa::TriedRemedy named = taa::app::test::fakeRemedy({"validate.class=on"}, 200.0);
+  named.isNamed = true;
+  renderer->verdict.remedies->best = {taa::app::test::fakeRemedy({"rectify.method=clamp"}, 10.0),
+                                      taa::app::test::fakeRemedy({"rectify.method=clipToFiltered"}, 10.0),
+                                      named};
+  const taa::RemedyAnswer whole = *renderer->verdict.remedies;
+  for (taa::TriedRemedy& each : renderer->verdict.remedies->best) each.picture.reset();
+  renderer->verdict.remedies->picture.reset();
+  window.resize(1280, 1000);
+  probe();
+  ASSERT_EQ(shownRemedies(), 3);
+  renderer->verdict.remedies = whole;
+  renderer->deliver();
+  settle();
+  for (const RemedyButton* each : details()->remedies())
+    EXPECT_EQ(each->height(), each->layout()->heightForWidth(each->width())) << each->effects().toStdString();
 }
 
 TEST_F(VerdictPanel, ShowsRemediesBeforeWhatTheyCost) {
@@ -314,8 +336,8 @@ TEST_F(VerdictPanel, IsReadAloudAndCopied) {
   key(Qt::Key_V, Qt::ControlModifier | Qt::AltModifier);
   const QString copied = QApplication::clipboard()->text();
   EXPECT_TRUE(copied.startsWith(sentence + QLatin1Char('\n'))) << copied.toStdString();
-  EXPECT_TRUE(copied.contains(QStringLiteral("depthMismatch 0.5 against 0.125 in frame 9 at 11,7")));
-  EXPECT_TRUE(copied.contains(QStringLiteral("validate.object=on rectify.method=clamp: pixel: error ")));
+  EXPECT_TRUE(copied.contains(QStringLiteral("depthMismatch 0.5 in frame 9 at 11,7; the limit is 0.125")));
+  EXPECT_TRUE(copied.contains(QStringLiteral("validate.object=on rectify.method=clamp\n    pixel: error ")));
 }
 
 TEST_F(VerdictPanel, SaysThatNothingMendsIt) {

@@ -1,6 +1,7 @@
 // The color space plot: geometry of boxes and hull, projection, and turning it with mouse and keys.
 #include "app/models/ColorSpaceMath.h"
 #include "app/views/plots/ColorSpaceView.h"
+#include "core/settings/Parameters.h"
 #include "core/taa/twin/Color.h"
 
 #include <QTest>
@@ -13,6 +14,7 @@
 #include <cstddef>
 #include <numbers>
 #include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -160,14 +162,14 @@ TEST(ColorSpaceMath, ShowsTheTapsThatTheBoxIsOf) {
 }
 
 TEST(ColorSpaceMath, ProjectsAlongTheAxesAndKeepsLengths) {
-  const Turn front{0, 0};
+  const SpaceTurn front{0, 0};
   const Projected up = projected({1, 0, 0}, front), right = projected({0, 1, 0}, front);
   EXPECT_NEAR(up.place.y, 1, 1e-12);
   EXPECT_NEAR(right.place.x, 1, 1e-12);
   EXPECT_NEAR(projected({0, 0, 1}, front).nearness, 1, 1e-12);
   EXPECT_NEAR(projected({0, 0, 1}, {std::numbers::pi / 2, 0}).place.x, 1, 1e-12);
   EXPECT_NEAR(projected({1, 0, 0}, {0.3, std::numbers::pi / 2}).nearness, 1, 1e-12) << "seen from above";
-  for (const Turn& turn : {Turn{0.4, 0.2}, Turn{-2.0, 1.0}}) {
+  for (const SpaceTurn& turn : {SpaceTurn{0.4, 0.2}, SpaceTurn{-2.0, 1.0}}) {
     const Projected some = projected({0.3, -0.5, 0.7}, turn);
     EXPECT_NEAR(glm::dot(some.place, some.place) + some.nearness * some.nearness, 0.83, 1e-12);
   }
@@ -195,7 +197,7 @@ TEST(ColorSpaceView, TurnsWithMouseAndKeysAndTurnsBack) {
   view.setScene(Pixel().scene(PlotSpace::YCoCg));
   view.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
-  const Turn first = view.turn();
+  const SpaceTurn first = view.turn();
   const glm::vec3 color = *view.scene()->historyRaw;
   const QPointF before = view.placeOf(color);
   QTest::mousePress(&view, Qt::LeftButton, {}, {150, 100});
@@ -243,6 +245,32 @@ TEST(ColorSpaceView, LabelsOfItsAxesStandApartHoweverItIsTurned) {
     }
 }
 
+// History (0.9, 0.2, 0.1) and a box from (0.3, 0, −0.1) to (0.5, 0.08, 0), by hand: the nearest point of the
+// box; and from its middle (0.4, 0.04, −0.05) a fifth of the way, what is below 0 made 0.
+TEST(ColorSpace, ShowsWhereEachMethodPutsHistory) {
+  Pixel pixel;
+  pixel.settings.space = {ColorSpace::Rgb, ToneSpace::Linear};
+  const auto pointOf = [](const ColorScene& scene, RectifyMethod method) {
+    const std::string label(parameter("rectify.method").choices[static_cast<std::size_t>(method)].label);
+    for (const RectifiedPoint& each : scene.byMethod)
+      for (std::size_t at = each.methods.find(label); at != std::string::npos;
+           at = each.methods.find(label, at + 1)) {
+        const std::size_t end = at + label.size();
+        if (end == each.methods.size() || each.methods[end] == ',') return each.point;
+      }
+    ADD_FAILURE() << label;
+    return glm::vec3(-1.0f);
+  };
+  for (const RectifyMethod chosen : {RectifyMethod::Clamp, RectifyMethod::None}) {
+    pixel.settings.rectify.method = chosen;
+    const ColorScene scene = pixel.scene(PlotSpace::Rgb);
+    expectNear(pointOf(scene, RectifyMethod::Clamp), {0.5f, 0.08f, 0.0f});
+    expectNear(pointOf(scene, RectifyMethod::ClipToCenter), {0.5f, 0.072f, 0.0f});
+  }
+  pixel.details.isFirst = true;
+  EXPECT_TRUE(pixel.scene(PlotSpace::Rgb).byMethod.empty()) << "there is no history";
+}
+
 TEST(ColorSpace, SamplesKeepTheirOwnColors) {
   Pixel pixel;
   pixel.settings.space = {ColorSpace::YCoCg, ToneSpace::Linear};
@@ -267,7 +295,7 @@ TEST(ColorSpace, TicksAreRoundNumbersOnEachAxis) {
 // Labels of ticks stand beside it, on the side away from the middle.
 TEST(ColorSpace, TicksStandAtTheOutsideOfTheRangeHoweverItIsTurned) {
   const ColorRange range{{0.0f, -0.25f, 0.0f}, {1.0f, 0.25f, 0.25f}};
-  for (const Turn turn : {Turn{}, Turn{2.0, 0.3}, Turn{-1.0, -0.5}, Turn{0.0, 0.0}})
+  for (const SpaceTurn turn : {SpaceTurn{}, SpaceTurn{2.0, 0.3}, SpaceTurn{-1.0, -0.5}, SpaceTurn{0.0, 0.0}})
     for (int axis = 0; axis < 3; ++axis) {
       const glm::vec3 begin = outerEdge(range, turn, axis);
       glm::vec3 end = begin;

@@ -136,11 +136,11 @@ TEST_F(Plots, MeasuredWeightsSayWhatTheyDoNotTell) {
     return page->summary().contains("easured at (") && page->summary().contains("the page Lineage");
   };
   key(Qt::Key_F7, Qt::ShiftModifier);
-  QTRY_VERIFY(says(window.weights()));
+  ASSERT_TRUE(app::test::waitFor([&] { return says(window.weights()); }));
   key(Qt::Key_F7);
-  QTRY_VERIFY(says(window.jitter()));
+  ASSERT_TRUE(app::test::waitFor([&] { return says(window.jitter()); }));
   session.probes().removeAll();
-  QTRY_VERIFY(!says(window.jitter()));
+  ASSERT_TRUE(app::test::waitFor([&] { return !says(window.jitter()); }));
 }
 
 TEST_F(Plots, AClickGoesToItsFrame) {

@@ -260,10 +260,10 @@ NoiseErrors noiseErrors(const std::vector<Image>& frames, const Stage& stage, in
   return {std::sqrt(errors.ofOneFrame / pixels), std::sqrt(errors.ofMean / pixels)};
 }
 
-// A sample more or less: k is ⌊ℓ/Δ⌋ or ⌈ℓ/Δ⌉, ⌈⌉ as often as the fraction says, so that the mean is the
-// integral. One frame is off by √(f(1 − f)), 0.41 over all fractions; 64 frames of white noise by an eighth
-// of it.
-TEST_F(FogTest, AnimatedNoiseHasTheIntegralAsItsMeanAndStillNoiseHasNot) {
+// A sample more or less: k is ⌊ℓ/Δ⌋ or ⌈ℓ/Δ⌉, ⌈⌉ as often as the fraction says, so that the mean number is
+// that of the integral. One frame is off by √(f(1 − f)), 0.41 over all fractions; 64 frames of white noise by
+// an eighth of it.
+TEST_F(FogTest, AnimatedNoiseHasTheIntegralsStepsAsItsMeanAndStillNoiseHasNot) {
   const Stage stage = Stage::withCone();
   std::vector<double> truth;
   forEachPixel([&](const glm::ivec2& pixel) { truth.push_back(truthAt(stage.cones[0], pixel).length); });
@@ -282,6 +282,45 @@ TEST_F(FogTest, AnimatedNoiseHasTheIntegralAsItsMeanAndStillNoiseHasNot) {
       EXPECT_NEAR(moving.ofMean, 0.41 / 8.0, 0.012);
     else
       EXPECT_LT(moving.ofMean, 0.41 / 16.0) << "spread evenly over time: four times fewer frames do";
+  }
+}
+
+// Opacity 1 − exp(−kσΔ) is concave in k: the mean of its two values lies below that of their mean, which is
+// the integral, by up to (cosh(σΔ/2) − 1) exp(−σℓ).
+TEST_F(FogTest, AnimatedNoiseIsLessOpaqueThanTheIntegralByItsStepsAlone) {
+  constexpr int kFrames = 64;
+  constexpr double kDensity = 0.35;
+  const Stage stage = Stage::withCone();
+  double lastShortfall = 0.0;
+  for (const int steps : {12, 4}) {
+    FrameRequest asked = request();
+    asked.inputs.fogSteps = steps;
+    asked.inputs.fogNoise = InputNoise::White;
+    const std::vector<Image> all = frames(stage.scene, asked, kFrames);
+    const double ofStep = kDensity * stepLength(stage.cones[0], steps);
+    double measured = 0.0, predicted = 0.0, integral = 0.0, variance = 0.0, bound = 0.0;
+    forEachPixel([&](const glm::ivec2& pixel) {
+      const test::FogTruth truth = truthAt(stage.cones[0], pixel);
+      if (truth.length == 0.0) return;
+      const double count = kDensity * truth.length / ofStep, fraction = count - std::floor(count);
+      const double fewer = std::exp(-ofStep * std::floor(count)), more = fewer * std::exp(-ofStep);
+      predicted += 1.0 - (1.0 - fraction) * fewer - fraction * more;
+      variance += (fewer - more) * (fewer - more) * fraction * (1.0 - fraction) / kFrames;
+      integral += truth.opacity;
+      bound += (std::cosh(0.5 * ofStep) - 1.0) * (1.0 - truth.opacity);
+      for (const Image& frame : all) measured += static_cast<double>(frame.at(pixel.x, pixel.y)[3]) / kFrames;
+    });
+    // Noise of the pixels has nothing to do with each other: four deviations. Truth is sampled finely.
+    const double deviation = 4.0 * std::sqrt(variance);
+    EXPECT_NEAR(measured, predicted, deviation + 0.002 * integral) << steps << " steps";
+    const double shortfall = integral - predicted;
+    EXPECT_GT(shortfall, 0.0);
+    EXPECT_LE(shortfall, bound);
+    if (steps == 4) {
+      EXPECT_GT(shortfall, deviation + 0.002 * integral) << "four steps are off by more than noise";
+      EXPECT_GT(shortfall, 6.0 * lastShortfall) << "nine times, were fog thin";
+    }
+    lastShortfall = shortfall;
   }
 }
 

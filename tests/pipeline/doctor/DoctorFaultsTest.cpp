@@ -80,8 +80,8 @@ TEST_F(DoctorFaults, OfDilationAreOpenWhereTheFarthestMakesAsGoodAsTheSame) {
   const Fault fault = Fault::DilatesFarthest;
   const Diagnosis diagnosis = diagnosisWith({"foliage", "orbit", {}}, &fault);
   EXPECT_TRUE(diagnosis.isHealthy());
-  const auto open = std::ranges::find(diagnosis.undecided, "Dilation", &Undecided::question);
-  ASSERT_NE(open, diagnosis.undecided.end());
+  const auto open = std::ranges::find(diagnosis.parts.undecided(), "Dilation", &Undecided::question);
+  ASSERT_NE(open, diagnosis.parts.undecided().end());
   EXPECT_EQ(open->reason, "at rims the motion of the farthest makes as good as the same");
 }
 
@@ -98,7 +98,7 @@ TEST_F(DoctorFaults, OfAnInterfaceAreNotThoseOfJitter) {
   const Fault fault = Fault::InterfaceBefore;
   const Diagnosis diagnosis = diagnosisWith({"foliage", "still", {}}, &fault);
   for (const Finding& finding : diagnosis.findings) EXPECT_EQ(finding.id, "interfaceBefore");
-  EXPECT_TRUE(std::ranges::any_of(diagnosis.undecided, [](const Undecided& open) {
+  EXPECT_TRUE(std::ranges::any_of(diagnosis.parts.undecided(), [](const Undecided& open) {
     return std::ranges::count(open.faults, Fault::InterfaceBefore) > 0;
   }));
 }
@@ -156,7 +156,7 @@ TEST_F(DoctorFaults, AreLeftOpenWhereFramesDoNotShowThem) {
       inject(open.fault, request.settings);
     const Diagnosis diagnosis = examine(examinationOf(openForDoctor(request), kFaultyFrames));
     EXPECT_TRUE(diagnosis.isHealthy()) << open.question;
-    EXPECT_TRUE(std::ranges::any_of(diagnosis.undecided, [&](const Undecided& undecided) {
+    EXPECT_TRUE(std::ranges::any_of(diagnosis.parts.undecided(), [&](const Undecided& undecided) {
       return undecided.question.find(open.question) != std::string::npos &&
              std::ranges::count(undecided.faults, open.fault) == 1;
     })) << open.question;

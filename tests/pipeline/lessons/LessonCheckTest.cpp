@@ -99,6 +99,17 @@ TEST_F(LessonCheck, PushingLeavesHolesWhereTheCameraComesNearer) {
             std::vector<std::string>{});
 }
 
+TEST_F(LessonCheck, CountsTheLevelsThatEightBitsTellApart) {
+  // All pixels of a mean at rest have the same α.
+  EXPECT_EQ(mistakes("preset: reference\ncamera: still\nframe: 2\nclaim: levels alpha = 1\n"),
+            std::vector<std::string>{});
+  // A single step through the fog is in a beam or is not; the integral follows how long a ray is in the beam.
+  EXPECT_EQ(mistakes("scene: builtin:fog\nframe: 0\nset: inputs.fogNoise=none inputs.fogSteps=1\n"
+                     "lane: integral = this inputs.fogSteps=0\n"
+                     "claim: levels fogOpacity = 2\nclaim: levels fogOpacity of integral > 20\n"),
+            std::vector<std::string>{});
+}
+
 TEST_F(LessonCheck, ACameraThatIsPosedStopsWhereItIsSaid) {
   EXPECT_EQ(mistakes("pose: 0 0,1.5,6 0,0\npose: 4 0.5,1.5,6 0,0\nframe: 6\n"
                      "claim: probe 32,18 motion at 3 > 0.01\nclaim: probe 32,18 motion = 0 within 1e-4\n"),

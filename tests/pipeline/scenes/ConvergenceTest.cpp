@@ -1,4 +1,8 @@
 // A still picture accumulates to the mean of its jittered frames (invariants 47, 48).
+#include "core/render/SceneRenderer.h"
+#include "core/render/jitter/ReferencePoints.h"
+#include "core/scene/SceneSource.h"
+#include "core/settings/Presets.h"
 #include "tests/support/CompareImages.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/frames/Frames.h"
@@ -6,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace taa {
@@ -89,6 +94,45 @@ TEST_F(ConvergenceTest, AConstantAlphaSettlesToACycleWhoseMeanIsTheAverage) {
   }
   EXPECT_LE(largestError(player.history().color.download(), weighted, 1.0), std::ldexp(1.0, -20));
   EXPECT_GT(largestError(player.history().color.download(), frames, kPeriod), 1e-3); // not the mean itself
+}
+
+/// Root of the mean squared difference to sum/count.
+double rmse(const Image& resolved, const std::vector<double>& sum, double count) {
+  double squared = 0.0;
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    if (i % 4 != 3) squared += std::pow(static_cast<double>(resolved.pixels[i]) - sum[i] / count, 2.0);
+  return std::sqrt(squared / (0.75 * static_cast<double>(sum.size())));
+}
+
+// 64 points of its sequence are even in both directions, 240 are not quite; the error of evenly spread points
+// still falls nearly as 1/N, so that a third of the way to 64/240 is asked for. A pattern that repeats after
+// 64 frames has the same error at both.
+TEST_F(ConvergenceTest, TheReferencePresetComesNearerAfterItsFirst64Frames) {
+  constexpr int kSide = 40, kSamples = 1024, kEarly = 64, kLate = 240;
+  const Settings settings = preset("reference").settings;
+  EXPECT_GE(settings.jitter.period, 4 * kLate);
+  TaaPass pass;
+  test::Player player("builtin:fence", "still", kSide, kSide, settings);
+  SceneRenderer renderer(std::make_shared<const Scene>(openScene("builtin:fence")));
+  FrameRequest request;
+  request.camera = "still";
+  request.width = request.height = kSide;
+  request.inputs = settings.inputs;
+  std::vector<double> truth;
+  FrameInputs sample;
+  for (int k = 0; k < kSamples; ++k) {
+    request.jitterPx = referencePointPx(k);
+    renderer.draw(request, 0, sample);
+    add(truth, sample.color.download());
+  }
+  double early = 0.0;
+  for (int frame = 0; frame < kLate; ++frame) {
+    player.step(pass);
+    if (frame + 1 == kEarly) early = rmse(player.history().color.download(), truth, kSamples);
+  }
+  const double late = rmse(player.history().color.download(), truth, kSamples);
+  EXPECT_GT(early, 1e-3) << "there is something to gain";
+  EXPECT_LT(late, 0.75 * early);
 }
 
 } // namespace

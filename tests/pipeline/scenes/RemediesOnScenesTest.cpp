@@ -144,7 +144,7 @@ TEST_F(RemediesOnScenesTest, TakeAnInjectedFaultOut) {
     }
   EXPECT_GT(most, 0.1f);
   const taa::VerdictAnswer verdict = inspector->verdicts().of(question);
-  const taa::RemedyAnswer answer = inspector->verdicts().remedies(question, verdict.verdict);
+  const taa::RemedyAnswer answer = inspector->verdicts().remedies(question, verdict);
   ASSERT_FALSE(answer.best.empty()) << verdict.sentence;
   EXPECT_FALSE(taa::isFaulty(answer.best.front().remedy.settings))
       << testing::PrintToString(answer.best.front().remedy.changes);
@@ -159,10 +159,16 @@ TEST_F(RemediesOnScenesTest, SayWhatTheProgramShowsWithThem) {
   settings.output.sharpen = taa::Sharpen::None;
   const taa::VerdictQuestion question{.frame = 14, .pixel = {15, 6}};
   const auto inspector = opened({settings});
-  const taa::PixelVerdict verdict = inspector->verdicts().of(question).verdict;
+  const taa::VerdictAnswer verdict = inspector->verdicts().of(question);
   const taa::RemedyAnswer answer = inspector->verdicts().remedies(question, verdict);
   ASSERT_FALSE(answer.best.empty());
-  const taa::TriedRemedy& first = answer.best.front();
+  const auto readsAsBefore = [&](const taa::TriedRemedy& one) {
+    return one.remedy.settings.reproject.method == taa::ReprojectMethod::Motion &&
+           one.remedy.settings.dilate.method == taa::DilateMethod::None;
+  };
+  const auto found = std::ranges::find_if(answer.best, readsAsBefore);
+  ASSERT_NE(found, answer.best.end());
+  const taa::TriedRemedy& first = *found;
   EXPECT_LT(first.pixel.latest, answer.pixel.latest);
   for (const std::string& change : first.remedy.changes) applyAssignment(settings, change);
   const Shown shown = shownWith(settings, question);
@@ -172,7 +178,5 @@ TEST_F(RemediesOnScenesTest, SayWhatTheProgramShowsWithThem) {
   EXPECT_NEAR(first.picture->flicker, shown.flicker, 1e-6);
   EXPECT_NEAR(first.picture->sharpness, shown.sharpness, 1e-6);
   EXPECT_NEAR(first.pixel.latest, shown.pixel, 1e-6);
-  ASSERT_EQ(settings.dilate.method, taa::DilateMethod::None);
-  ASSERT_EQ(settings.reproject.method, taa::ReprojectMethod::Motion);
   EXPECT_NEAR(first.picture->ghost, shown.ghost, 1e-6);
 }

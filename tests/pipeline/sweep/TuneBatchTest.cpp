@@ -4,6 +4,7 @@
 #include "core/settings/Presets.h"
 #include "core/sweep/tune/ShotTune.h"
 #include "core/taa/glsl/GlslExport.h"
+#include "tests/support/Batch.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/Paths.h"
 #include "tests/support/Process.h"
@@ -153,6 +154,25 @@ TEST_F(TuneBatchTest, PrintsTheFiguresOfTheWindow) {
     EXPECT_EQ(json["steps"][step]["goal"], way.result.steps[step].goal);
   }
   EXPECT_TRUE(taa::preset(preset().string()).settings == way.result.settings);
+}
+
+TEST_F(TuneBatchTest, SaysWhatBecameWorse) {
+  const std::vector<std::string> sharp{"--goal", "sharpness=1", "--vary", "current", "--budget", "12"};
+  const ProcessResult kept = tune(sharp);
+  ASSERT_EQ(kept.exitCode, 0) << kept.err;
+  EXPECT_NE(kept.out.find("rmse"), std::string::npos) << "what the goal does not count is told\n" << kept.out;
+  EXPECT_NE(kept.out.find("flicker"), std::string::npos) << kept.out;
+  EXPECT_EQ(kept.out.find("worse"), std::string::npos) << kept.out;
+  fs::remove(preset());
+  const ordered_json traded = ordered_json::parse(tune(taa::test::joined(sharp, {"--trade", "--json"})).out);
+  ASSERT_FALSE(traded["worse"].empty());
+  for (const ordered_json& guarded : traded["guarded"]) {
+    const double rise = guarded["best"].get<double>() / guarded["start"].get<double>() - 1.0;
+    for (const ordered_json& worse : traded["worse"])
+      if (worse["metric"] == guarded["metric"]) {
+        EXPECT_NEAR(worse["rise"].get<double>(), rise, 1e-9);
+      }
+  }
 }
 
 TEST_F(TuneBatchTest, NeverEndsWorseThanItBegan) {

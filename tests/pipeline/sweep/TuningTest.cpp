@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <exception>
 #include <string>
 #include <string_view>
@@ -63,6 +64,45 @@ TEST_F(TuningTest, SaysHowFarItIsAndWhatStoppedIt) {
   EXPECT_TRUE(tuning.run()) << "it was cancelled";
   EXPECT_EQ(tuning.result().evaluations, 2);
   EXPECT_NE(said.find("goal"), std::string::npos) << said;
+}
+
+TEST_F(TuningTest, SaysHowMuchOfItsTimeHasPassed) {
+  const auto inspector = opened();
+  TuneRequest timed = request();
+  timed.seconds = 1000;
+  int calls = 0;
+  const auto began = std::chrono::steady_clock::now();
+  const Progress stopsAfterAWhile = [&](std::string_view, int done, int total) {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began;
+    EXPECT_EQ(total, 1000);
+    EXPECT_LE(done, passed.count());
+    EXPECT_GE(done, passed.count() - 2.0) << "whole seconds, from when the search began";
+    return ++calls < 40;
+  };
+  Tuning tuning(*inspector, timed, stopsAfterAWhile);
+  EXPECT_TRUE(tuning.run()) << "it was cancelled";
+  EXPECT_EQ(calls, 40);
+}
+
+// Sharpness alone is served by what shows single frames.
+TEST_F(TuningTest, KeepsRmseAndFlickerFromBecomingWorseUnlessTheyMay) {
+  TuneRequest sharp = request();
+  sharp.goal = "sharpness=1";
+  sharp.varied = {"weight.minimum"};
+  sharp.metrics = {4, 7, {}, 4};
+  const Progress progress;
+  sharp.trades = true;
+  const auto trading = opened();
+  Tuning trade(*trading, sharp, progress);
+  trade.run();
+  EXPECT_FALSE(worseMetrics(trade.best(), trade.start()).empty()) << "or there is nothing to keep it from";
+  sharp.trades = false;
+  const auto inspector = opened();
+  Tuning guarded(*inspector, sharp, progress);
+  guarded.run();
+  EXPECT_TRUE(worseMetrics(guarded.best(), guarded.start()).empty());
+  EXPECT_LE(guarded.result().goal, guarded.result().startGoal);
+  EXPECT_GT(guarded.result().goal, trade.result().goal);
 }
 
 TEST_F(TuningTest, SaysWhereAMetricIsNotKnown) {

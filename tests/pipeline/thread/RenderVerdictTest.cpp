@@ -20,13 +20,14 @@ namespace {
 constexpr int kFrame = 14;
 constexpr glm::ivec2 kPixel{20, 7};
 constexpr glm::ivec2 kWrong{15, 6}; ///< where a blade has been
+constexpr glm::ivec2 kRight{1, 13}; ///< nothing is to be mended, which takes long
 
-/// Both answers, from an inspector of its own thread's context.
+/// Both answers on kWrong, from an inspector of its own thread's context: asked once.
 struct Verdict {
   VerdictAnswer answer;
   RemedyAnswer remedies;
 };
-Verdict askedOf(const Status& status, const glm::ivec2& pixel) {
+const Verdict& askedOf(const Status& status) {
   const auto make = [&] {
     const gl::Turn turn;
     Inspector inspector;
@@ -34,12 +35,13 @@ Verdict askedOf(const Status& status, const glm::ivec2& pixel) {
     inspector.shot().setSettings(status.settings);
     inspector.shot().open(status.source);
     inspector.shot().seek(status.info.frame);
-    const VerdictQuestion question{.frame = status.info.frame, .pixel = pixel};
+    const VerdictQuestion question{.frame = status.info.frame, .pixel = kWrong};
     Verdict verdict{inspector.verdicts().of(question), {}};
-    verdict.remedies = inspector.verdicts().remedies(question, verdict.answer.verdict);
+    verdict.remedies = inspector.verdicts().remedies(question, verdict.answer);
     return verdict;
   };
-  return std::async(std::launch::async, make).get();
+  static const Verdict verdict = std::async(std::launch::async, make).get();
+  return verdict;
 }
 
 bool isSame(const RemedyMeasure& a, const RemedyMeasure& b) {
@@ -80,7 +82,7 @@ TEST_F(RenderVerdictTest, SaysWhatTheInspectorSaysAndThenWhatMendsIt) {
   judge(kWrong);
   thread->waitUntilIdle();
   ASSERT_EQ(recorder.verdicts.size(), 3u);
-  const Verdict there = askedOf(recorder.statuses.back(), kWrong);
+  const Verdict& there = askedOf(recorder.statuses.back());
   for (const VerdictDelivery& delivery : recorder.verdicts) {
     EXPECT_EQ(delivery.frame, kFrame);
     EXPECT_EQ(delivery.pixel, kWrong);
@@ -125,7 +127,7 @@ TEST_F(RenderVerdictTest, RequestsAreAnsweredMeanwhileAndChangeNothingOfIt) {
   EXPECT_EQ(asked, 6);
   ASSERT_EQ(recorder.verdicts.size(), 3u);
   ASSERT_TRUE(recorder.verdicts[2].answer && recorder.verdicts[2].remedies);
-  const Verdict there = askedOf(recorder.statuses.back(), kWrong);
+  const Verdict& there = askedOf(recorder.statuses.back());
   EXPECT_EQ(recorder.verdicts[2].answer->sentence, there.answer.sentence);
   EXPECT_EQ(recorder.verdicts[2].remedies->tried, there.remedies.tried);
   ASSERT_EQ(recorder.verdicts[2].remedies->best.size(), there.remedies.best.size());
@@ -157,7 +159,7 @@ TEST_F(RenderVerdictTest, CancelEndsItUntilSomethingElseIsProbed) {
 }
 
 TEST_F(RenderVerdictTest, FollowsFrameAndSettingsAndRestsWhileItPlays) {
-  judge(kPixel);
+  judge(kRight);
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.verdicts.back().frame, kFrame);
   thread->post(request::Step{1});

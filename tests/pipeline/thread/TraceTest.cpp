@@ -1,6 +1,10 @@
 // Traces of probes on the render thread: what is shown adds to them, the rest is filled in beside it, and
 // taa-batch prints the same. And how time goes on in a part of the shot.
+#include "core/gl/Turn.h"
+#include "core/inspect/Inspector.h"
+#include "core/io/FrameJson.h"
 #include "core/report/TraceText.h"
+#include "tests/support/Batch.h"
 #include "tests/support/Paths.h"
 #include "tests/support/Process.h"
 #include "tests/support/RenderRecorder.h"
@@ -11,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <future>
 #include <map>
 #include <string>
 #include <thread>
@@ -187,6 +192,30 @@ TEST_F(TraceTest, IsWhatTaaBatchPrints) {
                                          "32x18", "--pixel", "32,0", "--frames", "0"});
   EXPECT_EQ(outside.exitCode, 2);
   EXPECT_NE(outside.err.find("outside the picture"), std::string::npos) << outside.err;
+}
+
+// What no resolve knows is drawn where it is named.
+TEST_F(TraceTest, OfTheReferenceIsWhatThePictureShows) {
+  const auto printed = test::batch({"trace", "builtin:fan", "--size", "32x18", "--pixel", "20,7", "--frames",
+                                    "3", "--emit", "reference", "--reference-samples", "8"});
+  ASSERT_EQ(printed.exitCode, 0) << printed.err;
+  const auto of = [] {
+    const gl::Turn turn;
+    Inspector inspector;
+    inspector.shot().setSize(32, 18);
+    inspector.shot().open("builtin:fan");
+    inspector.shot().seek(3);
+    inspector.reference().refine(8);
+    return inspector.views().image(IntermediateId::reference, 0, gl::Rect{20, 7, 1, 1});
+  };
+  const Image there = std::async(std::launch::async, of).get();
+  std::string line = "1,3,20,7";
+  for (int channel = 0; channel < 3; ++channel)
+    line += "," + floatText(there.pixels[static_cast<std::size_t>(channel)]);
+  EXPECT_NE(printed.out.find(line), std::string::npos) << printed.out;
+  const auto all = test::batch(
+      {"trace", "builtin:fan", "--size", "32x18", "--pixel", "20,7", "--frames", "3", "--emit", "all"});
+  EXPECT_EQ(all.out.find("reference"), std::string::npos) << "no column that is empty";
 }
 
 TEST_F(TraceTest, APartOfTheShotRepeats) {

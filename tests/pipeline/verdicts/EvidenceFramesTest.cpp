@@ -4,12 +4,15 @@
 #include "core/measure/References.h"
 #include "core/verdict/lineage/TwinStep.h"
 #include "core/verdict/pixel/PixelError.h"
+#include "core/verdict/pixel/PixelVerdict.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/verdicts/SceneShot.h"
 
 #include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <map>
@@ -92,7 +95,7 @@ class EvidenceFramesTest : public test::GlTest {
   void expectErrorsOfWholes(const char* source, int last, int frames) {
     WholeEvidence whole(*player_);
     for (const glm::ivec2& pixel : {glm::ivec2(80, 45), glm::ivec2(0, 89), glm::ivec2(56, 84)}) {
-      EvidenceFrames parts(*player_, references_, 0, kSamples, progress_);
+      EvidenceFrames parts(*player_, references_, 0, {kSamples, kSamples}, progress_);
       const std::vector<SurfaceMoment> moments = parts.moments(last, pixel, frames);
       LineageOptions options;
       options.frames = frames;
@@ -130,7 +133,7 @@ TEST_F(EvidenceFramesTest, ErrorsAreThoseOfWholePicturesWhereSurfacesAreDense) {
 TEST_F(EvidenceFramesTest, MomentsAreFilledWithWhatTheirPixelsShow) {
   open("builtin:disocclusion", "unrectified", 9);
   WholeEvidence whole(*player_);
-  EvidenceFrames parts(*player_, references_, 0, kSamples, progress_);
+  EvidenceFrames parts(*player_, references_, 0, {kSamples, kSamples}, progress_);
   std::vector<SurfaceMoment> moments = parts.moments(9, {90, 50}, 16);
   ASSERT_GT(moments.size(), 2u) << "it was seen before";
   parts.fill(moments);
@@ -144,12 +147,12 @@ TEST_F(EvidenceFramesTest, ReferencesAreKeptForTheNextPixel) {
   open("builtin:crowd", "balanced", 3);
   const glm::ivec2 pixel(80, 45);
   {
-    EvidenceFrames first(*player_, references_, 0, kSamples, progress_);
+    EvidenceFrames first(*player_, references_, 0, {kSamples, kSamples}, progress_);
     first.reference(3).texel(pixel.x, pixel.y);
   }
   EXPECT_GT(references_.bytes(), 0u);
   const std::size_t bytes = references_.bytes();
-  EvidenceFrames second(*player_, references_, 0, kSamples, progress_);
+  EvidenceFrames second(*player_, references_, 0, {kSamples, kSamples}, progress_);
   second.reference(3).texel(pixel.x + 1, pixel.y);
   EXPECT_EQ(references_.bytes(), bytes) << "nothing was drawn again";
   second.reference(3).texel(0, 0);
@@ -162,10 +165,43 @@ TEST_F(EvidenceFramesTest, ReferencesThatAreThereAreNotDrawnInParts) {
   references_.refine(*player_->state().frames, key, kSamples, {});
   const Image whole = references_.find(key)->mean();
   const std::size_t bytes = references_.bytes();
-  EvidenceFrames frames(*player_, references_, 0, kSamples, progress_);
+  EvidenceFrames frames(*player_, references_, 0, {kSamples, kSamples}, progress_);
   for (const glm::ivec2& pixel : {glm::ivec2(0, 0), glm::ivec2(77, 40), glm::ivec2(159, 89)})
     EXPECT_EQ(pixelColorAt(frames.reference(2), pixel), pixelColorAt(whole, pixel));
   EXPECT_EQ(references_.bytes(), bytes);
+}
+
+// From four sets of four samples, each the difference of means of the first samples.
+TEST_F(EvidenceFramesTest, ReferencesSayHowFarTheyMayBeOff) {
+  constexpr int kSet = 4, kAll = 4 * kSet;
+  open("builtin:fan", "balanced", 2);
+  const ReferenceKey key{referenceRequest(player_->state().request(0)), 2};
+  std::vector<Image> means;
+  for (int samples = kSet; samples <= kAll; samples += kSet)
+    means.push_back(references_.meanOfFirst(*player_->state().frames, key, samples, {}));
+  EvidenceFrames frames(*player_, references_, 0, {kAll, kAll}, progress_);
+  double most = 0.0, least = 1.0;
+  for (int x = 60; x < 100; ++x) {
+    const glm::ivec2 pixel(x, 40);
+    std::vector<glm::dvec3> sets;
+    glm::dvec3 before(0.0), mean(0.0), squares(0.0);
+    for (std::size_t set = 0; set < means.size(); ++set) {
+      const glm::dvec3 sum = static_cast<double>(set + 1) * pixelColorAt(means[set], pixel);
+      sets.push_back(shownValue(sum - before));
+      before = sum;
+      mean += sets.back() / 4.0;
+    }
+    for (const glm::dvec3& set : sets) squares += (set - mean) * (set - mean);
+    double expected = 0.0;
+    for (int channel = 0; channel < 3; ++channel)
+      expected = std::max(expected, std::sqrt(squares[channel] / (4.0 * 3.0)));
+    // Means are floats, and the curve of a screen is 13 times as steep where it is dark.
+    EXPECT_NEAR(*frames.referenceError(2, pixel), expected, 2e-5) << x;
+    most = std::max(most, expected);
+    least = std::min(least, expected);
+  }
+  EXPECT_GT(most, 0.01) << "there is an edge";
+  EXPECT_LT(least, 1e-3) << "and something flat";
 }
 
 TEST_F(EvidenceFramesTest, LittleIsDrawnForLittle) {
@@ -174,7 +210,7 @@ TEST_F(EvidenceFramesTest, LittleIsDrawnForLittle) {
   FrameSource& source = *player_->state().frames;
   source.draw(referenceRequest(player_->state().request(0)), 3, drawn);
   const int whole = source.counts().drawn;
-  EvidenceFrames frames(*player_, references_, 0, kSamples, progress_);
+  EvidenceFrames frames(*player_, references_, 0, {kSamples, kSamples}, progress_);
   frames.reference(3).texel(80, 45);
   EXPECT_LT(source.counts().drawn, whole / 3);
 }

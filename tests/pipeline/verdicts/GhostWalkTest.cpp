@@ -36,8 +36,10 @@ class GhostWalk : public taa::test::GlTest {
     return inspector_->verdicts().of({.frame = kFrame, .pixel = pixel}).verdict;
   }
   taa::Remedy firstRemedy(const glm::ivec2& pixel, const taa::PixelVerdict& verdict) {
+    taa::VerdictAnswer answer;
+    answer.verdict = verdict;
     const taa::RemedyAnswer remedies =
-        inspector_->verdicts().remedies({.frame = kFrame, .pixel = pixel}, verdict);
+        inspector_->verdicts().remedies({.frame = kFrame, .pixel = pixel}, answer);
     return remedies.best.empty() ? taa::Remedy{} : remedies.best.front().remedy;
   }
   void apply(const Settings& settings) {

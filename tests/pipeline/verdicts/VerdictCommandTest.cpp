@@ -1,6 +1,7 @@
 // Verdicts and remedies on the command line: the figures that the window shows.
 #include "core/io/FrameJson.h"
 #include "core/settings/Parameters.h"
+#include "core/story/StoryText.h"
 #include "tests/support/Batch.h"
 #include "tests/support/SmallInspector.h"
 
@@ -10,6 +11,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 using nlohmann::json;
@@ -56,16 +58,23 @@ class VerdictCommandTest : public InspectorTest {
   void SetUp() override {
     InspectorTest::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
+    static const auto both = askedOnce(); // trying remedies takes seconds
+    answer_ = both.first;
+    remedies_ = both.second;
+  }
+  taa::VerdictAnswer answer_;
+  taa::RemedyAnswer remedies_;
+
+ private:
+  static std::pair<taa::VerdictAnswer, taa::RemedyAnswer> askedOnce() {
     taa::Settings settings;
     for (const std::string& change : kChanges) applyAssignment(settings, change);
     const auto inspector = opened({settings});
     inspector->shot().seek(kFrame);
     const taa::VerdictQuestion question{.frame = kFrame, .pixel = kWrong};
-    answer_ = inspector->verdicts().of(question);
-    remedies_ = inspector->verdicts().remedies(question, answer_.verdict);
+    const taa::VerdictAnswer answer = inspector->verdicts().of(question);
+    return {answer, inspector->verdicts().remedies(question, answer)};
   }
-  taa::VerdictAnswer answer_;
-  taa::RemedyAnswer remedies_;
 };
 
 TEST_F(VerdictCommandTest, PrintsWhatTheFacadeConcludes) {
@@ -76,6 +85,9 @@ TEST_F(VerdictCommandTest, PrintsWhatTheFacadeConcludes) {
   EXPECT_EQ(lane["kind"], taa::kVerdictKinds[static_cast<std::size_t>(answer_.verdict.kind)].id);
   EXPECT_EQ(lane["stage"], taa::stageInfo(answer_.verdict.stage).id);
   expectValue(lane["error"], answer_.verdict.error);
+  EXPECT_EQ(lane["referenceSamples"], answer_.samples);
+  ASSERT_TRUE(answer_.referenceError);
+  expectValue(lane["referenceError"], *answer_.referenceError);
   EXPECT_EQ(lane["rows"].size(), answer_.verdict.rows.size());
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const auto at = static_cast<glm::length_t>(channel);
@@ -90,6 +102,8 @@ TEST_F(VerdictCommandTest, PrintsWhatTheFacadeConcludes) {
   for (std::size_t at = 0; at < remedies_.best.size(); ++at) {
     const json& best = lane["remedies"]["best"][at];
     EXPECT_EQ(best["changes"], json(remedies_.best[at].remedy.changes));
+    EXPECT_EQ(best["named"], remedies_.best[at].isNamed);
+    EXPECT_EQ(best["costsPicture"], costsPicture(*remedies_.picture, *remedies_.best[at].picture));
     expectPixel(best["pixel"], remedies_.best[at].pixel);
     expectPicture(best["picture"], remedies_.best[at].picture);
   }
@@ -99,12 +113,17 @@ TEST_F(VerdictCommandTest, PrintsTheSameToPeople) {
   const taa::test::ProcessResult result = taa::test::batch(command());
   ASSERT_EQ(result.exitCode, 0) << result.err;
   ASSERT_FALSE(remedies_.best.empty());
-  const RemedyMeasure &pixel = remedies_.best[0].pixel, &picture = *remedies_.best[0].picture;
-  const auto text = [](double value) { return floatText(static_cast<float>(value)); };
+  const RemedyMeasure &before = remedies_.pixel, &after = remedies_.best[0].pixel;
+  const auto change = [](double from, double to) {
+    return taa::story::numberText(255.0 * from, 3) + " → " + taa::story::numberText(255.0 * to, 3);
+  };
+  const auto psnr = [](const RemedyMeasure& picture) { return taa::story::numberText(psnrOf(picture), 4); };
   for (const std::string& words :
        {answer_.sentence, remedies_.best[0].remedy.changes[0],
-        "pixel: error " + text(pixel.error) + ", its change " + text(pixel.errorChange),
-        "picture: error " + text(picture.error) + ", flicker " + text(picture.flicker) + ", ghost " +
-            text(picture.ghost) + ", sharpness " + text(picture.sharpness)})
+        "pixel: error " + change(before.error, after.error) + ", in this frame " +
+            change(before.latest, after.latest),
+        "picture: PSNR " + psnr(*remedies_.picture) + " → " + psnr(*remedies_.best[0].picture) + " dB",
+        remedyNote(remedies_.best[0], before, remedies_.picture),
+        "Reference: " + std::to_string(answer_.samples) + " samples"})
     EXPECT_NE(result.out.find(words), std::string::npos) << words << "\n" << result.out;
 }

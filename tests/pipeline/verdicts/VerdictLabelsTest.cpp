@@ -77,7 +77,8 @@ taa::LabelRemedy firstRemedy(const taa::RemedyAnswer& answer) {
   taa::LabelRemedy first;
   first.pixelBefore = first.pixelAfter = 255.0 * answer.pixel.latest;
   if (answer.picture) first.pictureBefore = first.pictureAfter = 255.0 * answer.picture->error;
-  if (answer.best.empty()) return first;
+  // What the verdict names is told though nothing helps, and says so: no remedy then.
+  if (answer.best.empty() || !isMending(answer.pixel, answer.best.front().pixel)) return first;
   const taa::TriedRemedy& best = answer.best.front();
   for (const std::string& change : best.remedy.changes)
     first.changes += (first.changes.empty() ? "" : " ") + change;
@@ -134,7 +135,7 @@ void judgeShot(const std::vector<VerdictLabel>& labels, std::vector<JudgedLabel>
     const taa::VerdictAnswer answer = inspector.verdicts().of(question);
     JudgedLabel entry{label, answer.verdict.kind, answer.verdict.stage, {}};
     if (label.kind != taa::VerdictKind::None) {
-      const taa::RemedyAnswer remedies = inspector.verdicts().remedies(question, answer.verdict);
+      const taa::RemedyAnswer remedies = inspector.verdicts().remedies(question, answer);
       entry.remedy = firstRemedy(remedies);
       std::cout << label.scene << ' ' << label.preset << ' ' << label.pixel.x << ',' << label.pixel.y << ": "
                 << entry.remedy.changes << ' ' << entry.remedy.pixelBefore << " → " << entry.remedy.pixelAfter

@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace taa::test {
@@ -28,12 +29,13 @@ inline VerdictEvidence healthy() {
   return evidence;
 }
 
-/// Adds an error that came in `age` frames ago.
+/// Adds an error that came in `age` frames ago and has been shown since.
 inline void addError(VerdictEvidence& evidence, ErrorPart part, int age, const glm::dvec3& error) {
   of(evidence.error.frames[static_cast<std::size_t>(age)].split, part) += error;
   of(evidence.error.sum, part) += error;
   evidence.error.resolved += error;
-  evidence.moments.front().resolved += error;
+  const std::size_t shown = std::min(evidence.moments.size(), static_cast<std::size_t>(age) + 1);
+  for (std::size_t at = 0; at < shown; ++at) evidence.moments[at].resolved += error;
 }
 
 } // namespace taa::test

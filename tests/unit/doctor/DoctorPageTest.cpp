@@ -23,8 +23,8 @@ doctor::Diagnosis shownDiagnosis() {
   finding.symptom = "Ghosts.";
   finding.change = "Negate y.";
   out.findings = {finding};
-  out.undecided = {{"Motion of the sky", "it has no detail", "Capture clouds."}};
-  out.healthy = {"Jitter is right."};
+  out.parts.leaveOpen({"Motion of the sky", "it has no detail", "Capture clouds."});
+  out.parts.addRight("Jitter", "Jitter is right.");
   out.notes = {"The first frame is not jittered."};
   return out;
 }

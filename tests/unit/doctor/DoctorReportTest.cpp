@@ -1,6 +1,8 @@
 // What the doctor says as text and as JSON: the same in both, and whole.
 #include "core/report/doctor/DoctorReport.h"
 
+#include "core/report/doctor/DoctorPage.h"
+
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
@@ -27,8 +29,9 @@ doctor::Diagnosis diagnosis() {
   finding.change = "Negate y.";
   finding.alike = {"motionNegated"};
   out.findings = {finding};
-  out.undecided = {{"Motion of the sky", "it has no detail", "Capture clouds.", {Fault::SkyWithoutMotion}}};
-  out.healthy = {"Jitter is right."};
+  out.parts.leaveOpen(
+      {"Motion of the sky", "it has no detail", "Capture clouds.", {Fault::SkyWithoutMotion}});
+  out.parts.addRight("Jitter", "Jitter is right.");
   out.notes = {"The first frame is not jittered."};
   return out;
 }
@@ -72,6 +75,30 @@ TEST(DoctorReport, SaysSoWhereNothingIsWrong) {
   EXPECT_TRUE(doctorJson(healthy, "shot")["healthy"]);
 }
 
+// What contradicts what is stated is no "nothing wrong", in no form of the report.
+TEST(DoctorReport, SaysWhatDoesNotFitWhereNothingIsWrong) {
+  doctor::Diagnosis misfit;
+  misfit.parts.leaveOpen({"Jitter", "measured shifts are 0.609 px from those that are stated", "", {}, true});
+  const std::string sentence = "Nothing is wrong in what could be decided, but not everything fits: Jitter.";
+  EXPECT_EQ(doctorText(misfit, "shot").find("Nothing wrong"), std::string::npos);
+  EXPECT_NE(doctorText(misfit, "shot").find(sentence), std::string::npos);
+  EXPECT_NE(doctorHtml(misfit, "shot").find("<p>" + sentence + "</p>"), std::string::npos);
+  EXPECT_FALSE(doctorJson(misfit, "shot")["healthy"]);
+  EXPECT_TRUE(doctorJson(misfit, "shot")["undecided"][0]["misfit"]);
+}
+
+// A report goes to others: it says the folder's name, and not where it lies.
+TEST(DoctorReport, IsOfAFolderByItsName) {
+  for (const char* source : {"/home/somebody/frames/corridor", "/home/somebody/frames/corridor/"}) {
+    EXPECT_TRUE(doctorText({}, source).starts_with("corridor: ")) << source;
+    EXPECT_EQ(doctorJson({}, source)["source"], "corridor");
+    EXPECT_NE(doctorHtml({}, source).find("<title>What the doctor says of corridor</title>"),
+              std::string::npos);
+    EXPECT_EQ(doctorHtml({}, source).find("somebody"), std::string::npos);
+  }
+  EXPECT_EQ(reportedName("builtin:fan"), "builtin:fan");
+}
+
 TEST(DoctorReport, SaysTheSameInJson) {
   EXPECT_EQ(
       doctorJson(diagnosis(), "shot").dump(),
@@ -82,7 +109,7 @@ TEST(DoctorReport, SaysTheSameInJson) {
       R"j("mirroredY","text":"y negated","value":4.25,"given":false,"best":true},{"id":"asGiven",)j"
       R"j("text":"as given","value":61.5,"given":true,"best":false}],"symptom":"Ghosts.","change":)j"
       R"j("Negate y.","mending":[],"alike":["motionNegated"]}],"undecided":[{"question":"Motion of the sky",)j"
-      R"j("reason":"it has no detail","capture":"Capture clouds.","faults":["skyWithoutMotion"]}],)j"
+      R"j("reason":"it has no detail","capture":"Capture clouds.","misfit":false,"faults":["skyWithoutMotion"]}],)j"
       R"j("right":["Jitter is right."],"notes":["The first frame is not jittered."]})j");
 }
 

@@ -118,6 +118,31 @@ TEST(Doctor, NamesAFaultOfTheWholePicture) {
             "motionHalved in all");
 }
 
+// Motion that is next to none looks like one without the camera's, and without cameras like other jitter.
+TEST(Doctor, NamesMotionOfAnotherUnitThatIsShorterThanAPixel) {
+  const PaintedShot shot;
+  const glm::vec2 size(test::kPaintedPx);
+  const auto withoutCamera = [](const test::FrameFault& fault) {
+    return [fault](DoctorFrame& frame) {
+      fault(frame);
+      frame.previousClipFromClip.reset();
+      frame.objectId.clear();
+    };
+  };
+  const auto uv = onAll([size](const glm::vec2& m) { return m / size; });
+  const auto ndc = onAll([size](const glm::vec2& m) { return glm::vec2(2.0f, -2.0f) * m / size; });
+  const auto opposite = onAll([size](const glm::vec2& m) { return -m / size; });
+  EXPECT_EQ(told(diagnosisOf(shot, uv)), "motionInUv in all");
+  EXPECT_EQ(told(diagnosisOf(shot, ndc)), "motionInNdc in all");
+  EXPECT_EQ(told(diagnosisOf(shot, opposite)), "motionInUv in all, motionNegated in all");
+  EXPECT_EQ(told(diagnosisOf(shot, withoutCamera(uv))), "motionInUv in all");
+  EXPECT_EQ(told(diagnosisOf(shot, withoutCamera(ndc))), "motionInNdc in all");
+  const Diagnosis diagnosis = diagnosisOf(shot, uv);
+  EXPECT_EQ(diagnosis.findings[0].mending, std::vector<std::string>{"fault.motionUnit=asUv"});
+  for (const char* text : {" ± ", "160 and 96: texture coordinates"})
+    EXPECT_NE(diagnosis.findings[0].reason.find(text), std::string::npos) << diagnosis.findings[0].reason;
+}
+
 TEST(Doctor, NamesAFaultOfOneObjectAlone) {
   const PaintedShot shot;
   EXPECT_EQ(
@@ -149,7 +174,7 @@ TEST(Doctor, SaysNothingOfARegionsMotionWhereJitterIsContradicted) {
   const Diagnosis diagnosis = diagnosisOf({}, fault);
   EXPECT_EQ(told(diagnosis), "");
   std::string questions;
-  for (const Undecided& undecided : diagnosis.undecided) questions += undecided.question + ";";
+  for (const Undecided& undecided : diagnosis.parts.undecided()) questions += undecided.question + ";";
   EXPECT_TRUE(questions.starts_with("Jitter;")) << questions;
   EXPECT_NE(questions.find("Motion;"), std::string::npos) << questions;
 }
@@ -215,7 +240,7 @@ TEST(Doctor, SaysWhatItCannotDecideAndWhatToCaptureInstead) {
       shot, onObject(kBoardId, [](const glm::vec2& motion) { return motion + glm::vec2(0.5f, 0.0f); }));
   EXPECT_EQ(told(diagnosis), "");
   bool isSaid = false;
-  for (const Undecided& undecided : diagnosis.undecided)
+  for (const Undecided& undecided : diagnosis.parts.undecided())
     isSaid = isSaid || (undecided.question == "Motion of object 2 (board)" &&
                         undecided.reason.find("too little detail") != std::string::npos &&
                         undecided.capture.find("texture") != std::string::npos);

@@ -102,9 +102,9 @@ TEST(JitterCheck, LeavesOpenWhetherWhatRestsHasJitter) {
     Diagnosis out;
     const JitterOutcome outcome = tellJitter(evidence, {patient}, out);
     EXPECT_EQ(outcome.isOpen, out.findings.empty());
-    const auto open = std::ranges::find(out.undecided, std::string("Jitter"), &Undecided::question);
-    EXPECT_EQ(open != out.undecided.end(), outcome.isOpen);
-    if (open != out.undecided.end()) {
+    const auto open = std::ranges::find(out.parts.undecided(), std::string("Jitter"), &Undecided::question);
+    EXPECT_EQ(open != out.parts.undecided().end(), outcome.isOpen);
+    if (open != out.parts.undecided().end()) {
       EXPECT_EQ(open->faults.back(), Fault::InterfaceBefore);
     }
     return told(out);

@@ -77,9 +77,10 @@ TEST(JitterSequence, ThatReachesALittleFartherIsNotDecided) {
                          }),
                out);
   EXPECT_TRUE(out.isHealthy());
-  ASSERT_EQ(out.undecided.size(), 1u);
-  EXPECT_EQ(out.undecided[0].faults, std::vector<Fault>{Fault::JitterOutside});
-  EXPECT_NE(out.undecided[0].reason.find("0.53"), std::string::npos) << out.undecided[0].reason;
+  ASSERT_EQ(out.parts.undecided().size(), 1u);
+  EXPECT_EQ(out.parts.undecided()[0].faults, std::vector<Fault>{Fault::JitterOutside});
+  EXPECT_NE(out.parts.undecided()[0].reason.find("0.53"), std::string::npos)
+      << out.parts.undecided()[0].reason;
 }
 
 TEST(JitterSequence, HasItsMiddleBetweenItsExtremes) {
@@ -102,8 +103,8 @@ TEST(JitterSequence, OfAFewFramesIsNotDecidedWhereItsRangeLiesElsewhere) {
   Diagnosis few;
   tellSequence(jittersOf(8, lopsided), few);
   EXPECT_TRUE(few.isHealthy());
-  ASSERT_EQ(few.undecided.size(), 1u);
-  EXPECT_EQ(few.undecided[0].faults, std::vector<Fault>{Fault::JitterMean});
+  ASSERT_EQ(few.parts.undecided().size(), 1u);
+  EXPECT_EQ(few.parts.undecided()[0].faults, std::vector<Fault>{Fault::JitterMean});
   EXPECT_EQ(sequenceTold(jittersOf(16, lopsided)), "jitterMean");
 }
 

@@ -55,8 +55,9 @@ TEST(JitterSky, IsAllThatIsToldWhereTheCameraRests) {
   const Diagnosis diagnosis = diagnosisOf([](DoctorFrame& frame) { paintClouds(frame, 0.0f, 0.0); }, 0.0);
   ASSERT_EQ(diagnosis.findings.size(), 1u);
   EXPECT_EQ(diagnosis.findings[0].id, "skyNotJittered");
-  EXPECT_NE(std::ranges::find(diagnosis.undecided, std::string("Jitter in motion"), &Undecided::question),
-            diagnosis.undecided.end());
+  EXPECT_NE(
+      std::ranges::find(diagnosis.parts.undecided(), std::string("Jitter in motion"), &Undecided::question),
+      diagnosis.parts.undecided().end());
 }
 
 // Waves of grain that go over the sky by themselves shift by some share of the jitter, and by no jitter.
@@ -78,7 +79,8 @@ TEST(JitterSky, WithoutDetailIsNotDecided) {
   const Diagnosis diagnosis = diagnosisOf([](DoctorFrame&) {});
   ASSERT_TRUE(diagnosis.isHealthy()) << diagnosis.findings[0].id;
   bool isOpen = false;
-  for (const Undecided& open : diagnosis.undecided) isOpen = isOpen || open.question == "Jitter of the sky";
+  for (const Undecided& open : diagnosis.parts.undecided())
+    isOpen = isOpen || open.question == "Jitter of the sky";
   EXPECT_TRUE(isOpen);
 }
 

@@ -45,8 +45,8 @@ std::string namesOf(const Diagnosis& diagnosis) {
 }
 
 bool isCalledRight(const Diagnosis& diagnosis) {
-  return std::any_of(diagnosis.healthy.begin(), diagnosis.healthy.end(), [](const std::string& sentence) {
-    return sentence.find("as it should be") != std::string::npos;
+  return std::ranges::any_of(diagnosis.parts.right(), [](const RightPart& right) {
+    return right.sentence.find("as it should be") != std::string::npos;
   });
 }
 
@@ -64,8 +64,9 @@ TEST(ResolveFindings, FindNothingWhereHistoryIsReadWhereItLies) {
     EXPECT_EQ(namesOf(diagnosis), "") << alpha;
   }
   const Diagnosis exact = diagnosisOfResolve(with(0.1f));
-  ASSERT_EQ(exact.healthy.size(), 1u);
-  EXPECT_NE(exact.healthy[0].find("with α 0.1,"), std::string::npos) << exact.healthy[0];
+  ASSERT_EQ(exact.parts.right().size(), 1u);
+  EXPECT_NE(exact.parts.right()[0].sentence.find("with α 0.1,"), std::string::npos)
+      << exact.parts.right()[0].sentence;
 }
 
 TEST(ResolveFindings, NameAnAlphaThatIsStuck) {
@@ -137,8 +138,8 @@ TEST(ResolveFindings, WithholdWhatDoesNotFitExactlyWhereInputsAreWrong) {
   resolve.motionFactor = 0.5f; // as no model has it
   const Diagnosis diagnosis = diagnosisOfResolve(resolve, wholePixelShot(), false);
   EXPECT_EQ(namesOf(diagnosis), "");
-  ASSERT_EQ(diagnosis.undecided.size(), 1u);
-  EXPECT_EQ(diagnosis.undecided[0].capture, "Mend these first.");
+  ASSERT_EQ(diagnosis.parts.undecided().size(), 1u);
+  EXPECT_EQ(diagnosis.parts.undecided()[0].capture, "Mend these first.");
 }
 
 TEST(ResolveFindings, SayWhyAnOutputOfAnotherSizeIsNotDecided) {
@@ -147,8 +148,8 @@ TEST(ResolveFindings, SayWhyAnOutputOfAnotherSizeIsNotDecided) {
   Diagnosis out;
   tellResolve(evidenceOf(frames), true, out);
   EXPECT_EQ(namesOf(out), "");
-  ASSERT_EQ(out.undecided.size(), 1u);
-  EXPECT_EQ(out.undecided[0].reason, "the output is larger than what is drawn");
+  ASSERT_EQ(out.parts.undecided().size(), 1u);
+  EXPECT_EQ(out.parts.undecided()[0].reason, "the output is larger than what is drawn");
 }
 
 } // namespace taa::doctor

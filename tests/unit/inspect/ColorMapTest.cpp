@@ -1,6 +1,7 @@
 // The color maps: their known colors, and what makes them fit for data.
 #include "core/picture/ColorMap.h"
 
+#include "core/base/Light.h"
 #include "core/picture/OkLab.h"
 #include "core/picture/ViewRequest.h"
 

@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace {
@@ -49,6 +51,27 @@ bool hasInForce(const taa::Lesson& lesson, const taa::Technique& technique) {
   });
 }
 
+/// Of which quantity, whatever lane has it.
+auto measuredOf(const taa::Quantity& quantity) {
+  return std::tuple(quantity.kind, quantity.number, quantity.metric, quantity.row, quantity.channel,
+                    quantity.pixel, quantity.isBelow, quantity.figure, quantity.isSeveral, quantity.frame);
+}
+
+/// Whether it asks a lane to be at least, or at most, what another is, and holds where both are the same: if
+/// what they differ in did nothing. "=" says that it does nothing.
+bool holdsOfTheSame(const taa::Claim& claim) {
+  const bool isComparison = measuredOf(claim.left) == measuredOf(claim.right) &&
+                            claim.left.kind != taa::QuantityKind::Number &&
+                            claim.left.lane != claim.right.lane && claim.relation != taa::Relation::Equal;
+  const auto sideOf = [](const taa::Quantity& side, double value) {
+    return value * side.factor + side.offset;
+  };
+  // Of metrics and shares: 30 is a PSNR, 1 a part.
+  return isComparison && std::ranges::any_of(std::array{1.0, 30.0}, [&](double value) {
+           return holds(claim, sideOf(claim.left, value), sideOf(claim.right, value));
+         });
+}
+
 } // namespace
 
 TEST(Course, MeetsEveryTechniqueOfTheManualWithAClaim) {
@@ -60,4 +83,18 @@ TEST(Course, MeetsEveryTechniqueOfTheManualWithAClaim) {
               (std::ranges::count(lesson.techniques, technique.row) > 0 && hasInForce(lesson, technique));
     EXPECT_TRUE(isMet) << technique.row << ", " << technique.name << ": " << technique.here;
   }
+}
+
+TEST(Course, ComparesLanesSoThatAClaimFailsWhereTheyAreTheSame) {
+  for (const taa::Lesson& lesson : taa::builtinLessons())
+    for (const taa::LessonStep& step : lesson.steps)
+      for (const taa::Claim& claim : step.claims)
+        EXPECT_FALSE(holdsOfTheSame(claim)) << lesson.place << ":" << claim.line << ": " << claim.text;
+  // What it is about, and what it is not.
+  for (const char* lenient : {"metric psnr of a <= metric psnr of b", "metric psnr > metric psnr of a - 1",
+                              "metric flicker of a < metric flicker * 1.05"})
+    EXPECT_TRUE(holdsOfTheSame(taa::conditionFrom(lenient))) << lenient;
+  for (const char* strict : {"metric psnr > metric psnr of a", "metric psnr = metric psnr of a within 0.1",
+                             "metric flicker of a < metric flicker * 0.9", "metric psnr < 20"})
+    EXPECT_FALSE(holdsOfTheSame(taa::conditionFrom(strict))) << strict;
 }

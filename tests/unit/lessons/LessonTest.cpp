@@ -2,6 +2,7 @@
 #include "core/lessons/Lesson.h"
 #include "core/base/Error.h"
 #include "core/base/Files.h"
+#include "core/lessons/Ladder.h"
 #include "core/report/Techniques.h"
 #include "core/settings/Parameters.h"
 #include "tests/support/Paths.h"
@@ -155,8 +156,19 @@ TEST(Lesson, ALadderIsATableBehindTheText) {
   EXPECT_EQ(only.ladder[0].psnr, 21.44);
   EXPECT_EQ(only.ladder[0].flicker, 0.0123);
   EXPECT_EQ(only.ladder[1].line, 10);
-  EXPECT_EQ(only.text, "Some *text*.\n\n| Preset | PSNR | Flicker |\n|---|---|---|\n"
-                       "| 4. object motion | 21.4 | 0.0123 |\n| TAA off | 20.0 | 0.2000 |\n");
+  EXPECT_EQ(only.text, "Some *text*.\n");
+  // Nine samples for the box, one motion vector, one bilinear tap of history.
+  const std::string note = "\n*Fetches*: texture reads of the resolve for a pixel, a tap of a filter as one.";
+  EXPECT_EQ(taa::ladderMarkdown(only.ladder), "| Preset | PSNR | Flicker | Fetches |\n|---|---|---|---|\n"
+                                              "| 4. clamp | 21.4 | 0.0123 | 11 |\n"
+                                              "| TAA off | 20.0 | 0.2000 | 1 |\n" +
+                                                  note + "\n");
+  EXPECT_EQ(taa::ladderMarkdown(only.ladder, {.times = {1.0, 0.25}, .isLinked = true}),
+            "| Preset | PSNR | Flicker | Fetches | Time |\n|---|---|---|---|---|\n"
+            "| [4. clamp](rung:source000-4) | 21.4 | 0.0123 | 11 | 1.00 | \n"
+            "| [TAA off](rung:off) | 20.0 | 0.2000 | 1 | 0.25 | \n" +
+                note + " *Time*: of the resolve, as many times that of the first row.\n");
+  EXPECT_EQ(taa::ladderMarkdown({}), "");
 }
 
 TEST(Lesson, RefusesWhatItDoesNotKnowWithTheLine) {
@@ -165,8 +177,8 @@ TEST(Lesson, RefusesWhatItDoesNotKnowWithTheLine) {
       {"sceen: builtin:fan\n", "some.md:8: there is no key \"sceen\"; near it is \"scene\""},
       {"preset: minimum\n", "some.md:8: there is no preset \"minimum\"; near it is \"minimal\""},
       {"claim: metric psnr > lots\n", "some.md:8: \"lots\" is none of metric, probe, difference, share, "
-                                      "verdict, doctor, lineage, volume and "
-                                      "pushed"},
+                                      "verdict, doctor, lineage, volume, levels, "
+                                      "pushed, fetches, changed and time"},
       {"claim: lineage 3,4 blur > 1\n",
        "some.md:8: \"blur\" is none of samples, frames, radius, spread and older"},
       {"claim: pushed two > 1\n", "some.md:8: what is pushed is: pushed none, or pushed several"},
@@ -206,7 +218,7 @@ TEST(Lesson, RefusesMoreThanALessonNeeds) {
   EXPECT_NE(refusal(step(lines)).find("at most 128 lines"), std::string::npos);
   std::string rungs;
   for (std::size_t i = 0; i <= taa::kMaxRungs; ++i) rungs += "rung: off psnr=1 flicker=1\n";
-  EXPECT_NE(refusal(step(rungs)).find("at most 16 rungs"), std::string::npos);
+  EXPECT_NE(refusal(step(rungs)).find("at most 20 rungs"), std::string::npos);
 }
 
 TEST(Lesson, OpensNothingBesideItsFolder) {

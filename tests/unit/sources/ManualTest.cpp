@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cstddef>
 #include <filesystem>
 #include <regex>
@@ -173,6 +174,25 @@ TEST(Manual, PagesOfTablesAreAsTheTablesAre) {
   for (const ManualPage& page : manualTables())
     EXPECT_TRUE(manualText(page.file) == page.text)
         << page.file << " is old: run taa-batch manual resources/manual";
+}
+
+// Fog and the count are exposed alone: no stage makes anything of them.
+TEST(Manual, TheFlowHasEveryTextureThatAStageReads) {
+  const std::string page = manualText("intermediates.md");
+  const std::size_t from = page.find("```text"), to = page.find("```\n", from + 7);
+  ASSERT_NE(to, std::string::npos);
+  const std::string flow = page.substr(from, to - from);
+  const std::string inputs = readFile(std::string(TAA_SOURCE_DIR) + "/shaders/taa/inputs.glsl");
+  const std::regex declared(R"(uniform u?sampler2D u_(\w+))");
+  std::size_t textures = 0;
+  for (std::sregex_iterator at(inputs.begin(), inputs.end(), declared), end; at != end; ++at, ++textures) {
+    std::string name = (*at)[1];
+    if (name.starts_with("history"))
+      name = "history." + std::string(1, static_cast<char>(std::tolower(name[7]))) + name.substr(8);
+    const bool isShownAlone = name == "fog" || name == "forwardCount";
+    EXPECT_EQ(flow.find(name) != std::string::npos, !isShownAlone) << name;
+  }
+  EXPECT_EQ(textures, 17u);
 }
 
 TEST(Manual, ItsContentsNameEveryPage) {

@@ -30,7 +30,7 @@ const std::map<std::string, Names>& withoutCounterpart() {
         "nearestHalf", "lastJitter",     "isNanColor"}},
       {"GLSL has a function for each curve, where the twin's compress() has a switch.",
        {"reinhardChannel", "inverseReinhardChannel", "inverseCompressMax", "pqChannel", "inversePqChannel",
-        "logarithmChannel", "inverseLogarithmChannel", "overLuma"}},
+        "logarithmChannel", "inverseLogarithmChannel", "overLuma", "gammaChannel", "inverseGammaChannel"}},
       {"The twin's Taps, std::array or vector does it: weights and colors side by side, in one sum.",
        {"CubicWeights", "historyPair", "historyTexel", "WeightedSum", "sumOfNine", "sumOfSixteen",
         "sampleWeight", "placeConfidence"}},

@@ -24,6 +24,7 @@ const std::set<std::string>& choicesThatNoShaderNames() {
       "kHistoryPrecision_full",
       "kCurrentUpsample_lanczos2",
       "kCurrentSharpen_laplacian",
+      "kSpaceLuma_rec709",
       "kSpaceTone_linear",
       "kNeighborhoodShape_cross",
       "kNeighborhoodWeights_equal",

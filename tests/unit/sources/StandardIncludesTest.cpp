@@ -31,6 +31,7 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
      "upper_bound ranges::adjacent_find ranges::all_of ranges::any_of ranges::binary_search ranges::copy "
      "ranges::copy_if ranges::count ranges::count_if ranges::equal ranges::fill ranges::find ranges::find_if "
      "ranges::find_if_not ranges::for_each ranges::is_partitioned ranges::is_sorted ranges::lower_bound "
+     "ranges::move "
      "ranges::max "
      "ranges::max_element ranges::min ranges::min_element ranges::none_of ranges::nth_element "
      "remove_if stable_partition ranges::remove_copy_if ranges::reverse ranges::sort "
@@ -46,7 +47,7 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
     {"cctype", "isalnum isalpha isdigit islower isspace isupper isxdigit tolower toupper isprint iscntrl"},
     {"charconv", "chars_format from_chars to_chars"},
     {"chrono", "chrono chrono_literals milli"},
-    {"cmath", "abs acos asin atan atan2 cbrt ceil copysign cos exp exp2 expm1 fabs floor fmax fmin fmod "
+    {"cmath", "abs acos asin atan atan2 cbrt ceil copysign cos cosh exp exp2 expm1 fabs floor fmax fmin fmod "
               "frexp hypot ilogb "
               "isfinite isinf isnan ldexp log log10 log1p log2 lround modf nan nanf nextafter pow remainder "
               "nearbyint round signbit "

@@ -82,3 +82,18 @@ TEST(TuneGoal, RefusesWhatItCannotRead) {
   expectRefused("rmse=1,rmse=2", "twice");
   expectRefused("cost=1,cost=2", "twice");
 }
+
+// By more than a hundredth; flicker is not known here.
+TEST(TuneGoal, SaysWhichGuardedMetricsAreWorse) {
+  const TuneNumbers start = numbers(0.04, 20);
+  EXPECT_TRUE(worseMetrics(start, start).empty());
+  EXPECT_TRUE(worseMetrics(numbers(0.0403, 10), start).empty()) << "PSNR is not guarded beside RMSE";
+  const std::vector<taa::WorseMetric> worse = worseMetrics(numbers(0.05, 20), start);
+  ASSERT_EQ(worse.size(), 1u);
+  EXPECT_EQ(worse[0].metric, Metric::Rmse);
+  EXPECT_DOUBLE_EQ(worse[0].rise, 0.25);
+}
+
+TEST(TuneGoal, IsRmseAndFlickerUnlessSaidOtherwise) {
+  EXPECT_EQ(TuneGoal(taa::kDefaultGoal).metrics(), (std::vector<Metric>{Metric::Rmse, Metric::Flicker}));
+}

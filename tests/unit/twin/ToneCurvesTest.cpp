@@ -78,6 +78,42 @@ TEST(ToneCurves, GoThereAndBackWithinTheirErrorBound) {
   });
 }
 
+// IEC 61966-2-1 in double; the tolerance is that of power() with 1/2.4 and 16 at most, and the three
+// roundings.
+TEST(ToneCurves, GammaIsTheCurveOfSrgbAndBack) {
+  EXPECT_EQ(gammaEncoded(0.0f), 0.0f);
+  EXPECT_FLOAT_EQ(gammaEncoded(1.0f), 1.0f);
+  EXPECT_FLOAT_EQ(gammaEncoded(0.0031308f), 12.92f * 0.0031308f);
+  EXPECT_NEAR(gammaEncoded(0.21404114f), 0.5, 3e-7);
+  EXPECT_FLOAT_EQ(gammaDecoded(-0.1f), -0.1f / 12.92f) << "a box may reach below black";
+  eachLevel([](float c) {
+    const auto level = static_cast<double>(c);
+    const double coded = level <= 0.0031308 ? 12.92 * level : 1.055 * std::pow(level, 1.0 / 2.4) - 0.055;
+    ASSERT_NEAR(static_cast<double>(gammaEncoded(c)), coded, 4e-6 * coded + 1e-8) << c;
+    // 2·10⁻⁷ + 3.3·10⁻⁷·|log₂ c| of the way there, 2.4 times, and of the way back.
+    const double error = 1e-6 + 7e-7 * std::fabs(std::log2(level));
+    ASSERT_NEAR(static_cast<double>(gammaDecoded(gammaEncoded(c))), level, error * level) << c;
+  });
+}
+
+// Y'CbCr of encoded channels (manual 9.4): of mid gray and of a color computed by hand from the standard.
+TEST(ToneCurves, GammaMakesLumaAndChromaOfEncodedColors) {
+  const SpaceSettings space{ColorSpace::YCbCr, ToneSpace::Gamma};
+  const glm::vec3 gray = toBox(glm::vec3(0.21404114f), space);
+  EXPECT_NEAR(gray.x, 0.5f, 1e-6f);
+  EXPECT_NEAR(gray.y, 0.0f, 1e-6f);
+  EXPECT_NEAR(gray.z, 0.0f, 1e-6f);
+  const glm::vec3 color(0.5f, 0.25f, 0.0625f);
+  const auto code = [](double c) { return 1.055 * std::pow(c, 1.0 / 2.4) - 0.055; };
+  const double r = code(0.5), g = code(0.25), b = code(0.0625), y = 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  const glm::vec3 boxed = toBox(color, space);
+  EXPECT_NEAR(boxed.x, y, 1e-6);
+  EXPECT_NEAR(boxed.y, (b - y) / 1.8556, 1e-6);
+  EXPECT_NEAR(boxed.z, (r - y) / 1.5748, 1e-6);
+  const glm::vec3 back = fromBox(boxed, space);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(back[k], color[k], 4e-6f * color[k]);
+}
+
 TEST(ToneCurves, NeverFallAndNeverGoWild) {
   float last[3] = {-1.0f, -1.0f, -1.0f};
   eachLevel([&](float c) {

@@ -52,6 +52,27 @@ std::vector<Step> accumulate(const std::vector<float>& samples, const Settings& 
   return steps;
 }
 
+// Blue of 3 has the luma 0.2166 by Rec. 709 and 0.75 as the Y of YCoCg: it weighs 0.822 or 0.571.
+TEST(TwinBlend, WeighsByTheLumaThatIsChosen) {
+  Settings settings;
+  settings.blend.tone = ToneWeight::Luma;
+  BlendInputs mix;
+  mix.current = glm::vec3(0.0f, 0.0f, 3.0f);
+  mix.history = glm::vec3(1.0f);
+  mix.alpha = 0.5f;
+  mix.historyLength = 4.0f;
+  Blended byRec709 = blend(settings, mix);
+  EXPECT_FLOAT_EQ(byRec709.toneWeightCurrent, 1.0f / 1.2166f);
+  EXPECT_FLOAT_EQ(byRec709.toneWeightHistory, 0.5f);
+  settings.space.luma = WeightLuma::YCoCg;
+  const Blended byY = blend(settings, mix);
+  EXPECT_FLOAT_EQ(byY.toneWeightCurrent, 1.0f / 1.75f);
+  EXPECT_FLOAT_EQ(byY.toneWeightHistory, 0.5f) << "gray has the same luma either way";
+  EXPECT_FLOAT_EQ(byY.factor, (1.0f / 1.75f) / (1.0f / 1.75f + 0.5f));
+  settings.blend.tone = ToneWeight::LumaAsPrinted; // of 3/(1 + 3)
+  EXPECT_FLOAT_EQ(blend(settings, mix).toneWeightCurrent, 1.0f / 1.1875f);
+}
+
 TEST(TwinBlend, ConstantAlphaIsTheUnrolledExponentialAverage) {
   const std::vector<float> s = randomSamples(60);
   for (const float alpha : {0.04f, 0.1f, 0.5f}) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -50,16 +51,27 @@ TEST(SurfaceMoments, AreAHighlightWhereAnythingIsBrighterThanWhite) {
   EXPECT_TRUE(taa::isHighlight(moments));
 }
 
-TEST(SurfaceMoments, WereBehindWhatIsNearerAndWasRejectedByDepth) {
-  taa::twin::PixelRecord record{};
-  taa::twin::at(record, IntermediateId::rejectReason).x = 4.0f; // depth
-  taa::twin::at(record, IntermediateId::depthExpected).x = 5.0f;
-  EXPECT_FALSE(taa::wasBehind(record)) << "the sky";
-  taa::twin::at(record, IntermediateId::historyDepth).x = 3.0f;
-  EXPECT_TRUE(taa::wasBehind(record));
-  taa::twin::at(record, IntermediateId::historyDepth).x = 6.0f;
-  EXPECT_FALSE(taa::wasBehind(record));
-  taa::twin::at(record, IntermediateId::historyDepth).x = 3.0f;
-  taa::twin::at(record, IntermediateId::rejectReason).x = 0.0f;
-  EXPECT_FALSE(taa::wasBehind(record)) << "not rejected";
+TEST(SurfaceMoments, CountSamplesBackToWhereThereWasNoHistoryOrItWasHidden) {
+  std::vector<taa::SurfaceMoment> moments(9);
+  EXPECT_EQ(taa::availableSamples(moments), 9u);
+  moments[6].isUncovered = true;
+  EXPECT_EQ(taa::availableSamples(moments), 9u) << "history was kept there";
+  taa::twin::at(moments[6].record, taa::IntermediateId::alpha).x = 1.0f;
+  EXPECT_EQ(taa::availableSamples(moments), 7u);
+  taa::twin::at(moments[2].record, taa::IntermediateId::rejectReason).x = 1.0f;
+  EXPECT_EQ(taa::availableSamples(moments), 3u);
+}
+
+TEST(SurfaceMoments, MeasureTheMeanOfSamplesAsAScreenShowsIt) {
+  std::vector<taa::SurfaceMoment> moments(4);
+  for (taa::SurfaceMoment& moment : moments) moment.reference = glm::dvec3(0.5);
+  const auto set = [&](std::size_t at, float value) {
+    taa::twin::at(moments[at].record, taa::IntermediateId::color) = {value, 0.5f, 0.5f, 0.0f};
+  };
+  constexpr float kColors[] = {0.9f, 0.1f, 0.9f, 0.5f};
+  for (std::size_t at = 0; at < moments.size(); ++at) set(at, kColors[at]);
+  EXPECT_NEAR(taa::errorOfMean(moments, 2, taa::IntermediateId::color), 0.0, 1e-7);
+  // Of three: 0.5 + 0.4/3, by the curve of sRGB.
+  EXPECT_NEAR(taa::errorOfMean(moments, 3, taa::IntermediateId::color),
+              1.055 * (std::pow(0.5 + 0.4 / 3.0, 1 / 2.4) - std::pow(0.5, 1 / 2.4)), 1e-6);
 }

@@ -160,6 +160,15 @@ void tellUnwrittenSky(std::vector<JudgedRegion>& judged, const Patient& patient,
   std::erase_if(judged, [](const JudgedRegion& other) { return other.region->isSky; });
 }
 
+/// The first of them, and how many there are besides.
+std::string namesOf(const std::vector<const Region*>& regions, const Patient& patient, double allPixels) {
+  constexpr std::size_t kShown = 3;
+  std::string out;
+  for (std::size_t i = 0; i < std::min(kShown, regions.size()); ++i)
+    out += (i == 0 ? "" : ", ") + placeOf(*regions[i], patient, allPixels).name;
+  return regions.size() <= kShown ? out : say<"%1 and %2 more">(out, regions.size() - kShown);
+}
+
 /// Sentences of what is right and of what is not known.
 void tellOthers(const Judged& all, const std::vector<MotionTrial>& trials, const Patient& patient,
                 double allPixels, Diagnosis& out) {
@@ -178,17 +187,19 @@ void tellOthers(const Judged& all, const std::vector<MotionTrial>& trials, const
       ++small;
       addFaults(openFaults(region, trials), ofSmall);
     } else {
-      out.undecided.push_back(undecidedMotion(verdict, place, *region.evidence));
-      out.undecided.back().faults = openFaults(region, trials);
+      Undecided open = undecidedMotion(verdict, place, *region.evidence);
+      open.faults = openFaults(region, trials);
+      out.parts.leaveOpen(std::move(open));
     }
   }
   if (right > 0)
-    out.healthy.push_back(
+    out.parts.addRight(
+        say<"Motion">(),
         right == 1
             ? say<"Motion of one region fits its own pixels, and other explanations do not.">()
             : say<"Motion of %1 regions fits their own pixels, and other explanations do not.">(right));
   if (small > 0)
-    out.undecided.push_back(
+    out.parts.leaveOpen(
         {small == 1 ? say<"Motion of a small region">() : say<"Motion of %1 small regions">(small),
          say<"they have too few pixels that can be followed, or move and change too little">(),
          say<"Bring the camera nearer to them, or capture more and larger frames.">(), ofSmall});
@@ -239,6 +250,27 @@ Finding unitFinding(const MotionTrial& unit) {
   return out;
 }
 
+std::vector<Finding> lengthFindings(const FittedLength& length, const MotionTrial& trial,
+                                    const Patient& patient) {
+  const auto axes = axesBesideUnit(trial, patient);
+  std::vector<MotionTrial> told{axes ? unitAlone(trial, *axes) : trial};
+  if (axes) told.push_back(*axes);
+  std::vector<Finding> out;
+  for (const MotionTrial& one : told) {
+    Finding finding;
+    nameBy(lengthFault(one), finding);
+    finding.sureness = trial.kind == MotionKind::OtherUnit ? Sureness::Sure : Sureness::Likely;
+    finding.isWholePicture = true;
+    finding.reason = lengthReason(length, trial, patient.sizePx);
+    finding.measure = say<"mean difference of luma, × 1000">();
+    finding.residuals = {{trialId(trial), trialText(trial), 1000.0 * length.fitted, false, true},
+                         {"asGiven", say<"as given">(), 1000.0 * length.given, true, false}};
+    mendEverywhereBy(motionMending(one), finding);
+    out.push_back(std::move(finding));
+  }
+  return out;
+}
+
 MotionTold tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
                       const Patient& patient, const RimsSeen& rims, Diagnosis& out) {
   const double allPixels = static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
@@ -260,7 +292,9 @@ MotionTold tellMotion(const MotionEvidence& evidence, const std::vector<Region>&
     out.findings.push_back(late);
   tellJumps(evidence, regions, patient, allPixels, out);
   if (judged.contradicted)
-    out.undecided.push_back(contradictedMatrices(evidence.trials()[*judged.contradicted]));
+    out.parts.leaveOpen(contradictedMatrices(evidence.trials()[*judged.contradicted],
+                                             namesOf(judged.contradictedIn, patient, allPixels),
+                                             !judged.areMatricesTrusted));
   tellOthers(judged, evidence.trials(), patient, allPixels, out);
   told.isOfCameraOrDepth =
       judged.unconfirmed && evidence.trials()[*judged.unconfirmed].kind == MotionKind::CameraBeside;

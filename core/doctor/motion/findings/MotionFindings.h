@@ -6,6 +6,7 @@
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/motion/MotionEvidence.h"
 #include "core/doctor/motion/MotionJudgement.h"
+#include "core/doctor/motion/MotionLength.h"
 
 #include <optional>
 #include <vector>
@@ -31,6 +32,11 @@ struct MotionTold {
 bool isBeyondPicture(const MotionEvidence& evidence);
 /// That it does, and would not in another unit.
 Finding unitFinding(const MotionTrial& unit);
+
+/// That motion is shorter than a pixel everywhere, and pictures move by so many times as much: in a unit that
+/// the fit says, or by its factors; then what is wrong with the axes.
+std::vector<Finding> lengthFindings(const FittedLength& length, const MotionTrial& trial,
+                                    const Patient& patient);
 
 /// Adds findings, what is undecided and what is right about the motion of all regions. Expects that motion
 /// is known.

@@ -120,7 +120,8 @@ double percentOf(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
-std::string namesOf(const std::vector<std::size_t>& explanations, const std::vector<MotionTrial>& trials) {
+std::string explanationNames(const std::vector<std::size_t>& explanations,
+                             const std::vector<MotionTrial>& trials) {
   std::string names;
   for (const std::size_t trial : explanations)
     names += (names.empty() ? "" : "; ") + trialText(trials[trial]);
@@ -138,7 +139,7 @@ std::string witnessReason(const FaultGroup& group, const std::vector<MotionTrial
                      ? say<"The pictures confirm it.">()
                      : say<"The pictures have too little detail, or move too little, to confirm it.">());
   if (const std::vector<std::size_t> alikes = alikesOf(group); !alikes.empty())
-    text += " " + say<"Here it leads to the same places as: %1.">(namesOf(alikes, trials));
+    text += " " + say<"Here it leads to the same places as: %1.">(explanationNames(alikes, trials));
   return text;
 }
 
@@ -150,7 +151,7 @@ std::string outlineReason(const FaultGroup& group, const std::vector<MotionTrial
       counts.pixels, counts.given, counts.tried,
       group.trial ? trialText(trials[*group.trial]) : say<"what its middle moves by">());
   if (const std::vector<std::size_t> alikes = alikesOf(group); !alikes.empty())
-    text += " " + say<"Here it leads to the same places as: %1.">(namesOf(alikes, trials));
+    text += " " + say<"Here it leads to the same places as: %1.">(explanationNames(alikes, trials));
   return text;
 }
 
@@ -163,7 +164,7 @@ std::string middleReason(const FaultGroup& group, const std::vector<MotionTrial>
           "taken like this by %4 px: %5.">(mean(counts.moved), counts.samples, mean(counts.given),
                                            mean(counts.tried), trialText(trials[*group.trial]));
   if (const std::vector<std::size_t> alikes = alikesOf(group); !alikes.empty())
-    text += " " + say<"Here it leads to the same places as: %1.">(namesOf(alikes, trials));
+    text += " " + say<"Here it leads to the same places as: %1.">(explanationNames(alikes, trials));
   return text;
 }
 
@@ -187,9 +188,9 @@ std::string reasonOf(const FaultGroup& group, const std::vector<MotionTrial>& tr
           shortNumber(sum.given / std::max(sum.tried, 1e-9)), what,
           std::lround(percentOf(sum.cellsWon, sum.cells)), sum.cells);
   if (const std::vector<std::size_t> alikes = alikesOf(group); !alikes.empty())
-    text += " " + say<"Here it leads to the same places as: %1.">(namesOf(alikes, trials));
+    text += " " + say<"Here it leads to the same places as: %1.">(explanationNames(alikes, trials));
   if (isTold(group)) return text;
-  return text + " " + say<"These frames do not tell it from: %1.">(namesOf(rivals, trials));
+  return text + " " + say<"These frames do not tell it from: %1.">(explanationNames(rivals, trials));
 }
 
 } // namespace

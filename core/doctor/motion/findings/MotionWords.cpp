@@ -221,6 +221,36 @@ MotionFault motionFault(const MotionTrial* trial, const Region& region, const Re
   return {};
 }
 
+MotionFault lengthFault(const MotionTrial& trial) {
+  if (trial.kind != MotionKind::Scaled) return motionFault(&trial, Region(), RegionEvidence());
+  return {"motionScaled", say<"Motion of another length">(), say<"Ghosts grow with speed.">(),
+          say<"Multiply the motion that you write by %1, or state the unit that it has.">(
+              shortVector(glm::dvec2(trial.factor)))};
+}
+
+std::string lengthReason(const FittedLength& length, const MotionTrial& trial, const glm::ivec2& sizePx) {
+  const auto along = [&](int axis) {
+    const std::string name = axis == 0 ? "x" : "y";
+    if (!length.factor[axis]) return say<"along %1 too little moves to tell">(name);
+    return say<"%1 ± %2 along %3">(measuredNumber(*length.factor[axis], length.error[axis]),
+                                   errorNumber(length.error[axis]), name);
+  };
+  std::string text =
+      say<"All motion is shorter than a pixel, and the pictures move by %1 px in the mean. By least squares "
+          "over %2 pixels of %3 pairs of frames they move by so many times the motion given (and its "
+          "standard error): %4, %5.">(shortNumber(length.movesPx), length.pixels, length.pairs, along(0),
+                                      along(1));
+  if (trial.kind != MotionKind::OtherUnit)
+    return text + " " + say<"No unit of a picture of %1 × %2 px lies within that.">(sizePx.x, sizePx.y);
+  const glm::dvec2 unit = glm::abs(glm::dvec2(trial.factor));
+  return text + " " +
+         (trial.isDevice
+              ? say<"Half the size of the picture lies within that, %1 and %2: device coordinates.">(
+                    shortNumber(unit.x), shortNumber(unit.y))
+              : say<"The size of the picture lies within that, %1 and %2: texture coordinates.">(
+                    shortNumber(unit.x), shortNumber(unit.y)));
+}
+
 void nameBy(const MotionFault& fault, Finding& out) {
   out.id = fault.id;
   out.name = fault.name;
@@ -273,12 +303,14 @@ std::string motionExample(const Patient& patient, const RegionEvidence& evidence
                                                                    shortVector(should));
 }
 
-Undecided contradictedMatrices(const MotionTrial& trial) {
+Undecided contradictedMatrices(const MotionTrial& trial, const std::string& names, bool isMisfit) {
   return {
       say<"Depth and matrices">(),
-      say<"motion is not what they make, and would be if it were taken like this: %1; but the pictures fit "
-          "it as it is">(trialText(trial)),
-      say<"State matrices and depth as they are used.">()};
+      say<"the motion of %1 is not what they make, and would be if it were taken like this: %2; but the "
+          "pictures fit it as it is, as they do where something moves by itself">(names, trialText(trial)),
+      say<"State matrices and depth as they are used, or let these rest.">(),
+      {},
+      isMisfit};
 }
 
 Undecided undecidedMotion(MotionVerdict verdict, const RegionPlace& place, const RegionEvidence& evidence) {
@@ -305,11 +337,13 @@ Undecided undecidedMotion(MotionVerdict verdict, const RegionPlace& place, const
   case MotionVerdict::Doubtful:
     out.reason = say<"another explanation fits a little better than the motion given, and none clearly">();
     out.capture = say<"Let it move by some pixels a frame, before the camera and in even light.">();
+    out.isMisfit = true;
     break;
   case MotionVerdict::Contradicted:
     out.reason = say<"neither the motion given nor another explanation fits: its light, its material or what "
                      "lies over it changes more than motion can tell">();
     out.capture = say<"Keep lights and materials as they are, and nothing transparent before it.">();
+    out.isMisfit = true;
     break;
   }
   return out;

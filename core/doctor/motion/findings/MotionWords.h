@@ -22,6 +22,11 @@ struct MotionFault {
 /// `trial`: what explains it; null: the pixels move as no explanation says.
 MotionFault motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence);
 
+/// Of a length that was fitted, or of axes besides.
+MotionFault lengthFault(const MotionTrial& trial);
+/// Sentences: what was fitted, and what unit of a picture of that size it is.
+std::string lengthReason(const FittedLength& length, const MotionTrial& trial, const glm::ivec2& sizePx);
+
 /// Gives a finding the words of a fault.
 void nameBy(const MotionFault& fault, Finding& out);
 
@@ -37,8 +42,9 @@ glm::dvec2 storedMotion(const Patient& patient, const glm::dvec2& motionPx);
 /// Empty where the trial says nothing there.
 std::string motionExample(const Patient& patient, const RegionEvidence& evidence, std::size_t trial);
 
-/// Depth and matrices make something of the motion given that pixels contradict.
-Undecided contradictedMatrices(const MotionTrial& trial);
+/// Depth and matrices make something of the motion given of some regions that pixels contradict. `names`:
+/// theirs. `isMisfit`: nothing else says that these are right.
+Undecided contradictedMatrices(const MotionTrial& trial, const std::string& names, bool isMisfit);
 /// A sentence why a region's motion is not decided, and what to capture instead.
 Undecided undecidedMotion(MotionVerdict verdict, const RegionPlace& place, const RegionEvidence& evidence);
 

@@ -20,12 +20,12 @@ float blendFactor(float alpha, float toneWeightCurrent, float toneWeightHistory,
 }
 
 /// 1/(1 + L); as printed (D19) of the color divided by 1 + its largest channel.
-float toneWeight(const glm::vec3& color, ToneWeight tone) {
+float toneWeight(const glm::vec3& color, ToneWeight tone, WeightLuma chosen) {
   switch (tone) {
   case ToneWeight::Luma:
-    return 1.0f / (1.0f + luma(color));
+    return 1.0f / (1.0f + weightLuma(color, chosen));
   case ToneWeight::LumaAsPrinted:
-    return 1.0f / (1.0f + luma(compress(color, ToneSpace::MaxChannel)));
+    return 1.0f / (1.0f + weightLuma(compress(color, ToneSpace::MaxChannel), chosen));
   case ToneWeight::None:
   case ToneWeight::ReinhardChannel: // what compresses does not weigh
   case ToneWeight::MaxChannel:
@@ -127,8 +127,8 @@ float lengthAfter(const Settings& settings, const BlendInputs& mix) {
 Blended blend(const Settings& settings, const BlendInputs& mix) {
   const ToneWeight tone = settings.blend.tone;
   Blended result;
-  result.toneWeightCurrent = toneWeight(mix.current, tone);
-  result.toneWeightHistory = toneWeight(mix.history, tone);
+  result.toneWeightCurrent = toneWeight(mix.current, tone, settings.space.luma);
+  result.toneWeightHistory = toneWeight(mix.history, tone, settings.space.luma);
   const auto factorOf = [&](float alpha) {
     return blendFactor(alpha, result.toneWeightCurrent, result.toneWeightHistory, tone);
   };

@@ -105,7 +105,8 @@ glm::vec3 interpolated(const glm::vec3& a, const glm::vec3& b, float share) {
   return a + share * (b - a);
 }
 
-glm::vec3 weightedSamples(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
+glm::vec3 weightedSamples(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel,
+                          WeightLuma chosen) {
   const std::array<float, 9> weights = currentWeights(settings, inputs.jitterPx);
   const glm::vec3 center = currentColor(inputs, pixel);
   float sum = 0.0f;
@@ -113,7 +114,7 @@ glm::vec3 weightedSamples(const Inputs& inputs, const CurrentSettings& settings,
   for (int k = 0; k < 9; ++k) {
     const glm::vec3 color = currentColor(inputs, pixel + glm::ivec2(k % 3 - 1, k / 3 - 1));
     float weight = weights[static_cast<std::size_t>(k)];
-    if (settings.lumaWeighted == Switch::On) weight = weight / (1.0f + luma(color));
+    if (settings.lumaWeighted == Switch::On) weight = weight / (1.0f + weightLuma(color, chosen));
     sum = sum + weight;
     if (k != 4) difference = difference + weight * (color - center);
   }
@@ -196,8 +197,9 @@ glm::vec3 sharpenCurrent(const Inputs& inputs, const CurrentSettings& settings, 
   return storable(sharpenedCurrent(inputs, settings, texel, color));
 }
 
-glm::vec3 unsharpenedCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
-  const auto weighted = [&] { return weightedSamples(inputs, settings, pixel); };
+glm::vec3 unsharpenedCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel,
+                             WeightLuma chosen) {
+  const auto weighted = [&] { return weightedSamples(inputs, settings, pixel, chosen); };
   switch (settings.filter) {
   case CurrentFilter::Center:
     break;
@@ -220,8 +222,9 @@ glm::vec3 unsharpenedCurrent(const Inputs& inputs, const CurrentSettings& settin
   return currentColor(inputs, pixel);
 }
 
-glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
-  return sharpenCurrent(inputs, settings, pixel, unsharpenedCurrent(inputs, settings, pixel));
+glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel,
+                        WeightLuma chosen) {
+  return sharpenCurrent(inputs, settings, pixel, unsharpenedCurrent(inputs, settings, pixel, chosen));
 }
 
 glm::vec3 blurredRestart(const Inputs& inputs, const glm::ivec2& pixel) {

@@ -72,6 +72,9 @@ struct RectifyInputs {
   float protection = 0.0f; ///< share of the correction that is taken back
   bool isFlicker = false;  ///< its depth differs, and it is the same (13.9)
 };
+/// Where the method moves history with all of its correction, scene-linear, and how far on its way.
+Rectified rectifiedFully(const Settings& settings, const glm::vec3& historyRaw,
+                         const glm::vec3& currentFiltered, const Neighborhood& neighborhood);
 /// History pulled into the box, scene-linear (manual §11).
 Rectified rectifyHistory(const Inputs& inputs, const Settings& settings, const glm::vec3& historyRaw,
                          const glm::vec3& currentFiltered, const Neighborhood& neighborhood,

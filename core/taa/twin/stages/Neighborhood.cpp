@@ -219,7 +219,7 @@ float momentWeight(const Settings& settings, const NeighborhoodSample& member) {
   case MomentWeights::Equal:
     return 1.0f;
   case MomentWeights::Luma:
-    return 1.0f / (1.0f + luma(member.color));
+    return 1.0f / (1.0f + weightLuma(member.color, settings.space.luma));
   case MomentWeights::Distance:
     return kByDistance[member.distance];
   case MomentWeights::BoxLuma:

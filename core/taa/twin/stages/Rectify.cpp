@@ -224,7 +224,8 @@ bool keepsOnlyInside(RectifyMethod method) {
          method == RectifyMethod::ClipToFiltered || method == RectifyMethod::ShrinkAxes;
 }
 
-/// Where history is moved, scene-linear, and how far on its way.
+} // namespace
+
 Rectified rectifiedFully(const Settings& settings, const glm::vec3& historyRaw,
                          const glm::vec3& currentFiltered, const Neighborhood& n) {
   const glm::vec3 h = toBox(historyRaw, settings.space);
@@ -236,8 +237,6 @@ Rectified rectifiedFully(const Settings& settings, const glm::vec3& historyRaw,
   if (clipped.value == h && clipped.amount == 0.0f && !isOutside) return {historyRaw, 0.0f};
   return {storable(fromBox(clipped.value, settings.space)), clipped.amount, 1.0f, true};
 }
-
-} // namespace
 
 std::optional<glm::vec3> rectifyTarget(RectifyMethod method, const glm::vec3& currentFiltered,
                                        const Neighborhood& neighborhood) {

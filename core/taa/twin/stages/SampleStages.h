@@ -106,9 +106,12 @@ glm::vec3 sharpenCurrent(const Inputs& inputs, const CurrentSettings& settings, 
                          const glm::vec3& color);
 /// This frame's color by a bilinear tap at `offset` px from the center of a render texel.
 glm::vec3 tapAt(const Inputs& inputs, const glm::ivec2& texel, const glm::vec2& offset);
-/// This frame's color at the pixel's center (manual §7), before it is sharpened.
-glm::vec3 unsharpenedCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel);
+/// This frame's color at the pixel's center (manual §7), before it is sharpened; `chosen`: the luma that
+/// samples are weighed by where the settings weigh them so.
+glm::vec3 unsharpenedCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel,
+                             WeightLuma chosen = WeightLuma::Rec709);
 /// And after that.
-glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel);
+glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel,
+                        WeightLuma chosen = WeightLuma::Rec709);
 
 } // namespace taa::twin

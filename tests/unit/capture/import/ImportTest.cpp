@@ -227,6 +227,29 @@ TEST_F(ImportTest, MeasuresWhatACaptureStates) {
   EXPECT_FALSE(findingOf(again.findings, "motion.unit").contradicts());
 }
 
+// Motion in another unit taken for pixels is next to none: each question about it found that too little
+// moves.
+TEST_F(ImportTest, MeasuresAnotherUnitThanIsStatedWhateverItsAxes) {
+  for (const ScreenUnit unit : {ScreenUnit::Uv, ScreenUnit::Ndc}) {
+    stated_.motion.unit = unit;
+    stated_.motion.yAxis = unit == ScreenUnit::Ndc ? VerticalAxis::Up : VerticalAxis::Down;
+    writeSquare(folder_, scene_, stated_);
+    Guess guess = guessCapture(folder_, "", {});
+    guess.manifest.conventions.motion.unit = ScreenUnit::Pixels;
+    guess.manifest.conventions.motion.yAxis = VerticalAxis::Down;
+    static_cast<void>(saveImport(folder_, guess.manifest, folder_, false, {}));
+    const Guess again = guessCapture(folder_, "", {});
+    EXPECT_EQ(again.manifest.conventions.motion.unit, ScreenUnit::Pixels) << "what is stated stays";
+    const Finding found = findingOf(again.findings, "motion.unit");
+    EXPECT_TRUE(found.contradicts()) << found.reason;
+    EXPECT_EQ(found.hypotheses.front().assignments.front(),
+              unit == ScreenUnit::Uv ? "motion.unit=uv" : "motion.unit=ndc");
+    for (const Finding& finding : again.findings)
+      EXPECT_EQ(finding.reason.find("too little moves"), std::string::npos) << finding.question;
+    fs::remove_all(folder_);
+  }
+}
+
 TEST_F(ImportTest, IsWrittenBesideOrAboveItsFiles) {
   writeSquare(folder_ / "frames", scene_, stated_);
   const Guess guess = guessCapture(folder_ / "frames", "", {});

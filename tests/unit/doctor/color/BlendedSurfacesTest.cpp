@@ -102,8 +102,8 @@ TEST(BlendedSurfaces, WithoutAMaskAreNotDecided) {
   evidence.add({now, before});
   Diagnosis out;
   tellBlended(evidence, false, out);
-  ASSERT_EQ(out.undecided.size(), 1u);
-  EXPECT_EQ(out.undecided[0].faults,
+  ASSERT_EQ(out.parts.undecided().size(), 1u);
+  EXPECT_EQ(out.parts.undecided()[0].faults,
             (std::vector<Fault>{Fault::TransparentsWithoutMotion, Fault::TransparentsOverwriteMotion}));
 }
 
@@ -113,7 +113,7 @@ TEST(BlendedSurfaces, ThatAreNowhereSayNothing) {
       evidenceOf([](DoctorFrame& frame) { frame.mask = Image(frame.luma.width, frame.luma.height, 2); }),
       false, out);
   EXPECT_TRUE(out.isHealthy());
-  EXPECT_TRUE(out.undecided.empty());
+  EXPECT_TRUE(out.parts.undecided().empty());
 }
 
 } // namespace taa::doctor

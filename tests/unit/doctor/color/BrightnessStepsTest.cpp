@@ -136,8 +136,8 @@ TEST(BrightnessSteps, OfABlackPictureAreNotDecided) {
   black.add({now, before});
   Diagnosis open;
   tellBrightness(black, open);
-  ASSERT_EQ(open.undecided.size(), 1u);
-  EXPECT_EQ(open.undecided[0].faults, std::vector<Fault>{Fault::ExposureStep});
+  ASSERT_EQ(open.parts.undecided().size(), 1u);
+  EXPECT_EQ(open.parts.undecided()[0].faults, std::vector<Fault>{Fault::ExposureStep});
 }
 
 } // namespace taa::doctor

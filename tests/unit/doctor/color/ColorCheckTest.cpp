@@ -32,7 +32,7 @@ TEST(ColorCheck, LeavesTheBiasOfTexturesOpen) {
   const auto isOfBias = [](const Undecided& open) {
     return open.faults == std::vector<Fault>{Fault::MipBiasMissing, Fault::MipBiasLeftOn};
   };
-  EXPECT_EQ(std::ranges::count_if(diagnosis.undecided, isOfBias), 1);
+  EXPECT_EQ(std::ranges::count_if(diagnosis.parts.undecided(), isOfBias), 1);
 }
 
 TEST(ColorCheck, TellsAnInterfaceBeforeAStepOfBrightness) {

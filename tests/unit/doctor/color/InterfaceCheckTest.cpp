@@ -29,7 +29,7 @@ std::string told(const Diagnosis& diagnosis) {
 }
 
 bool isOpen(const Diagnosis& diagnosis, Fault fault) {
-  return std::ranges::any_of(diagnosis.undecided, [&](const Undecided& open) {
+  return std::ranges::any_of(diagnosis.parts.undecided(), [&](const Undecided& open) {
     return std::ranges::find(open.faults, fault) != open.faults.end();
   });
 }

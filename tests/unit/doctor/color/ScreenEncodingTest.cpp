@@ -37,13 +37,13 @@ TEST(ScreenEncoding, OfLightBeyondAScreenIsNamedWhereItIsStatedAsEncoded) {
   EXPECT_EQ(out.findings[0].id, "colorEncoding");
   EXPECT_EQ(out.findings[0].reason,
             "Color is stated as encoded for a screen, which ends at 1; decoded it goes up to 8.");
-  EXPECT_TRUE(out.undecided.empty());
+  EXPECT_TRUE(out.parts.undecided().empty());
 }
 
 TEST(ScreenEncoding, OfLightBeyondAScreenIsRightWhereItIsStatedAsLinear) {
   const Diagnosis out = told(lightOf(50, 8.0f), capture::ColorEncoding::Linear);
   EXPECT_TRUE(out.findings.empty());
-  ASSERT_EQ(out.healthy.size(), 1u);
+  ASSERT_EQ(out.parts.right().size(), 1u);
 }
 
 // Ringing of a filter, or exposure that is taken off, goes a little or far beyond 1.
@@ -52,9 +52,9 @@ TEST(ScreenEncoding, IsOpenWhereLightSaysNothing) {
     for (const BrightLight& light : {lightOf(0, 0.0f), lightOf(5000, 1.2f), lightOf(9, 100.0f)}) {
       const Diagnosis out = told(light, encoding);
       EXPECT_TRUE(out.findings.empty());
-      EXPECT_TRUE(out.healthy.empty());
-      ASSERT_EQ(out.undecided.size(), 1u);
-      EXPECT_EQ(out.undecided[0].question, "Color's encoding");
+      EXPECT_TRUE(out.parts.right().empty());
+      ASSERT_EQ(out.parts.undecided().size(), 1u);
+      EXPECT_EQ(out.parts.undecided()[0].question, "Color's encoding");
     }
   EXPECT_TRUE(told(lightOf(50, 8.0f), capture::ColorEncoding::Srgb, true).findings.empty());
 }
@@ -62,7 +62,7 @@ TEST(ScreenEncoding, IsOpenWhereLightSaysNothing) {
 TEST(ScreenEncoding, OfAScenesOwnFramesIsNoQuestion) {
   Diagnosis out;
   tellEncoding(lightOf(50, 8.0f), {}, out);
-  EXPECT_TRUE(out.findings.empty() && out.healthy.empty() && out.undecided.empty());
+  EXPECT_TRUE(out.findings.empty() && out.parts.right().empty() && out.parts.undecided().empty());
 }
 
 } // namespace

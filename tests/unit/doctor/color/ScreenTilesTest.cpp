@@ -44,7 +44,8 @@ TEST(ScreenTiles, AreOfTheWholePicture) {
 }
 
 TEST(ScreenTiles, OfTheGroundMoveAsTheyAreSaidTo) {
-  const ScreenTile& ground = tileAt(tilesOf([](DoctorFrame&) {}), 20, 60);
+  const ScreenTiles tiles = tilesOf([](DoctorFrame&) {});
+  const ScreenTile& ground = tileAt(tiles, 20, 60);
   ASSERT_EQ(ground.pairs, kFrames - 1);
   EXPECT_EQ(ground.fixed, 0);
   EXPECT_EQ(ground.changing, ground.pairs);

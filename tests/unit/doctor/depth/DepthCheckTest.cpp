@@ -89,7 +89,7 @@ TEST(DepthCheck, LeavesOpenWhetherTheCameraWasAnother) {
 TEST(DepthCheck, DoesNotDecideWhereDepthsAreAlike) {
   const Diagnosis diagnosis = diagnosisOf(passingFrame([](double depth) { return 0.5 * depth; }, 0.0));
   EXPECT_TRUE(diagnosis.isHealthy());
-  EXPECT_EQ(diagnosis.undecided.size(), 1u);
+  EXPECT_EQ(diagnosis.parts.undecided().size(), 1u);
 }
 
 // Motion that is twice as long may ask for a distance; the values stored are none.
@@ -136,7 +136,7 @@ TEST(DepthCheck, LeavesOutWhatMovesByItself) {
   DepthEvidence evidence;
   evidence.add(frame);
   EXPECT_TRUE(evidence.samples.empty());
-  EXPECT_EQ(diagnosisOf(frame).undecided.size(), 1u);
+  EXPECT_EQ(diagnosisOf(frame).parts.undecided().size(), 1u);
 }
 
 // Nothing passes the camera sideways; what comes out from behind something tells which way around depth is.
@@ -150,7 +150,7 @@ TEST(DepthCheck, GoesByWhatHidesWhatWhereTheCameraDoesNotTell) {
   EXPECT_EQ(reversed.findings[0].id, "depthReversed");
   EXPECT_NE(reversed.findings[0].reason.find("396 of 400"), std::string::npos) << reversed.findings[0].reason;
   EXPECT_TRUE(reversed.findings[0].alike.empty());
-  EXPECT_TRUE(reversed.undecided.empty());
+  EXPECT_TRUE(reversed.parts.undecided().empty());
 
   evidence.form = {.even = 12, .evenReciprocal = 300};
   Diagnosis linear;
@@ -198,9 +198,9 @@ TEST(DepthCheck, LeavesTheScaleOpenWhereOnlyTheOrderIsSeen) {
   Diagnosis out;
   tellDepth(evidence, out);
   EXPECT_TRUE(out.isHealthy());
-  EXPECT_EQ(out.healthy.size(), 1u);
-  ASSERT_EQ(out.undecided.size(), 1u);
-  EXPECT_EQ(out.undecided[0].faults, std::vector<Fault>{Fault::NearPlaneWrong});
+  EXPECT_EQ(out.parts.right().size(), 1u);
+  ASSERT_EQ(out.parts.undecided().size(), 1u);
+  EXPECT_EQ(out.parts.undecided()[0].faults, std::vector<Fault>{Fault::NearPlaneWrong});
 }
 
 TEST(DepthCheck, NamesANearPlaneThatIsNotTheProjections) {

@@ -62,7 +62,7 @@ TEST(MotionMarks, OfWhatMovesAreNotOfZero) {
     return std::ranges::count(diagnosis.findings, "zeroTakenAsMissing", &Finding::id);
   };
   const auto isOpen = [](const Diagnosis& diagnosis) {
-    return std::ranges::any_of(diagnosis.undecided, [](const Undecided& open) {
+    return std::ranges::any_of(diagnosis.parts.undecided(), [](const Undecided& open) {
       return open.question == "Motion of a part without previous position";
     });
   };
@@ -77,7 +77,7 @@ TEST(MotionMarks, OfWhatMovesAreNotOfZero) {
 TEST(MotionMarks, OfZeroAreLeftOpenWhereNothingRests) {
   const auto saysOpen = [](const test::PaintedShot& shot) {
     const Diagnosis diagnosis = examine(test::paintedExamination(shot, 12));
-    return std::ranges::any_of(diagnosis.undecided, [](const Undecided& open) {
+    return std::ranges::any_of(diagnosis.parts.undecided(), [](const Undecided& open) {
       return open.faults == std::vector<Fault>{Fault::ZeroTakenAsMissing};
     });
   };

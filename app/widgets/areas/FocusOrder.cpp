@@ -1,4 +1,4 @@
-#include "app/window/FocusOrder.h"
+#include "app/widgets/areas/FocusOrder.h"
 
 #include <QWidget>
 
@@ -9,7 +9,8 @@ namespace taa::app {
 
 void orderFocus(QWidget& window, const std::vector<QWidget*>& areas) {
   const auto areaOf = [&](const QWidget* widget) {
-    return std::ranges::find_if(areas, [&](const QWidget* area) { return area->isAncestorOf(widget); });
+    return std::ranges::find_if(
+        areas, [&](const QWidget* area) { return area == widget || area->isAncestorOf(widget); });
   };
   std::vector<QWidget*> order;
   for (QWidget* at = window.nextInFocusChain(); at != &window; at = at->nextInFocusChain())

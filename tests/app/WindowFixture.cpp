@@ -1,4 +1,4 @@
-#include "tests/app/TestWindow.h"
+#include "tests/app/WindowFixture.h"
 
 #include "app/commands/DoctorCommands.h"
 #include "app/commands/Exports.h"
@@ -27,7 +27,11 @@
 #include "app/views/ViewArea.h"
 #include "app/widgets/bars/FlightBar.h"
 
+#include <QApplication>
 #include <QJsonDocument>
+
+#include <memory>
+#include <utility>
 
 namespace taa::app::test {
 
@@ -145,6 +149,29 @@ void TestWindow::showIntermediate(IntermediateId id) {
 
 QJsonObject TestWindow::state() const {
   return QJsonDocument::fromJson(QByteArray::fromStdString(keeper()->file().window)).object();
+}
+
+FakeWindow::FakeWindow()
+    : session([this](Listener listener) {
+        auto made = std::make_unique<FakeRenderer>(std::move(listener));
+        renderer = made.get();
+        return made;
+      }),
+      window(session, nullptr) {}
+
+FakeWindow::~FakeWindow() = default;
+
+void FakeWindow::SetUp() {
+  applyTheme(*qApp, ThemeChoice::Dark);
+  window.resize(1280, 800);
+  window.show();
+  window.openSource("builtin:fan");
+  window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+  ASSERT_TRUE(waitFor([&] { return session.isOpen() && session.status().playing; }));
+  session.setPlaying(false);
+  QTest::mouseMove(&window, {1, 1}); // not where the last test left it
+  settle();
 }
 
 } // namespace taa::app::test
