@@ -203,7 +203,8 @@ TEST_F(BatchTest, SaysThatTheCallAsksForWhatIsNotThere) {
     expectUsageError({"doctor", "builtin:fan", "--size", "16x16", "--frames", "2", flag, value},
                      {flag, reason});
   }
-  expectUsageError(joined(fan, {"--frames", "0", "--restart", "-1"}), {"--restart", "Value -1 not in range", "99999"});
+  expectUsageError(joined(fan, {"--frames", "0", "--restart", "-1"}),
+                   {"--restart", "Value -1 not in range", "99999"});
   for (const std::string flag : {"--camera-path", "--camera", "--session", "--preset"})
     expectUsageError(joined(fan, {"--frames", "0", flag, ""}), {flag, "its value is empty"});
   expectUsageError({"doctor", "builtin:fan", "--baseline", ""}, {"--baseline", "its value is empty"});
