@@ -51,6 +51,8 @@ constexpr std::size_t kYoungFrames = 9;
 constexpr std::size_t kFewFrames = 4;
 /// At this weight of the current frame (2 − α)/α = 3 frames' samples are averaged.
 constexpr double kFewSamplesAlpha = 0.5;
+/// At this one one and a half: what is seen is the current frame's sample.
+constexpr double kOneSampleAlpha = 0.8;
 /// And at this one seven, which flicker whatever rectification does.
 constexpr double kFlickeringAlpha = 0.25;
 /// What changes by this share of its error in each frame is right every other frame.
@@ -94,6 +96,7 @@ class Judge {
   void addGhostRow(RowId id, std::optional<double> limit = {});
   const SurfaceMoment* restart() const;
   bool averagesTooFew() const;
+  double smallerWeight() const;
   bool isPassed() const;
   std::map<int, double> pulls() const;
   bool isOfAnother() const;
@@ -189,14 +192,15 @@ void Judge::conclude() {
     addRow(RowId::historyLength, now_);
     return;
   }
-  if (averagesTooFew()) {
+  const bool isFlicker = found_.flicker >= kVisibleFlicker && !isNoFlicker();
+  if (averagesTooFew() && !(isFlicker && smallerWeight() < kOneSampleAlpha)) {
     found_.kind = VerdictKind::Aliasing;
     found_.stage = Stage::BlendWeight;
     for (const RowId id : {RowId::alpha, RowId::historyLength, RowId::rejectReason, RowId::color})
       addRow(id, now_);
     return;
   }
-  if (found_.flicker >= kVisibleFlicker && !isNoFlicker()) return concludeFlicker();
+  if (isFlicker) return concludeFlicker();
   switch (found_.part) {
   case ErrorPart::Ghost:
     return concludeGhost();
@@ -553,9 +557,13 @@ bool Judge::hasJustAppeared() const {
 
 /// Whether fewer than three frames' samples are averaged, though tests keep history.
 bool Judge::averagesTooFew() const {
-  const double usual = usualWeight(evidence_.moments);
-  if (std::min(usual, recordValue(now_.record, RowId::alpha)) < kFewSamplesAlpha) return false;
-  return usual >= 1.0 || !hasJustAppeared();
+  if (smallerWeight() < kFewSamplesAlpha) return false;
+  return usualWeight(evidence_.moments) >= 1.0 || !hasJustAppeared();
+}
+
+/// Of the usual weight of the current frame and today's.
+double Judge::smallerWeight() const {
+  return std::min(usualWeight(evidence_.moments), recordValue(now_.record, RowId::alpha));
 }
 
 void Judge::concludeSamples() {

@@ -376,14 +376,18 @@ TEST(PixelVerdict, TakesGeometrysWordForWhatWasUncovered) {
 }
 
 TEST(PixelVerdict, SaysWhereFewerThanThreeSamplesAreAveraged) {
-  for (const float alpha : {0.6f, 1.0f}) {
-    const taa::PixelVerdict verdict = judge(sampled({0.3, -0.3}, alpha), Settings{});
+  for (const float alpha : {0.6f, 0.85f, 1.0f}) {
+    VerdictEvidence evidence = sampled({0.3, -0.3}, alpha);
+    if (alpha < 0.8f) // of more than one sample and a half where it does not come and go
+      for (taa::SurfaceMoment& moment : evidence.moments) moment.resolved = evidence.moments[0].resolved;
+    const taa::PixelVerdict verdict = judge(evidence, Settings{});
     EXPECT_EQ(verdict.kind, VerdictKind::Aliasing);
     EXPECT_EQ(verdict.stage, Stage::BlendWeight);
     const bool isAll = verdictSentence(verdict, 40, "", Settings{}).find("α is 1") != std::string::npos;
     EXPECT_EQ(isAll, alpha == 1.0f);
   }
-  EXPECT_EQ(judge(sampled({0.3, -0.3}, 0.4f), Settings{}).kind, VerdictKind::Flicker); // four samples
+  for (const float alpha : {0.4f, 0.6f})
+    EXPECT_EQ(judge(sampled({0.3, -0.3}, alpha), Settings{}).kind, VerdictKind::Flicker) << alpha;
 }
 
 TEST(PixelVerdict, LooksAtNoFlickerOfBeforeAJump) {
