@@ -7,6 +7,7 @@
 #include "app/widgets/verdict/ErrorBars.h"
 #include "app/widgets/verdict/EvidenceRow.h"
 #include "app/widgets/verdict/RemedyButton.h"
+#include "core/verdict/pixel/BlindAgreement.h"
 
 #include <QLabel>
 #include <QVBoxLayout>
@@ -16,6 +17,18 @@
 #include <vector>
 
 namespace taa::app {
+
+namespace {
+
+QLabel* makeNote() {
+  auto* note = new QLabel;
+  note->setFont(secondaryFont());
+  note->setForegroundRole(QPalette::PlaceholderText);
+  note->setWordWrap(true);
+  return note;
+}
+
+} // namespace
 
 VerdictDetails::VerdictDetails(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
@@ -33,10 +46,7 @@ QWidget* VerdictDetails::makeRemedies() {
   auto* column = new QVBoxLayout(part);
   column->setContentsMargins(2 * kUnit, 0, 2 * kUnit, kUnit);
   column->setSpacing(kUnit);
-  note_ = new QLabel;
-  note_->setFont(secondaryFont());
-  note_->setForegroundRole(QPalette::PlaceholderText);
-  note_->setWordWrap(true);
+  note_ = makeNote();
   column->addWidget(note_);
   for (std::size_t remedy = 0; remedy < kMaxRemedies; ++remedy) {
     auto* button = new RemedyButton;
@@ -71,6 +81,9 @@ QWidget* VerdictDetails::makeEvidence() {
   bars_ = new ErrorBars;
   inside->addSpacing(kUnit);
   inside->addWidget(bars_);
+  agreement_ = makeNote();
+  agreement_->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, 0);
+  inside->addWidget(agreement_);
   column->addWidget(evidence_);
   connect(header_, &SectionHeader::toggled, evidence_, &QWidget::setVisible);
   evidence_->hide();
@@ -134,6 +147,7 @@ void VerdictDetails::showEvidence(const VerdictAnswer& answer) {
     if (row < decided.size()) rows_[row]->setRow(decided[row]);
   }
   bars_->setError(answer.error);
+  agreement_->setText(QString::fromStdString(agreementText(answer.verdict.kind)));
 }
 
 } // namespace taa::app

@@ -37,6 +37,7 @@ class VerdictDetails : public QWidget {
   const std::array<RemedyButton*, kMaxRemedies>& remedies() const { return remedies_; }
   const std::array<EvidenceRow*, kMaxEvidence>& rows() const { return rows_; }
   ErrorBars* bars() const { return bars_; }
+  QLabel* agreement() const { return agreement_; } ///< how often such verdicts were right
   SectionHeader* header() const { return header_; }
   QString note() const; ///< why there are no remedies; empty: there are, or none is needed
 
@@ -52,7 +53,7 @@ class VerdictDetails : public QWidget {
 
   int keptRemedies_ = 0; ///< px, the height of the buttons before it waited
   QWidget *remediesPart_ = nullptr, *evidencePart_ = nullptr;
-  QLabel* note_ = nullptr;
+  QLabel *note_ = nullptr, *agreement_ = nullptr;
   std::array<RemedyButton*, kMaxRemedies> remedies_{};
   SectionHeader* header_ = nullptr;
   QWidget* evidence_ = nullptr;

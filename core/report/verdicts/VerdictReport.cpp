@@ -4,6 +4,7 @@
 #include "core/io/FrameJson.h"
 #include "core/story/StoryText.h"
 #include "core/verdict/parts/PartsRows.h"
+#include "core/verdict/pixel/BlindAgreement.h"
 #include "core/verdict/pixel/VerdictText.h"
 
 #include <nlohmann/json.hpp>
@@ -89,12 +90,18 @@ ordered_json remediesJson(const RemedyAnswer& remedies) {
   return json;
 }
 
+ordered_json agreementJson(VerdictKind kind) {
+  const BlindAgreement agreement = blindAgreement(kind);
+  return {{"named", agreement.named}, {"right", agreement.right}};
+}
+
 ordered_json laneValues(const VerdictOfLane& lane) {
   const PixelVerdict& verdict = lane.answer.verdict;
   ordered_json json{
       {"sentence", lane.answer.sentence},
       {"kind", kVerdictKinds[static_cast<std::size_t>(verdict.kind)].id},
       {"stage", verdict.kind == VerdictKind::None ? ordered_json() : stageInfo(verdict.stage).id},
+      {"checkedBlind", agreementJson(verdict.kind)},
       {"throwsGoodHistoryAway", verdict.throwsGoodAway},
       {"error", numberJson(verdict.error)},
       {"flicker", numberJson(verdict.flicker)},
@@ -209,7 +216,7 @@ std::string verdictText(const VerdictOfLane& lane) {
   const PixelVerdict& verdict = lane.answer.verdict;
   std::string text = lane.answer.sentence + '\n';
   if (verdict.kind != VerdictKind::None) text += verdictMeasures(verdict) + '\n';
-  text += referenceText(lane.answer);
+  text += referenceText(lane.answer) + agreementText(verdict.kind) + '\n';
   if (verdict.kind != VerdictKind::None)
     text += "Stage: " + std::string(stageInfo(verdict.stage).label) + '\n';
   text += "Evidence\n";

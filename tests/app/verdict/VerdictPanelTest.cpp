@@ -14,6 +14,7 @@
 #include "app/widgets/verdict/RemedyButton.h"
 #include "app/widgets/verdict/VerdictDetails.h"
 #include "app/widgets/verdict/VerdictLine.h"
+#include "core/verdict/pixel/BlindAgreement.h"
 #include "tests/app/WindowFixture.h"
 #include "tests/app/verdict/FakeVerdict.h"
 
@@ -365,6 +366,8 @@ TEST_F(VerdictPanel, UnfoldsWhatDecidedAndGoesThere) {
   EXPECT_EQ(rows[1]->text(), tableText(intermediate(IntermediateId::depthMismatch).label));
   EXPECT_EQ(rows[1]->value(), "0.5, limit 0.125");
   EXPECT_EQ(rows[0]->value(), "0.0625");
+  EXPECT_TRUE(details()->agreement()->isVisible());
+  EXPECT_EQ(details()->agreement()->text().toStdString(), agreementText(VerdictKind::Ghost));
   click(rows[1]);
   EXPECT_EQ(window.views()->active()->id(), IntermediateId::depthMismatch);
   EXPECT_EQ(session.status().info.frame, 9);
