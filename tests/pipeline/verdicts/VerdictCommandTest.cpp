@@ -124,6 +124,6 @@ TEST_F(VerdictCommandTest, PrintsTheSameToPeople) {
             change(before.latest, after.latest),
         "picture: PSNR " + psnr(*remedies_.picture) + " → " + psnr(*remedies_.best[0].picture) + " dB",
         remedyNote(remedies_.best[0], before, remedies_.picture),
-        "Reference: " + std::to_string(answer_.samples) + " samples", "Checked blind: "})
+        "Reference: " + std::to_string(answer_.samples) + " samples", std::string("Checked blind: ")})
     EXPECT_NE(result.out.find(words), std::string::npos) << words << "\n" << result.out;
 }
