@@ -1,6 +1,7 @@
 #include "app/views/plots/AlphaPage.h"
 
 #include "app/style/Theme.h"
+#include "app/widgets/Note.h"
 
 #include <QHideEvent>
 #include <QLabel>
@@ -21,10 +22,7 @@ AlphaPage::AlphaPage(QWidget* parent) : QWidget(parent), summary_(makeNote()) {
 }
 
 QLabel* AlphaPage::makeNote() {
-  auto* label = new QLabel;
-  label->setFont(secondaryFont());
-  label->setForegroundRole(QPalette::PlaceholderText);
-  label->setWordWrap(true);
+  QLabel* label = newNote();
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;
 }

@@ -2,6 +2,7 @@
 
 #include "app/style/Theme.h"
 #include "app/views/plots/ColorSpaceView.h"
+#include "app/widgets/Note.h"
 #include "app/widgets/parameters/SegmentedButtons.h"
 
 #include <QHBoxLayout>
@@ -11,18 +12,6 @@
 #include <QVBoxLayout>
 
 namespace taa::app {
-
-namespace {
-
-QLabel* makeNote() {
-  auto* note = new QLabel;
-  note->setFont(secondaryFont());
-  note->setForegroundRole(QPalette::PlaceholderText);
-  note->setWordWrap(true);
-  return note;
-}
-
-} // namespace
 
 ColorSpacePage::ColorSpacePage(QWidget* parent) : ColorSpacePage(parent, {}) {}
 
@@ -35,7 +24,7 @@ ColorSpacePage::ColorSpacePage(QWidget* parent, Qt::WindowFlags flags) : QWidget
   spaces_ = new SegmentedButtons({tr("RGB"), tr("YCoCg")});
   spaces_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   spaces_->setAccessibleName(tr("Axes of the color space plot"));
-  note_ = makeNote();
+  note_ = newNote();
   line->addWidget(spaces_);
   line->addStretch(1);
   opens_ = new QToolButton;

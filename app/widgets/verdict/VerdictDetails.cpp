@@ -2,6 +2,7 @@
 
 #include "app/models/verdict/VerdictWords.h"
 #include "app/style/Theme.h"
+#include "app/widgets/Note.h"
 #include "app/widgets/SectionHeader.h"
 #include "app/widgets/areas/FittingArea.h"
 #include "app/widgets/verdict/ErrorBars.h"
@@ -17,18 +18,6 @@
 #include <vector>
 
 namespace taa::app {
-
-namespace {
-
-QLabel* makeNote() {
-  auto* note = new QLabel;
-  note->setFont(secondaryFont());
-  note->setForegroundRole(QPalette::PlaceholderText);
-  note->setWordWrap(true);
-  return note;
-}
-
-} // namespace
 
 VerdictDetails::VerdictDetails(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
@@ -46,7 +35,7 @@ QWidget* VerdictDetails::makeRemedies() {
   auto* column = new QVBoxLayout(part);
   column->setContentsMargins(2 * kUnit, 0, 2 * kUnit, kUnit);
   column->setSpacing(kUnit);
-  note_ = makeNote();
+  note_ = newNote();
   column->addWidget(note_);
   for (std::size_t remedy = 0; remedy < kMaxRemedies; ++remedy) {
     auto* button = new RemedyButton;
@@ -81,7 +70,7 @@ QWidget* VerdictDetails::makeEvidence() {
   bars_ = new ErrorBars;
   inside->addSpacing(kUnit);
   inside->addWidget(bars_);
-  agreement_ = makeNote();
+  agreement_ = newNote();
   agreement_->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, 0);
   inside->addWidget(agreement_);
   column->addWidget(evidence_);

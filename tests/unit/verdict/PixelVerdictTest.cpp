@@ -379,7 +379,7 @@ TEST(PixelVerdict, SaysWhereFewerThanThreeSamplesAreAveraged) {
   for (const float alpha : {0.6f, 0.85f, 1.0f}) {
     VerdictEvidence evidence = sampled({0.3, -0.3}, alpha);
     if (alpha < 0.8f) // of more than one sample and a half where it does not come and go
-      for (taa::SurfaceMoment& moment : evidence.moments) moment.resolved = evidence.moments[0].resolved;
+      for (taa::SurfaceMoment& moment : evidence.moments) moment.resolved = glm::dvec3(0.6);
     const taa::PixelVerdict verdict = judge(evidence, Settings{});
     EXPECT_EQ(verdict.kind, VerdictKind::Aliasing);
     EXPECT_EQ(verdict.stage, Stage::BlendWeight);
