@@ -11,7 +11,6 @@
 #include "core/scene/camera/CameraTrack.h"
 #include "core/scene/cost/SceneCost.h"
 #include "core/settings/Settings.h"
-#include "core/sweep/PointClaim.h"
 #include "core/sweep/SweepPoints.h"
 #include "core/sweep/tune/TuneGoal.h"
 #include "core/taa/rows/Intermediates.h"
@@ -173,7 +172,6 @@ struct ImportArguments {
 struct SweepArguments {
   std::string spec, folder;
   std::string shard = "1/1";
-  int claimTimeoutSeconds = static_cast<int>(kClaimTimeout.count());
   int sceneMillions = kDefaultSceneMillions, sceneMiB = kDefaultSceneMiB; ///< what each scene may ask for
   bool json = false;
 };

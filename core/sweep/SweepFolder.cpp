@@ -18,13 +18,7 @@ namespace {
 
 constexpr int kPointFormat = 1;
 constexpr std::uintmax_t kMaxPointBytes = std::uintmax_t(64) << 20;
-constexpr const char *kPointsFolder = "points", *kClaimsFolder = "claims";
-
-void makeSweepFolder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw Error(say<"cannot make the folder %1: %2">(folder.string(), error.message()));
-}
+constexpr const char* kPointsFolder = "points";
 
 } // namespace
 
@@ -32,8 +26,10 @@ PointKey::PointKey(ordered_json pointInputs)
     : inputs(std::move(pointInputs)), name(digestOf(inputs.dump())) {}
 
 SweepFolder::SweepFolder(fs::path folder) : folder_(std::move(folder)) {
-  makeSweepFolder(folder_ / kPointsFolder);
-  makeSweepFolder(folder_ / kClaimsFolder);
+  const fs::path points = folder_ / kPointsFolder;
+  std::error_code error;
+  fs::create_directories(points, error);
+  if (error) throw Error(say<"cannot make the folder %1: %2">(points.string(), error.message()));
 }
 
 fs::path SweepFolder::pointFile(const PointKey& key) const {
@@ -55,14 +51,6 @@ void SweepFolder::keep(const PointKey& key, const ordered_json& result) const {
   ordered_json json = {{"format", kPointFormat}, {"inputs", key.inputs}};
   json.update(result);
   writeFile(pointFile(key), json.dump(1) + "\n");
-}
-
-std::optional<PointClaim> SweepFolder::claim(const PointKey& key, std::chrono::seconds timeout) const {
-  std::optional<PointClaim> claim = PointClaim::take(folder_ / kClaimsFolder, key.name, timeout);
-  // Results are written before their claims go: who finds neither may have looked in between.
-  if (!claim || !holds(key)) return claim;
-  claim->finish();
-  return {};
 }
 
 } // namespace taa

@@ -2,11 +2,8 @@
 // was made from.
 #pragma once
 
-#include "core/sweep/PointClaim.h"
-
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -36,9 +33,6 @@ class SweepFolder {
   std::optional<nlohmann::ordered_json> result(const PointKey& key) const;
   /// Writes the point's file: "format", "inputs", and the fields of `result`. Throws Error.
   void keep(const PointKey& key, const nlohmann::ordered_json& result) const;
-
-  /// The right to compute it. Nothing: somebody else is about it, or has done it by now. Throws Error.
-  std::optional<PointClaim> claim(const PointKey& key, std::chrono::seconds timeout) const;
 
  private:
   std::filesystem::path folder_;

@@ -5,9 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cstddef>
-#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -20,24 +19,11 @@ namespace {
 class OpenPoints {
  public:
   OpenPoints(const SweepRequest& request, const MeasurePoint& measure, const Progress& progress)
-      : request_(request), measure_(measure), progress_(progress), ground_(request.spec) {
-    const PointRange range = pointsOfShard(request.shard, request.spec.pointCount());
-    for (std::size_t point = range.first; point < range.end; ++point) open_.push_back(point);
-    report_.points = open_.size();
-  }
+      : request_(request), measure_(measure), progress_(progress), ground_(request.spec) {}
 
-  /// Until nothing is left but what others are about.
   SweepReport run() {
-    takeKept();
-    thereAlready_ = report_.kept;
-    // Others give up points, too: by a failure, or by their end.
-    for (bool hasChanged = true; hasChanged && !open_.empty();) {
-      const std::size_t before = open_.size();
-      std::erase_if(open_, [this](std::size_t point) { return isSettled(point); });
-      hasChanged = open_.size() < before;
-    }
-    report_.elsewhere = open_.size();
-    tell({}, 0, 0);
+    for (const std::size_t point : takeOpen()) compute(point);
+    tell();
     return std::move(report_);
   }
 
@@ -46,52 +32,44 @@ class OpenPoints {
     return PointKey(ground_.inputs(request_.spec, sweepPoint(request_.spec, point)));
   }
 
-  void takeKept() {
-    int looked = 0;
-    std::erase_if(open_, [&](std::size_t point) {
-      report(progress_, say<"Looking for points that are there">(), looked++, allPoints());
-      const bool isKept = request_.folder.holds(keyOf(point));
-      report_.kept += isKept ? 1 : 0;
-      return isKept;
-    });
+  /// Those that are not there.
+  std::vector<std::size_t> takeOpen() {
+    const PointRange range = pointsOfShard(request_.shard, request_.spec.pointCount());
+    report_.points = range.end - range.first;
+    std::vector<std::size_t> open;
+    for (std::size_t point = range.first; point < range.end; ++point) {
+      report(progress_, say<"Looking for points that are there">(), static_cast<int>(point - range.first),
+             allPoints());
+      if (!request_.folder.holds(keyOf(point))) open.push_back(point);
+    }
+    report_.kept = report_.points - open.size();
+    return open;
   }
 
-  /// Computes it unless somebody else is about it.
-  bool isSettled(std::size_t point) {
-    tell({}, 0, 0);
-    const PointKey key = keyOf(point);
-    std::optional<PointClaim> claim = request_.folder.claim(key, request_.claimTimeout);
-    if (!claim) {
-      const bool isKept = request_.folder.holds(key);
-      report_.kept += isKept ? 1 : 0;
-      return isKept;
-    }
+  void compute(std::size_t point) {
+    tell();
     const Progress inside = [&](std::string_view what, int done, int total) {
-      claim->touch();
-      return tellOnce(what, done, total);
+      return tellOnce(say<" (%1: %2 of %3)">(what, done, total));
     };
     try {
-      request_.folder.keep(key, measure_(sweepPoint(request_.spec, point), inside));
-      claim->finish();
+      request_.folder.keep(keyOf(point), measure_(sweepPoint(request_.spec, point), inside));
       ++report_.computed;
     } catch (const Error& error) {
       report_.failures.push_back({point, error.what()});
     }
-    return true;
   }
 
   int allPoints() const { return static_cast<int>(report_.points); }
 
-  /// Of the point that is being computed; empty: of the sweep alone.
-  bool tellOnce(std::string_view what, int done, int total) const {
+  /// `inside`: how far the point is that is being computed.
+  bool tellOnce(const std::string& inside) const {
     if (!progress_) return true;
-    std::string text = say<"Points, %1 of them were there">(thereAlready_);
-    if (!what.empty()) text += say<" (%1: %2 of %3)">(what, done, total);
-    return progress_(text, static_cast<int>(report_.kept + report_.computed + report_.failures.size()),
+    return progress_(say<"Points, %1 of them were there">(report_.kept) + inside,
+                     static_cast<int>(report_.kept + report_.computed + report_.failures.size()),
                      allPoints());
   }
-  void tell(std::string_view what, int done, int total) const {
-    if (!tellOnce(what, done, total)) throw Cancelled();
+  void tell() const {
+    if (!tellOnce({})) throw Cancelled();
   }
 
   const SweepRequest& request_;
@@ -99,8 +77,6 @@ class OpenPoints {
   const Progress& progress_;
   SweepGround ground_;
   SweepReport report_;
-  std::vector<std::size_t> open_;
-  std::size_t thereAlready_ = 0;
 };
 
 } // namespace

@@ -1,15 +1,13 @@
-// Does the points of a sweep that nobody has done yet, beside whoever else does so in the same folder.
+// Does the points of a sweep that nobody has done yet.
 #pragma once
 
 #include "core/base/Progress.h"
-#include "core/sweep/PointClaim.h"
 #include "core/sweep/SweepFolder.h"
 #include "core/sweep/SweepPoints.h"
 #include "core/sweep/SweepSpec.h"
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -21,7 +19,6 @@ struct SweepRequest {
   const SweepSpec& spec;
   const SweepFolder& folder;
   SweepShard shard{};
-  std::chrono::seconds claimTimeout = kClaimTimeout;
 };
 
 /// A point that could not be measured: of a scene that has no such camera, say.
@@ -33,9 +30,8 @@ struct SweepFailure {
 /// Points of the shard: `points` is the sum of the others.
 struct SweepReport {
   std::size_t points = 0;
-  std::size_t kept = 0;      ///< were there, or came to be by somebody else meanwhile
-  std::size_t computed = 0;  ///< here
-  std::size_t elsewhere = 0; ///< are being computed by somebody else
+  std::size_t kept = 0;     ///< were there
+  std::size_t computed = 0; ///< now
   std::vector<SweepFailure> failures;
 };
 

@@ -31,15 +31,16 @@ std::string pointCount(std::size_t count) {
 void printReport(std::ostream& out, const SweepReport& report) {
   out << pointCount(report.points) << ": " << report.kept << " there already, " << report.computed
       << " computed";
-  if (report.elsewhere > 0) out << ", " << report.elsewhere << " being computed by other processes";
   if (!report.failures.empty()) out << ", " << report.failures.size() << " failed";
   out << '\n';
 }
 
 ordered_json reportJson(const SweepReport& report, const std::vector<std::filesystem::path>& files) {
-  ordered_json json = {{"points", report.points},           {"kept", report.kept},
-                       {"computed", report.computed},       {"elsewhere", report.elsewhere},
-                       {"failures", ordered_json::array()}, {"files", ordered_json::array()}};
+  ordered_json json = {{"points", report.points},
+                       {"kept", report.kept},
+                       {"computed", report.computed},
+                       {"failures", ordered_json::array()},
+                       {"files", ordered_json::array()}};
   for (const SweepFailure& failure : report.failures)
     json["failures"].push_back({{"point", failure.point}, {"reason", failure.reason}});
   for (const std::filesystem::path& file : files) json["files"].push_back(file.string());
@@ -56,7 +57,7 @@ bool runSweep(const SweepArguments& arguments, std::ostream& out, const Progress
   const MeasurePoint measure = [&](const SweepPoint& point, const Progress& inside) {
     return measurer.measure(point, inside);
   };
-  const SweepRequest request{spec, folder, shard, std::chrono::seconds(arguments.claimTimeoutSeconds)};
+  const SweepRequest request{spec, folder, shard};
   SweepReport report;
   try {
     report = taa::runSweep(request, measure, progress);

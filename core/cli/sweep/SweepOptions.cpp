@@ -7,24 +7,17 @@
 #include <CLI/CLI.hpp>
 
 #include <iostream>
-#include <limits>
 
 namespace taa::cli {
 
 void addSweep(CLI::App& app, SweepArguments& sweep, const Progress& progress, bool& hasFailed) {
   CLI::App* command = app.add_subcommand(
-      "sweep", "Measure settings, ranges of parameters and scenes in all combinations that a file names; any "
-               "number of processes may do so in one folder, and go on after being stopped");
+      "sweep", "Measure settings, ranges of parameters and scenes in all combinations that a file names, in "
+               "parts where several processes share them, and go on after being stopped");
   command->add_option("SPEC", sweep.spec, "A JSON file: what to go over (manual, sweep)")->required();
   command->add_option("--out", sweep.folder, "Folder of the results; what is there is not computed again")
       ->required();
   command->add_option("--shard", sweep.shard, "I/N: only the I-th of N parts of the points, from 1");
-  command
-      ->add_option("--claim-timeout", sweep.claimTimeoutSeconds,
-                   "Seconds without a sign of life after which the point of a process on another host is "
-                   "taken over")
-      ->check(CLI::Range(1, std::numeric_limits<int>::max()))
-      ->capture_default_str();
   addSceneBudget(*command, sweep.sceneMillions, sweep.sceneMiB);
   command->add_flag("--json", sweep.json, "Print JSON");
   command->callback([&sweep, &progress, &hasFailed] { hasFailed = !runSweep(sweep, std::cout, progress); });

@@ -8,9 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <filesystem>
-#include <optional>
 #include <string>
 
 namespace fs = std::filesystem;
@@ -23,9 +21,6 @@ class SweepFolder : public testing::Test {
  protected:
   void SetUp() override { fs::remove_all(path()); }
   static fs::path path() { return taa::test::temporaryFolder() / "folder"; }
-  static std::optional<taa::PointClaim> claim(const taa::SweepFolder& folder, const PointKey& key) {
-    return folder.claim(key, taa::kClaimTimeout);
-  }
   const PointKey key_{ordered_json{{"source", "builtin:fan"}, {"settings", {"weight.alpha=0.5"}}}};
 };
 
@@ -64,19 +59,6 @@ TEST_F(SweepFolder, TakesABrokenFileForNone) {
   newer["format"] = 2;
   taa::writeFile(folder.pointFile(key_), newer.dump());
   EXPECT_FALSE(folder.holds(key_));
-}
-
-TEST_F(SweepFolder, LetsOneClaimAPointThatIsNotThere) {
-  const taa::SweepFolder folder(path());
-  {
-    const auto claimed = claim(folder, key_);
-    ASSERT_TRUE(claimed);
-    EXPECT_FALSE(claim(folder, key_));
-  }
-  EXPECT_TRUE(claim(folder, key_));
-  folder.keep(key_, {{"mean", {}}});
-  EXPECT_FALSE(claim(folder, key_));
-  EXPECT_TRUE(fs::is_empty(path() / "claims"));
 }
 
 TEST_F(SweepFolder, SaysWhyItCannotBeMade) {
