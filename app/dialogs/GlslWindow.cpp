@@ -6,6 +6,7 @@
 #include "app/style/Icons.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
+#include "app/widgets/Note.h"
 #include "core/base/EmbeddedFiles.h"
 #include "core/base/ShownText.h"
 #include "core/taa/glsl/GlslExport.h"
@@ -70,8 +71,7 @@ GlslWindow::GlslWindow(Session& session, QWidget* parent)
   search_->setAccessibleName(tr("Find in the text"));
   search_->setClearButtonEnabled(true);
   search_->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
-  note_->setFont(secondaryFont());
-  note_->setForegroundRole(QPalette::PlaceholderText);
+  setSecondary(*note_);
   note_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(2 * kUnit, 2 * kUnit, 2 * kUnit, 2 * kUnit);

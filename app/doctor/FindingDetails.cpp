@@ -4,6 +4,7 @@
 #include "app/doctor/ResidualBars.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
+#include "app/widgets/Note.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -117,8 +118,7 @@ QWidget* FindingDetails::makeEvidence() {
   column->setContentsMargins(0, 0, 2 * kUnit, 0);
   column->setSpacing(kUnit);
   measure_ = wrappingLabel();
-  measure_->setFont(secondaryFont());
-  measure_->setForegroundRole(QPalette::PlaceholderText);
+  setSecondary(*measure_);
   bars_ = new ResidualBars;
   column->addWidget(measure_);
   column->addWidget(bars_);

@@ -4,6 +4,7 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/widgets/IconButton.h"
+#include "app/widgets/Note.h"
 #include "app/widgets/parameters/ChoiceButton.h"
 #include "core/lessons/Ladder.h"
 #include "core/lessons/LessonHtml.h"
@@ -57,8 +58,7 @@ void LearnPanel::makeHead() {
   lessons_->setAccessibleName(tr("Lesson"));
   lessons_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   place_ = new QLabel;
-  place_->setFont(secondaryFont());
-  place_->setForegroundRole(QPalette::PlaceholderText);
+  setSecondary(*place_);
   close_ = new IconButton(QStringLiteral("close"), tr("Close the page Learn; Help, Learn opens it again"));
   auto* row = new QHBoxLayout(head_);
   row->setContentsMargins(2 * kUnit, kUnit, kUnit, kUnit);

@@ -5,6 +5,7 @@
 #include "app/views/plots/CurveChart.h"
 #include "app/widgets/Chooser.h"
 #include "app/widgets/IconButton.h"
+#include "app/widgets/Note.h"
 #include "app/widgets/bars/ElidedLabel.h"
 
 #include "core/base/Error.h"
@@ -77,8 +78,7 @@ void PlotsPanel::makeTop() {
   chips_->setSpacing(0);
   line->addLayout(chips_);
   summary_ = new ElidedLabel;
-  summary_->setFont(secondaryFont());
-  summary_->setForegroundRole(QPalette::PlaceholderText);
+  setSecondary(*summary_);
   summary_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   summary_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   line->addWidget(summary_, 1);

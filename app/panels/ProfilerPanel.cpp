@@ -6,6 +6,7 @@
 #include "app/style/Theme.h"
 #include "app/views/plots/ProfileChart.h"
 #include "app/widgets/IconButton.h"
+#include "app/widgets/Note.h"
 #include "app/widgets/ValueTable.h"
 
 #include <QApplication>
@@ -46,8 +47,7 @@ QWidget* titled(QLabel* title, QWidget* content) {
   auto* column = new QVBoxLayout(part);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kUnit);
-  title->setFont(secondaryFont());
-  title->setForegroundRole(QPalette::PlaceholderText);
+  setSecondary(*title);
   column->addWidget(title);
   column->addWidget(content, 1);
   return part;
@@ -97,8 +97,7 @@ QWidget* ProfilerPanel::makeTop() {
   line->setContentsMargins(0, 0, 0, 0);
   line->setSpacing(2 * kUnit);
   method_ = new QLabel;
-  method_->setFont(secondaryFont());
-  method_->setForegroundRole(QPalette::PlaceholderText);
+  setSecondary(*method_);
   method_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   method_->setWordWrap(true);
   measure_ = new QPushButton(tr("Measure stages"));

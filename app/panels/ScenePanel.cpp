@@ -4,6 +4,7 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/widgets/Line.h"
+#include "app/widgets/Note.h"
 #include "app/widgets/SearchField.h"
 
 #include <QEvent>
@@ -83,10 +84,7 @@ QWidget* ScenePanel::makeBottom() {
   column->setContentsMargins(0, 0, 0, 2 * kUnit);
   column->setSpacing(kUnit);
   column->addWidget(new Line);
-  info_ = new QLabel;
-  info_->setFont(secondaryFont());
-  info_->setForegroundRole(QPalette::PlaceholderText);
-  info_->setWordWrap(true);
+  info_ = newNote();
   info_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   info_->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, 0);
   info_->setFixedHeight(3 * QFontMetrics(secondaryFont()).lineSpacing() + 2 * kUnit);

@@ -10,6 +10,7 @@
 #include "app/views/ViewArea.h"
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
+#include "app/widgets/Note.h"
 
 #include <QApplication>
 #include <QKeyEvent>
@@ -29,8 +30,7 @@ namespace taa::app {
 Presenter::Presenter(const Holders& of)
     : QObject(&of.window), of_(of), pointer_(new PointerLabel(&of.window)), line_(new QLabel) {
   for (int view = 0; view < kViewCount; ++view) of_.chrome.push_back(of_.views.view(view)->header());
-  line_->setFont(secondaryFont());
-  line_->setForegroundRole(QPalette::PlaceholderText);
+  setSecondary(*line_);
   line_->setContentsMargins(2 * kUnit, 0, 2 * kUnit, 0);
   line_->setAccessibleName(tr("Place in what is presented"));
   line_->hide();

@@ -4,10 +4,14 @@
 
 namespace taa::app {
 
+void setSecondary(QWidget& widget) {
+  widget.setFont(secondaryFont());
+  widget.setForegroundRole(QPalette::PlaceholderText);
+}
+
 QLabel* newNote() {
   auto* note = new QLabel;
-  note->setFont(secondaryFont());
-  note->setForegroundRole(QPalette::PlaceholderText);
+  setSecondary(*note);
   note->setWordWrap(true);
   return note;
 }

@@ -5,6 +5,9 @@
 
 namespace taa::app {
 
+/// In the font and color of what is said beside something.
+void setSecondary(QWidget& widget);
+
 /// Without words yet; whoever lays it out owns it.
 QLabel* newNote();
 

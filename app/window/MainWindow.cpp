@@ -55,6 +55,7 @@
 #include "app/views/Viewport.h"
 #include "app/views/legend/Legend.h"
 #include "app/widgets/Line.h"
+#include "app/widgets/Note.h"
 #include "app/widgets/areas/FocusOrder.h"
 #include "app/widgets/bars/FlightBar.h"
 #include "app/widgets/bars/MenuTitle.h"
@@ -185,8 +186,7 @@ void MainWindow::layOut() {
   setCentralWidget(content);
   menuBar()->setNativeMenuBar(false);
   title_ = new MenuTitle(menuBar());
-  title_->setFont(secondaryFont());
-  title_->setForegroundRole(QPalette::PlaceholderText);
+  setSecondary(*title_);
   title_->setContentsMargins(0, 0, 2 * kUnit, 0);
 }
 

@@ -4,6 +4,7 @@
 #include "app/style/Numbers.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
+#include "app/widgets/Note.h"
 #include "app/widgets/ValueTable.h"
 #include "core/base/Light.h"
 #include "core/picture/ColorMap.h"
@@ -129,8 +130,7 @@ WhatIfPage::WhatIfPage(SweepWork::Sweep sweep, QWidget* parent)
 
 void WhatIfPage::layOut() {
   for (QLabel* label : {order_, note_}) {
-    label->setFont(secondaryFont());
-    label->setForegroundRole(QPalette::PlaceholderText);
+    setSecondary(*label);
     label->setWordWrap(true);
     label->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
   }

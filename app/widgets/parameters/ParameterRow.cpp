@@ -2,6 +2,7 @@
 
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
+#include "app/widgets/Note.h"
 #include "app/widgets/parameters/ChoiceButton.h"
 #include "app/widgets/parameters/ChoiceWords.h"
 #include "app/widgets/parameters/NumberField.h"
@@ -53,8 +54,7 @@ ParameterRow::ParameterRow(const Parameter& row, QWidget* parent)
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
   found_->setTextFormat(Qt::PlainText);
-  found_->setFont(secondaryFont());
-  found_->setForegroundRole(QPalette::PlaceholderText);
+  setSecondary(*found_);
   found_->hide();
   makeEditor();
   editor_->setObjectName(path());

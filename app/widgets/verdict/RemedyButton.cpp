@@ -1,6 +1,7 @@
 #include "app/widgets/verdict/RemedyButton.h"
 
 #include "app/style/Theme.h"
+#include "app/widgets/Note.h"
 
 #include <QKeyEvent>
 #include <QLabel>
@@ -20,8 +21,7 @@ RemedyButton::RemedyButton(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
   column->setSpacing(0);
-  effects_->setFont(secondaryFont());
-  effects_->setForegroundRole(QPalette::PlaceholderText);
+  setSecondary(*effects_);
   for (QLabel* label : {changes_, effects_}) {
     label->setWordWrap(true);
     label->setAttribute(Qt::WA_TransparentForMouseEvents);

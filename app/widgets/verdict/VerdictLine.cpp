@@ -2,6 +2,7 @@
 
 #include "app/style/Icons.h"
 #include "app/style/Theme.h"
+#include "app/widgets/Note.h"
 
 #include <QLabel>
 #include <QPainter>
@@ -23,8 +24,7 @@ VerdictLine::VerdictLine(QWidget* parent) : QWidget(parent), sentence_(new QLabe
   sentence_->setWordWrap(true);
   sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   sentence_->setFocusPolicy(Qt::TabFocus); // for screen readers; a click leaves the keys to the views
-  work_->setFont(secondaryFont());
-  work_->setForegroundRole(QPalette::PlaceholderText);
+  setSecondary(*work_);
   QSizePolicy keepsRoom = work_->sizePolicy();
   keepsRoom.setRetainSizeWhenHidden(true); // what is below does not move when the work ends
   work_->setSizePolicy(keepsRoom);
