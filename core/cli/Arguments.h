@@ -116,17 +116,6 @@ struct DoctorArguments {
   bool json = false, force = false;
 };
 
-struct ConfusionsArguments {
-  std::string file; ///< CSV
-  std::vector<std::string> scenes = {"gallery", "disocclusion", "fence", "crowd", "foliage", "glass"};
-  std::vector<std::string> cameras = {"still", "pan", "orbit"};
-  std::vector<std::string> captures; ///< folders
-  std::vector<std::string> faults;   ///< ids; empty: all
-  std::vector<std::string> kinds = {"healthy", "single", "half", "pairs"};
-  std::string size = "240x136";
-  int frames = 14; ///< the table's faults of one frame are in 8 and 12
-};
-
 struct TraceArguments {
   ShotArguments shot;
   std::string frames;
@@ -189,10 +178,6 @@ struct TuneArguments {
   bool trades = false; ///< RMSE and flicker may become worse
   bool force = false;  ///< replace files that are there
   bool json = false;
-};
-
-struct ManualArguments {
-  std::string folder;
 };
 
 /// First and last frame, both included.

@@ -30,10 +30,6 @@ void runVerdict(const VerdictArguments& arguments, std::ostream& out, const Prog
 /// Cancelled.
 bool runDoctor(const DoctorArguments& arguments, std::ostream& out, const Progress& progress);
 
-/// Tries the doctor on cases that the file does not hold, and adds each to it. Throws UsageError, Error,
-/// Cancelled.
-void runConfusions(const ConfusionsArguments& arguments, std::ostream& out, const Progress& progress);
-
 /// Prints intermediates at pixels over a range of frames. Throws UsageError, Error, Cancelled.
 void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress& progress);
 
@@ -61,9 +57,5 @@ bool runSweep(const SweepArguments& arguments, std::ostream& out, const Progress
 /// Looks for settings that serve a goal better, and writes the best as a preset; prints the way there. Throws
 /// UsageError, Error; Cancelled, after it has written the best there was until then.
 void runTune(const TuneArguments& arguments, std::ostream& out, const Progress& progress);
-
-/// Writes the manual's pages of settings, intermediates, presets, scenes and techniques into a folder, over
-/// those that are there; prints the files. Throws Error.
-void runManual(const ManualArguments& arguments, std::ostream& out);
 
 } // namespace taa::cli

@@ -5,7 +5,6 @@
 #include "core/cli/Commands.h"
 #include "core/cli/EmptyValues.h"
 #include "core/cli/Terminal.h"
-#include "core/cli/doctor/ConfusionsOptions.h"
 #include "core/cli/lessons/LessonsOptions.h"
 #include "core/cli/shot/ShotOptions.h"
 #include "core/cli/sweep/SweepOptions.h"
@@ -348,15 +347,6 @@ void addImport(CLI::App& app, ImportArguments& import, const taa::Progress& prog
   });
 }
 
-void addManual(CLI::App& app, ManualArguments& manual) {
-  CLI::App* command = app.add_subcommand(
-      "manual",
-      "Write the pages of the manual that follow from the program's tables, over those that are there");
-  command->add_option("FOLDER", manual.folder, "Where they go; in the repository, resources/manual")
-      ->required();
-  command->callback([&manual] { runManual(manual, std::cout); });
-}
-
 /// CLI11 only says that a command is missing when the word in its place is none.
 void requireCommand(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
@@ -364,8 +354,8 @@ void requireCommand(const CLI::App& app, int argc, char** argv) {
   if (!app.get_subcommands(isMeant).empty()) return;
   throw UsageError(
       "there is no command \"" + std::string(argv[1]) +
-      "\"; there are list, render, probe, lineage, verdict, doctor, confusions, trace, profile, metrics, "
-      "sweep, tune, glsl, import, lessons and manual");
+      "\"; there are list, render, probe, lineage, verdict, doctor, trace, profile, metrics, sweep, "
+      "tune, glsl, import and lessons");
 }
 
 /// In the form of the program's own sentences, with the command whose help says more.
@@ -389,7 +379,6 @@ int run(int argc, char** argv) {
   VerdictArguments verdict;
   DoctorArguments doctor;
   bool isUnhealthy = false;
-  ConfusionsArguments confusions;
   TraceArguments trace;
   ProfileArguments profile;
   MetricsArguments metrics;
@@ -401,7 +390,6 @@ int run(int argc, char** argv) {
   TuneArguments tune;
   LessonsArguments lessons;
   bool isMistaken = false;
-  ManualArguments manual;
   const ProgressLine line;
   const taa::Progress progress = [&line](std::string_view what, int done, int total) {
     return line.show(what, done, total);
@@ -412,7 +400,6 @@ int run(int argc, char** argv) {
   addLineage(app, lineage, progress);
   addVerdict(app, verdict, progress);
   addDoctor(app, doctor, progress, isUnhealthy);
-  addConfusions(app, confusions, progress);
   addTrace(app, trace, progress);
   addProfile(app, profile, progress);
   addMetrics(app, metrics, progress);
@@ -421,7 +408,6 @@ int run(int argc, char** argv) {
   addSweep(app, sweep, progress, hasFailed);
   addTune(app, tune, progress);
   addLessons(app, lessons, progress, isMistaken);
-  addManual(app, manual);
   refuseEmptyValues(app);
   requireCommand(app, argc, argv);
   try {

@@ -1,12 +1,17 @@
 // The manual as the program carries it: resources/manual, in the order of its table of contents.
 #pragma once
 
-#include "core/report/ManualTables.h"
-
 #include <string>
 #include <vector>
 
 namespace taa {
+
+/// A page of resources/manual.
+struct ManualPage {
+  std::string file; ///< "settings.md"
+  std::string title;
+  std::string text; ///< Markdown, English whatever the language of the program
+};
 
 /// README.md, then the pages it links to, in the order of the links. Remarks for tools (<!-- … -->) are cut
 /// out. Throws Error where a link leads nowhere.

@@ -102,10 +102,15 @@ TEST(BatchList, PrintsOneLineForEachRowToPeople) {
   EXPECT_TRUE(result.out.starts_with("color ")) << result.out;
 }
 
+/// Of whoever changes tables.
+ProcessResult manual(const std::string& folder) {
+  return taa::test::runProcess({taa::test::binary("taa_manual").string(), "pages", folder});
+}
+
 TEST(BatchManual, WritesThePagesThatTheTablesKnow) {
   const fs::path folder = taa::test::temporaryFolder() / "manual";
   fs::create_directories(folder);
-  const ProcessResult result = batch({"manual", folder.string()});
+  const ProcessResult result = manual(folder.string());
   EXPECT_EQ(result.exitCode, 0) << result.err;
   std::string files;
   for (const char* page : {"coverage", "settings", "intermediates", "presets", "scenes", "capturekeys",
@@ -116,7 +121,7 @@ TEST(BatchManual, WritesThePagesThatTheTablesKnow) {
     EXPECT_TRUE(taa::readFile(file).starts_with("# ")) << file;
   }
   EXPECT_EQ(result.out, files);
-  EXPECT_EQ(batch({"manual", (folder / "absent").string()}).exitCode, 1);
+  EXPECT_EQ(manual((folder / "absent").string()).exitCode, 1);
 }
 
 TEST(Batch, ExplainsEveryCommand) {

@@ -3,10 +3,12 @@
 #include "tests/support/Batch.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/Paths.h"
+#include "tests/support/Process.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -24,6 +26,10 @@ const std::vector<std::string>& doctorCommand() {
   static const std::vector<std::string> kCommand = {
       "doctor", "builtin:gallery", "--camera", "orbit", "--size", "192x108", "--frames", "6", "--json"};
   return kCommand;
+}
+
+ProcessResult confusions(const std::vector<std::string>& options) {
+  return taa::test::runProcess(joined({taa::test::binary("taa_manual").string(), "confusions"}, options));
 }
 
 } // namespace
@@ -70,16 +76,16 @@ TEST_F(BatchDoctor, LooksAtTheFramesMended) {
 
 TEST_F(BatchDoctor, IsTriedOnCasesThatTheFileDoesNotHold) {
   const std::filesystem::path file = taa::test::temporaryFolder() / "judged.csv";
-  const std::vector<std::string> command = {
-      "confusions",    file.string(), "--scenes",       "gallery", "--cameras", "orbit",    "--faults",
-      "motionShifted", "--kinds",     "healthy,single", "--size",  "192x108",   "--frames", "6"};
-  const ProcessResult result = batch(command);
+  const std::vector<std::string> options = {
+      file.string(), "--scenes",       "gallery", "--cameras", "orbit",    "--faults", "motionShifted",
+      "--kinds",     "healthy,single", "--size",  "192x108",   "--frames", "6"};
+  const ProcessResult result = confusions(options);
   ASSERT_EQ(result.exitCode, 0) << result.out << result.err;
   EXPECT_EQ(taa::readFile(file),
             "source,camera,size,frames,preset,faults,strength,shows,named,same,open\n"
             "builtin:gallery,orbit,192x108,6,,,full,no,,,no\n"
             "builtin:gallery,orbit,192x108,6,,motionShifted,full,yes,motionShifted,,no\n");
-  EXPECT_EQ(batch(command).out, "2 cases, 2 there already\n");
+  EXPECT_EQ(confusions(options).out, "2 cases, 2 there already\n");
 }
 
 TEST(BatchDoctorMistakes, AreTheCallersOrTheWorlds) {
@@ -87,6 +93,10 @@ TEST(BatchDoctorMistakes, AreTheCallersOrTheWorlds) {
   expectUsageError({"doctor", "builtin:fan", "--frames", "1"}, {"--frames"});
   expectUsageError({"doctor", "builtin:fan", "--lane", "balanced", "--lane", "minimal"}, {"--lane", "one"});
   expectFailure({"doctor", "absent.gltf"}, {"absent.gltf"});
-  expectUsageError({"confusions", "judged.csv", "--scenes", "fam"}, {"--scenes", "fam"});
-  expectUsageError({"confusions", "judged.csv", "--faults", "jitterLat"}, {"--faults", "jitterLate"});
+  for (const auto& [option, value, word] :
+       {std::array{"--scenes", "fam", "fam"}, std::array{"--faults", "jitterLat", "jitterLate"}}) {
+    const ProcessResult result = confusions({"cases.csv", option, value});
+    EXPECT_EQ(result.exitCode, 2);
+    for (const char* told : {option, word}) EXPECT_NE(result.err.find(told), std::string::npos) << result.err;
+  }
 }

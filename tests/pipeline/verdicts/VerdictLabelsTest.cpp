@@ -1,12 +1,12 @@
 // Verdicts on labelled pixels of all built-in scenes: as the committed table has them.
-#include "core/report/verdicts/VerdictLabels.h"
+#include "tests/manual/VerdictLabels.h"
 #include "core/base/Files.h"
 #include "core/inspect/Inspector.h"
 #include "core/inspect/verdicts/RemedyTrial.h"
 #include "core/measure/Metrics.h"
-#include "core/report/verdicts/Confusions.h"
 #include "core/settings/Lanes.h"
 #include "core/settings/Presets.h"
+#include "tests/manual/Confusions.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/Paths.h"
 
@@ -169,7 +169,7 @@ TEST_F(VerdictLabels, AreJudgedAsTheTableHasThem) {
   for (const VerdictLabel& label : labels) inOrder.push_back(found.at(keyOf(label)));
   EXPECT_GE(taa::sharesRight(inOrder).mended, 0.9) << "first remedies lower the pixel's error";
   if (isVerdictsRun("write")) {
-    const auto path = taa::test::rootFolder() / "resources/verdicts/judged.csv";
+    const auto path = taa::test::rootFolder() / taa::kJudgedLabelsFile;
     taa::writeFile(path, taa::judgedLabelsText(inOrder));
     return;
   }

@@ -1,5 +1,5 @@
 // What the tables' choices name as carrying them out, against the shaders and the twin.
-#include "core/report/ChoiceFunctions.h"
+#include "tests/manual/ChoiceFunctions.h"
 #include "core/base/Files.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/glsl/GlslExport.h"

@@ -1,7 +1,7 @@
 // The manual against the tree: no dead citation, path or link, and pages of tables as the tables are.
 #include "core/base/Files.h"
 #include "core/report/ManualPages.h"
-#include "core/report/ManualTables.h"
+#include "tests/manual/ManualTables.h"
 
 #include <gtest/gtest.h>
 
@@ -173,7 +173,7 @@ TEST(Manual, LinksLeadSomewhere) {
 TEST(Manual, PagesOfTablesAreAsTheTablesAre) {
   for (const ManualPage& page : manualTables())
     EXPECT_TRUE(manualText(page.file) == page.text)
-        << page.file << " is old: run taa-batch manual resources/manual";
+        << page.file << " is old: run build/dev/bin/taa_manual pages resources/manual";
 }
 
 // Fog and the count are exposed alone: no stage makes anything of them.

@@ -1,5 +1,5 @@
 // What is counted of verdicts on labelled pixels, and the page of the manual that says it.
-#include "core/report/verdicts/Confusions.h"
+#include "tests/manual/Confusions.h"
 
 #include <gtest/gtest.h>
 

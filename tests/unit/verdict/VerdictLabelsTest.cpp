@@ -1,10 +1,10 @@
 // The table of labelled pixels, and that of verdicts on them.
-#include "core/report/verdicts/VerdictLabels.h"
+#include "tests/manual/VerdictLabels.h"
 
 #include "core/base/Files.h"
-#include "core/report/verdicts/Confusions.h"
 #include "core/scene/SceneSource.h"
 #include "core/settings/Presets.h"
+#include "tests/manual/Confusions.h"
 #include "tests/support/ErrorOf.h"
 
 #include <gtest/gtest.h>

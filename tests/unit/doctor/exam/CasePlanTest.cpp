@@ -1,5 +1,5 @@
 // Which cases the doctor is tried on.
-#include "core/report/doctor/CasePlan.h"
+#include "tests/manual/CasePlan.h"
 
 #include "core/settings/Presets.h"
 

@@ -1,5 +1,5 @@
 // What became of cases that the doctor was tried on, and the table of them.
-#include "core/report/doctor/DoctorCases.h"
+#include "tests/manual/DoctorCases.h"
 
 #include "tests/support/ErrorOf.h"
 

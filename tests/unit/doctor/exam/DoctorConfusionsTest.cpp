@@ -1,5 +1,5 @@
 // The manual's part about how often the doctor is right, made from cases whose outcomes are known.
-#include "core/report/doctor/DoctorConfusions.h"
+#include "tests/manual/DoctorConfusions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-// What the doctor found of presets as engines (resources/doctor/judged.csv) is what their settings say that
+// What the doctor found of presets as engines (tests/manual/doctor.csv) is what their settings say that
 // they do: nothing else is, and nothing at all of presets that do nothing of the kind.
 #include "core/render/jitter/Jitter.h"
-#include "core/report/doctor/DoctorCases.h"
 #include "core/settings/Presets.h"
+#include "tests/manual/DoctorCases.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,4 +1,4 @@
-#include "core/report/verdicts/Confusions.h"
+#include "tests/manual/Confusions.h"
 
 #include <algorithm>
 #include <array>

@@ -1,19 +1,19 @@
-#include "core/report/ManualTables.h"
+#include "tests/manual/ManualTables.h"
 
 #include "core/base/EmbeddedFiles.h"
 #include "core/capture/format/Manifest.h"
 #include "core/render/passes/SunView.h"
-#include "core/report/ChoiceFunctions.h"
 #include "core/report/Techniques.h"
-#include "core/report/doctor/DoctorManual.h"
-#include "core/report/verdicts/Confusions.h"
-#include "core/report/verdicts/VerdictLabels.h"
 #include "core/scene/SceneSource.h"
 #include "core/settings/Faults.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 #include "core/taa/rows/ChannelNames.h"
 #include "core/taa/rows/Intermediates.h"
+#include "tests/manual/ChoiceFunctions.h"
+#include "tests/manual/Confusions.h"
+#include "tests/manual/DoctorManual.h"
+#include "tests/manual/VerdictLabels.h"
 
 #include <algorithm>
 #include <array>
@@ -57,7 +57,8 @@ std::string head(std::initializer_list<std::string> titles) {
 /// The beginning of a page; `about` says what it holds.
 std::string pageHead(const std::string& title, const std::string& about) {
   return "# " + title + "\n\n" + about +
-         " The command `taa-batch manual FOLDER` writes this page from the program's tables; what is changed "
+         " `build/dev/bin/taa_manual pages resources/manual` writes this page from the program's tables; "
+         "what is changed "
          "by hand here is lost.\n";
 }
 
@@ -353,7 +354,7 @@ ManualPage confusionsPage() {
                    std::to_string(kLabelledSize.y) +
                    ", each with what is wrong there and which stage let it happen, said by looking at the "
                    "frames beside the reference (`tests/support/verdicts/labels.csv`), against the "
-                   "[verdict](verdicts.md) on the same pixel (`resources/verdicts/judged.csv`, which "
+                   "[verdict](verdicts.md) on the same pixel (`tests/manual/verdicts.csv`, which "
                    "`TAA_VERDICTS=write build/dev/bin/taa_gl_tests --gtest_filter='VerdictLabels.*'` writes "
                    "and `ctest -C verdicts -L taa_verdicts` checks).") +
       confusionsText(judgedLabels());

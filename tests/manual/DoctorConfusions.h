@@ -2,7 +2,7 @@
 // manual's page of faults.
 #pragma once
 
-#include "core/report/doctor/DoctorCases.h"
+#include "tests/manual/DoctorCases.h"
 
 #include <array>
 #include <cstddef>

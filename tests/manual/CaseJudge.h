@@ -5,8 +5,8 @@
 #include "core/doctor/Diagnosis.h"
 #include "core/doctor/frames/DoctorFrame.h"
 #include "core/doctor/source/DoctorSource.h"
-#include "core/report/doctor/CasePlan.h"
-#include "core/report/doctor/DoctorCases.h"
+#include "tests/manual/CasePlan.h"
+#include "tests/manual/DoctorCases.h"
 
 #include <optional>
 #include <string>

@@ -1,4 +1,4 @@
-#include "core/report/doctor/CaseJudge.h"
+#include "tests/manual/CaseJudge.h"
 
 #include "core/base/Error.h"
 #include "core/doctor/Doctor.h"

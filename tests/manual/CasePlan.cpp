@@ -1,4 +1,4 @@
-#include "core/report/doctor/CasePlan.h"
+#include "tests/manual/CasePlan.h"
 
 #include "core/settings/Presets.h"
 #include "core/settings/Settings.h"

@@ -1,4 +1,4 @@
-#include "core/report/doctor/DoctorConfusions.h"
+#include "tests/manual/DoctorConfusions.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -255,9 +255,10 @@ void OutcomeCounts::add(const JudgedCase& judged) {
 
 std::string doctorConfusions(const std::vector<JudgedCase>& judged) {
   std::ostringstream out;
-  out << "\n### How often it is right\n\n`taa-batch confusions resources/doctor/judged.csv` injects the "
-         "faults "
-         "of this page and writes down what the doctor says; this part is made from that file. A fault is "
+  out << "\n### How often it is right\n\n`build/dev/bin/taa_manual confusions tests/manual/doctor.csv` "
+         "injects the "
+         "faults of this page and writes down what the doctor says; this part is made from that file. A "
+         "fault is "
          "shown where frames differ from those without it by what one sees: in jitter, or in pixels enough "
          "to "
          "be a region in depth, or in light that is not that of the frame before, read by motion and jitter, "

@@ -59,7 +59,8 @@ std::string judgedCasesHead();
 /// One line, with its end.
 std::string judgedCaseText(const JudgedCase& judged);
 
-/// resources/doctor/judged.csv, as the program carries it.
+inline constexpr const char* kDoctorCasesFile = "tests/manual/doctor.csv";
+/// Those of that file of the repository. Throws Error.
 std::vector<JudgedCase> judgedCases();
 
 } // namespace taa

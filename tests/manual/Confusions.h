@@ -1,7 +1,7 @@
 // How often verdicts are right about labelled pixels, and where they are not: a page of the manual.
 #pragma once
 
-#include "core/report/verdicts/VerdictLabels.h"
+#include "tests/manual/VerdictLabels.h"
 
 #include <cstddef>
 #include <string>

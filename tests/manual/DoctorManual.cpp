@@ -1,7 +1,7 @@
-#include "core/report/doctor/DoctorManual.h"
+#include "tests/manual/DoctorManual.h"
 
-#include "core/report/doctor/DoctorCases.h"
-#include "core/report/doctor/DoctorConfusions.h"
+#include "tests/manual/DoctorCases.h"
+#include "tests/manual/DoctorConfusions.h"
 
 namespace taa {
 

@@ -1,4 +1,4 @@
-#include "core/report/ChoiceFunctions.h"
+#include "tests/manual/ChoiceFunctions.h"
 
 #include "core/base/EmbeddedFiles.h"
 #include "core/settings/Parameters.h"

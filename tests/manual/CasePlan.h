@@ -1,8 +1,8 @@
 // Which cases the doctor is tried on: scenes, cameras and captures with faults, in all combinations.
 #pragma once
 
-#include "core/report/doctor/DoctorCases.h"
 #include "core/settings/Faults.h"
+#include "tests/manual/DoctorCases.h"
 
 #include <glm/vec2.hpp>
 

@@ -53,7 +53,8 @@ std::vector<VerdictLabel> verdictLabelsFrom(const std::string& text, const std::
 std::vector<JudgedLabel> judgedLabelsFrom(const std::string& text, const std::string& place);
 std::string judgedLabelsText(const std::vector<JudgedLabel>& judged);
 
-/// resources/verdicts/judged.csv, as the program carries it.
+inline constexpr const char* kJudgedLabelsFile = "tests/manual/verdicts.csv";
+/// Those of that file of the repository. Throws Error.
 std::vector<JudgedLabel> judgedLabels();
 
 } // namespace taa

@@ -1,10 +1,12 @@
-#include "core/report/doctor/DoctorCases.h"
+#include "tests/manual/DoctorCases.h"
 
-#include "core/base/EmbeddedFiles.h"
 #include "core/base/Error.h"
+#include "core/base/Files.h"
+#include "tests/support/Paths.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <sstream>
 #include <utility>
 
@@ -124,8 +126,8 @@ std::string judgedCaseText(const JudgedCase& judged) {
 }
 
 std::vector<JudgedCase> judgedCases() {
-  constexpr std::string_view kPath = "resources/doctor/judged.csv";
-  return judgedCasesFrom(embeddedText(kPath), std::string(kPath));
+  const std::filesystem::path file = test::rootFolder() / kDoctorCasesFile;
+  return judgedCasesFrom(readFile(file), file.string());
 }
 
 } // namespace taa

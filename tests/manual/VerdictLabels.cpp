@@ -1,7 +1,8 @@
-#include "core/report/verdicts/VerdictLabels.h"
+#include "tests/manual/VerdictLabels.h"
 
-#include "core/base/EmbeddedFiles.h"
 #include "core/base/Error.h"
+#include "core/base/Files.h"
+#include "tests/support/Paths.h"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -147,8 +149,8 @@ std::string judgedLabelsText(const std::vector<JudgedLabel>& judged) {
 }
 
 std::vector<JudgedLabel> judgedLabels() {
-  constexpr std::string_view kPath = "resources/verdicts/judged.csv";
-  return judgedLabelsFrom(embeddedText(kPath), std::string(kPath));
+  const std::filesystem::path file = test::rootFolder() / kJudgedLabelsFile;
+  return judgedLabelsFrom(readFile(file), file.string());
 }
 
 } // namespace taa
