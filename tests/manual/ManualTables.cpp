@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <sstream>
+#include <string>
 #include <string_view>
 
 namespace taa {

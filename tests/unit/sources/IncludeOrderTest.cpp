@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <regex>
 #include <sstream>
@@ -157,13 +156,6 @@ TEST(IncludeOrder, GoesDownOnly) {
           << source.path << " includes " << include << ", which is not below it";
     }
   }
-}
-
-// What a reader finds in one folder he shall be able to hold in his head.
-TEST(IncludeOrder, HasNoCrowdedRoom) {
-  std::map<std::string, int> files;
-  for (const Source& source : all()) ++files[fs::path(source.path).parent_path().generic_string()];
-  for (const auto& [folder, count] : files) EXPECT_LE(count, 26) << folder << " holds more than one idea";
 }
 
 TEST(IncludeOrder, KeepsGlInsideTheGlFolder) {

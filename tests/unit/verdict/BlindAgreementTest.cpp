@@ -8,6 +8,7 @@
 
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 using taa::BlindAgreement;
