@@ -158,9 +158,12 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
+  } catch (const UsageError& error) {
+    std::cerr << "taa_manual: " << error.what() << '\n';
+    return 2;
   } catch (const std::exception& error) {
     std::cerr << "taa_manual: " << error.what() << '\n';
-    return dynamic_cast<const UsageError*>(&error) ? 2 : 1;
+    return 1;
   }
   return 0;
 }
