@@ -200,6 +200,22 @@ TEST_F(LearnTest, ATaskIsStillReadWhenItHasBeenAnswered) {
   EXPECT_EQ(bar->value(), 0);
 }
 
+// The size may change before it is said that another text is read from its top.
+TEST(LessonTextTest, AnotherTextIsReadFromItsTop) {
+  LessonText text;
+  text.resize(300, 60);
+  text.show();
+  const auto paragraphs = [](const QString& word) {
+    return QString(word + QStringLiteral("\n\n")).repeated(30);
+  };
+  text.setText(paragraphs(QStringLiteral("one")));
+  text.setKeepsEnd(true);
+  ASSERT_GT(text.verticalScrollBar()->value(), 0);
+  text.setText(paragraphs(QStringLiteral("two")));
+  text.resize(300, 80);
+  EXPECT_EQ(text.verticalScrollBar()->value(), 0);
+}
+
 TEST_F(LearnTest, WhatATaskIsCheckedByIsRightBelowItsText) {
   session.probes().removeAll();
   learning()->openStep(QStringLiteral("jitter"), 5);
