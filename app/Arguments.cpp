@@ -12,8 +12,8 @@
 #include "core/lessons/Lesson.h"
 #include "core/lessons/LessonText.h"
 #include "core/replay/Checkpoints.h"
-#include "core/scene/SceneSource.h"
-#include "core/scene/cost/SceneCost.h"
+#include "core/scene/SceneCost.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Presets.h"
 
 #include <CLI/CLI.hpp>

@@ -6,10 +6,10 @@
 
 #include "core/inspect/Comparison.h"
 #include "core/scene/ObjectFilter.h"
+#include "core/scene/SceneCost.h"
 #include "core/scene/ShotChoice.h"
 #include "core/scene/camera/CameraTrack.h"
-#include "core/scene/cost/SceneCost.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <glm/vec2.hpp>
 

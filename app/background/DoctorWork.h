@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/background/BackgroundWork.h"
-#include "core/inspect/doctor/ExaminedShot.h"
+#include "core/inspect/ExaminedShot.h"
 
 #include <functional>
 

@@ -1,8 +1,8 @@
 // Has the frames that are open examined by the doctor, goes to what it finds, and hands its report on.
 #pragma once
 
-#include "core/doctor/mending/MendedLook.h"
-#include "core/inspect/doctor/ExaminedShot.h"
+#include "core/doctor/examination/MendedLook.h"
+#include "core/inspect/ExaminedShot.h"
 #include "core/settings/Settings.h"
 
 #include <QObject>

@@ -10,7 +10,7 @@
 #include "core/io/CameraTrackJson.h"
 #include "core/io/PictureFile.h"
 #include "core/report/CommandLine.h"
-#include "core/taa/glsl/GlslExport.h"
+#include "core/taa/GlslExport.h"
 
 #include <QApplication>
 #include <QClipboard>

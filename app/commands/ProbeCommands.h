@@ -1,7 +1,7 @@
 // What is done with the probe by a key: its values are copied, another one is set.
 #pragma once
 
-#include "core/inspect/verdicts/WorstOfShot.h"
+#include "core/inspect/WorstOfShot.h"
 
 #include <QObject>
 #include <QString>

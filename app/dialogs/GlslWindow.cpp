@@ -9,7 +9,7 @@
 #include "app/widgets/Note.h"
 #include "core/base/EmbeddedFiles.h"
 #include "core/base/ShownText.h"
-#include "core/taa/glsl/GlslExport.h"
+#include "core/taa/GlslExport.h"
 
 #include <QApplication>
 #include <QComboBox>

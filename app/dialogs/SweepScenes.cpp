@@ -3,7 +3,7 @@
 #include "app/session/Session.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 
 #include <QFileInfo>
 #include <QSignalBlocker>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/doctor/Diagnosis.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <QString>
 

@@ -6,7 +6,7 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/widgets/Chooser.h"
-#include "core/taa/rows/SearchedRows.h"
+#include "core/taa/SearchedRows.h"
 
 #include <QAction>
 

@@ -7,7 +7,7 @@
 #include "app/session/keeping/SessionKeeper.h"
 #include "app/style/Icons.h"
 #include "app/style/Text.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 
 #include <QAction>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/menus/Commands.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 namespace taa::app {
 

@@ -1,7 +1,7 @@
 // α of a pixel over the frames up to the one on show: as the settings say, and as it was measured.
 #pragma once
 
-#include "core/render/jitter/JitterWay.h"
+#include "core/render/JitterWay.h"
 #include "core/settings/Settings.h"
 
 #include <QString>

@@ -3,7 +3,7 @@
 #include "app/models/ChartMath.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/twin/Color.h"
-#include "core/taa/twin/stages/Stages.h"
+#include "core/taa/twin/Stages.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

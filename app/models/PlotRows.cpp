@@ -3,7 +3,7 @@
 #include "app/style/Text.h"
 
 #include "core/render/FrameInputs.h"
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 #include "core/taa/twin/Known.h"
 
 #include <QCoreApplication>

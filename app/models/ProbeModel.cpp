@@ -8,7 +8,7 @@
 #include "core/report/ProbeReport.h"
 #include "core/story/ProbeHeadline.h"
 #include "core/story/RowsOff.h"
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 #include "core/taa/twin/Known.h"
 
 #include <QFont>

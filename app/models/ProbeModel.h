@@ -7,7 +7,7 @@
 #include "core/scene/SceneOutline.h"
 #include "core/settings/Settings.h"
 #include "core/story/ProbeStory.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 #include "core/taa/twin/Twin.h"
 
 #include <QAbstractItemModel>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/story/ProbeStory.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <QString>
 #include <glm/vec4.hpp>

@@ -7,7 +7,7 @@
 #include "app/widgets/ValueTable.h"
 #include "app/widgets/areas/FittingArea.h"
 
-#include "core/render/jitter/Jitter.h"
+#include "core/render/Jitter.h"
 #include "core/settings/Parameters.h"
 
 #include <QHBoxLayout>

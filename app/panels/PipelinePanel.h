@@ -5,7 +5,7 @@
 
 #include "core/requests/Results.h"
 #include "core/settings/Parameters.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <QJsonObject>
 #include <QString>

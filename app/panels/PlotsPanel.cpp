@@ -11,7 +11,7 @@
 #include "core/base/Error.h"
 #include "core/base/Files.h"
 #include "core/report/TraceText.h"
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 
 #include <QApplication>
 #include <QClipboard>

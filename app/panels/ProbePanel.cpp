@@ -2,6 +2,7 @@
 
 #include "app/models/ProbeModel.h"
 #include "app/models/ProbeWords.h"
+#include "app/panels/ProbeTable.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/views/plots/ColorSpacePage.h"
@@ -16,7 +17,6 @@
 #include "app/widgets/areas/YieldingColumn.h"
 #include "app/widgets/bars/ElidedLabel.h"
 #include "app/widgets/bars/ProbeBar.h"
-#include "app/widgets/probe/ProbeTable.h"
 #include "app/widgets/verdict/VerdictDetails.h"
 #include "app/widgets/verdict/VerdictLine.h"
 

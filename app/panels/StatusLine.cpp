@@ -6,7 +6,7 @@
 #include "app/widgets/bars/ElidedLabel.h"
 
 #include "core/render/CaptureFacts.h"
-#include "core/render/SceneRenderer.h"
+#include "core/render/FrameInputs.h"
 #include "core/requests/RequestKinds.h"
 #include "core/settings/Faults.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/io/SessionFile.h"
-#include "core/scene/cost/SceneCost.h"
+#include "core/scene/SceneCost.h"
 
 #include <map>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "app/session/Renderer.h"
 
-#include "core/RenderThread.h"
+#include "core/jobs/RenderThread.h"
 
 #include <utility>
 

@@ -12,7 +12,7 @@
 #include "app/session/VerdictChoices.h"
 #include "app/undo/UndoStack.h"
 #include "core/io/SessionFile.h"
-#include "core/scene/cost/SceneCost.h"
+#include "core/scene/SceneCost.h"
 
 #include <QObject>
 #include <QString>

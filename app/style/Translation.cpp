@@ -11,11 +11,11 @@
 #include "core/probe/WhatIf.h"
 #include "core/scene/MotionMode.h"
 #include "core/scene/ObjectClass.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Faults.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -10,7 +10,7 @@
 #include "app/widgets/bars/OverflowPopup.h"
 #include "app/widgets/parameters/ChoiceButton.h"
 #include "app/widgets/parameters/NumberField.h"
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 
 #include <QMouseEvent>
 #include <QPainter>

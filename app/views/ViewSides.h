@@ -3,8 +3,8 @@
 
 #include "app/views/legend/Legend.h"
 
-#include "core/RenderThread.h"
 #include "core/inspect/Comparison.h"
+#include "core/jobs/RenderThread.h"
 
 #include <QCoreApplication>
 #include <QImage>

@@ -1,7 +1,7 @@
 // A list that is searched by typing: commands, or the intermediates of a view.
 #pragma once
 
-#include "core/taa/rows/SearchedRows.h"
+#include "core/taa/SearchedRows.h"
 
 #include <QFrame>
 #include <QString>

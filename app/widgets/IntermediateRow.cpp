@@ -4,7 +4,7 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

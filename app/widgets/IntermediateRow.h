@@ -1,7 +1,7 @@
 // One intermediate in a list: its name, and the letters of the views that show it.
 #pragma once
 
-#include "core/taa/rows/SearchedRows.h"
+#include "core/taa/SearchedRows.h"
 
 #include <QAbstractButton>
 

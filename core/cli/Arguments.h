@@ -3,17 +3,17 @@
 
 #include "core/base/ShownText.h"
 #include "core/doctor/Diagnosis.h"
-#include "core/inspect/verdicts/VerdictOfShot.h"
+#include "core/inspect/VerdictOfShot.h"
 #include "core/scene/MotionMode.h"
 #include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
+#include "core/scene/SceneCost.h"
 #include "core/scene/ShotChoice.h"
 #include "core/scene/camera/CameraTrack.h"
-#include "core/scene/cost/SceneCost.h"
 #include "core/settings/Settings.h"
 #include "core/sweep/SweepPoints.h"
 #include "core/sweep/tune/TuneGoal.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 #include "core/verdict/lineage/Lineage.h"
 
 #include <glm/vec2.hpp>

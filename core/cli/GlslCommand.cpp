@@ -3,10 +3,10 @@
 
 #include "core/base/ExistingFiles.h"
 #include "core/base/Files.h"
-#include "core/cli/shot/Shot.h"
+#include "core/cli/Shot.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
-#include "core/taa/glsl/GlslExport.h"
+#include "core/taa/GlslExport.h"
 
 #include <ostream>
 #include <string>

@@ -1,7 +1,7 @@
 // taa-batch lineage: which samples one pixel of one frame is made of.
 #include "core/cli/Commands.h"
+#include "core/cli/Shot.h"
 #include "core/cli/Table.h"
-#include "core/cli/shot/Shot.h"
 #include "core/report/LineageReport.h"
 #include "core/verdict/lineage/LineageWords.h"
 

@@ -3,7 +3,7 @@
 
 #include "core/cli/Table.h"
 #include "core/io/FrameJson.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Presets.h"
 
 #include <ostream>

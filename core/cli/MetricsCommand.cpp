@@ -1,8 +1,8 @@
 // taa-batch metrics: metrics of a range of frames, against the supersampled reference and of the resolve.
 #include "core/base/Error.h"
 #include "core/cli/Commands.h"
+#include "core/cli/Shot.h"
 #include "core/cli/Table.h"
-#include "core/cli/shot/Shot.h"
 #include "core/sweep/MetricsOfFrames.h"
 
 #include <nlohmann/json.hpp>

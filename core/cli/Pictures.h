@@ -1,7 +1,7 @@
 // The pictures that taa-batch render draws: of rows, in their styles, beside what they are compared with.
 #pragma once
 
-#include "core/cli/shot/Shot.h"
+#include "core/cli/Shot.h"
 #include "core/inspect/Comparison.h"
 #include "core/inspect/ShownPicture.h"
 

@@ -2,10 +2,10 @@
 #include "core/cli/Commands.h"
 
 #include "core/base/Error.h"
+#include "core/cli/Shot.h"
 #include "core/cli/Table.h"
-#include "core/cli/shot/Shot.h"
 #include "core/inspect/ShownPicture.h"
-#include "core/inspect/verdicts/WorstOfShot.h"
+#include "core/inspect/WorstOfShot.h"
 #include "core/io/FrameJson.h"
 #include "core/picture/RegionSpreadText.h"
 

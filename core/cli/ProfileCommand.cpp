@@ -3,8 +3,8 @@
 
 #include "core/base/Error.h"
 #include "core/base/Median.h"
+#include "core/cli/Shot.h"
 #include "core/cli/Table.h"
-#include "core/cli/shot/Shot.h"
 #include "core/io/FrameJson.h"
 
 #include <algorithm>

@@ -13,7 +13,7 @@
 #include "core/io/PictureFile.h"
 #include "core/report/FrameExport.h"
 #include "core/report/SequenceExport.h"
-#include "core/scene/cost/SceneCost.h"
+#include "core/scene/SceneCost.h"
 
 #include <algorithm>
 #include <filesystem>

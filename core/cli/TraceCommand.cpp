@@ -1,7 +1,7 @@
 // taa-batch trace: intermediates at pixels over frames.
 #include "core/base/Error.h"
 #include "core/cli/Commands.h"
-#include "core/cli/shot/Shot.h"
+#include "core/cli/Shot.h"
 #include "core/report/TraceText.h"
 
 #include <nlohmann/json.hpp>

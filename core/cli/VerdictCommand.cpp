@@ -1,6 +1,6 @@
 // taa-batch verdict: what is wrong with one pixel of one frame, or with all of it.
 #include "core/cli/Commands.h"
-#include "core/cli/shot/Shot.h"
+#include "core/cli/Shot.h"
 #include "core/report/verdicts/MapReport.h"
 #include "core/report/verdicts/VerdictReport.h"
 

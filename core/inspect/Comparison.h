@@ -1,7 +1,7 @@
 // What a picture is compared with, and how both sides are shown.
 #pragma once
 
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <cstdint>
 #include <string>

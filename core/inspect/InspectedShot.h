@@ -8,9 +8,9 @@
 #include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
 #include "core/scene/Scene.h"
+#include "core/scene/SceneCost.h"
 #include "core/scene/ShotChoice.h"
 #include "core/scene/camera/CameraTrack.h"
-#include "core/scene/cost/SceneCost.h"
 #include "core/settings/Lanes.h"
 #include "core/settings/Settings.h"
 

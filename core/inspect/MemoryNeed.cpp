@@ -2,9 +2,9 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
-#include "core/inspect/overtime/FrameWindow.h"
+#include "core/inspect/FrameWindow.h"
 #include "core/measure/References.h"
-#include "core/render/SceneRenderer.h"
+#include "core/render/passes/SceneRenderer.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/TaaPass.h"
 

@@ -1,10 +1,10 @@
 #include "core/inspect/MetricsOfShot.h"
 
 #include "core/gl/PassTimer.h"
+#include "core/inspect/MetricCursor.h"
+#include "core/inspect/OverTimeOfShot.h"
 #include "core/inspect/ReferenceOfShot.h"
 #include "core/inspect/Views.h"
-#include "core/inspect/overtime/MetricCursor.h"
-#include "core/inspect/overtime/OverTimeOfShot.h"
 #include "core/measure/Profiler.h"
 #include "core/replay/ShotPlayer.h"
 

@@ -9,7 +9,7 @@
 #include "core/probe/ProbeRegion.h"
 #include "core/probe/TwinInputs.h"
 #include "core/replay/ShotPlayer.h"
-#include "core/taa/twin/stages/SampleStages.h"
+#include "core/taa/twin/SampleStages.h"
 
 #include <glm/common.hpp>
 

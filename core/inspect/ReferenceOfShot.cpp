@@ -4,7 +4,7 @@
 #include "core/base/Say.h"
 #include "core/gl/PassTimer.h"
 #include "core/inspect/MemoryNeed.h"
-#include "core/inspect/overtime/OverTimeOfShot.h"
+#include "core/inspect/OverTimeOfShot.h"
 #include "core/measure/Profiler.h"
 #include "core/measure/References.h"
 #include "core/render/CaptureFacts.h"

@@ -7,7 +7,7 @@
 #include "core/measure/Metrics.h"
 #include "core/measure/ReferenceRows.h"
 #include "core/settings/Lanes.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 #include "core/taa/twin/Twin.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "core/inspect/SceneSettings.h"
 
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Parameters.h"
 
 #include <string_view>

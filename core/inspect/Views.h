@@ -11,7 +11,7 @@
 #include "core/picture/ViewRequest.h"
 #include "core/picture/Visualizer.h"
 #include "core/render/FrameInputs.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <glm/vec2.hpp>
 

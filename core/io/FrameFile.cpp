@@ -4,7 +4,7 @@
 #include "core/base/Say.h"
 #include "core/base/Text.h"
 #include "core/settings/Parameters.h"
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 
 #include <OpenImageIO/imageio.h>
 #include <glm/gtc/type_ptr.hpp>

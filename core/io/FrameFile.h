@@ -4,7 +4,7 @@
 #include "core/base/Image.h"
 #include "core/render/FrameInputs.h"
 #include "core/settings/Settings.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <glm/vec2.hpp>
 

@@ -1,6 +1,6 @@
 #include "core/io/FrameJson.h"
 
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 #include "core/taa/twin/Known.h"
 
 #include <array>

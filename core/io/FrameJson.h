@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/settings/Parameters.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 #include "core/taa/twin/Twin.h"
 
 #include <nlohmann/json.hpp>

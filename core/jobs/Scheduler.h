@@ -2,10 +2,10 @@
 // what has changed is delivered.
 #pragma once
 
-#include "core/jobs/Desk.h"
-#include "core/jobs/Job.h"
-#include "core/jobs/Transport.h"
-#include "core/jobs/Wanted.h"
+#include "core/jobs/desk/Desk.h"
+#include "core/jobs/desk/Job.h"
+#include "core/jobs/desk/Transport.h"
+#include "core/jobs/desk/Wanted.h"
 #include "core/jobs/idle/Comparing.h"
 #include "core/jobs/idle/CompilingAhead.h"
 #include "core/jobs/idle/FollowingSamples.h"

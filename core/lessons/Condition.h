@@ -4,7 +4,7 @@
 
 #include "core/measure/MetricTable.h"
 #include "core/settings/Faults.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 #include "core/verdict/pixel/PixelVerdict.h"
 
 #include <glm/vec2.hpp>

@@ -6,7 +6,7 @@
 #include "core/inspect/Inspector.h"
 #include "core/lessons/RecordedFrames.h"
 #include "core/lessons/StateMeasurer.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Lanes.h"
 #include "core/settings/Presets.h"
 #include "core/sweep/MetricsOfFrames.h"

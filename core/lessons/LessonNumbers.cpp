@@ -6,7 +6,7 @@
 #include "core/settings/AssignmentWords.h"
 #include "core/settings/Parameters.h"
 #include "core/story/StoryText.h"
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 
 #include <algorithm>
 #include <cmath>

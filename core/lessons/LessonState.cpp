@@ -11,7 +11,7 @@
 #include "core/measure/Metrics.h"
 #include "core/picture/StyleText.h"
 #include "core/picture/Visualizer.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Faults.h"
 #include "core/settings/Lanes.h"
 #include "core/settings/Parameters.h"

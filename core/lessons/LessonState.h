@@ -5,7 +5,7 @@
 #include "core/io/SessionFile.h"
 #include "core/settings/Settings.h"
 #include "core/settings/Stage.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <glm/vec2.hpp>
 

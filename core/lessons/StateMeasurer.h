@@ -3,7 +3,7 @@
 
 #include "core/base/Image.h"
 #include "core/base/Progress.h"
-#include "core/doctor/Doctor.h"
+#include "core/doctor/examination/Doctor.h"
 #include "core/lessons/Condition.h"
 #include "core/lessons/LessonState.h"
 #include "core/sweep/MetricsOfFrames.h"

@@ -3,7 +3,7 @@
 #include "core/measure/References.h"
 #include "core/probe/NearParts.h"
 #include "core/render/FrameInputs.h"
-#include "core/taa/twin/stages/SampleStages.h"
+#include "core/taa/twin/SampleStages.h"
 
 #include <glm/vec2.hpp>
 

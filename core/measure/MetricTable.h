@@ -2,7 +2,7 @@
 // command lines and files derive from it.
 #pragma once
 
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <array>
 #include <cstddef>

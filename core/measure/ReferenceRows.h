@@ -4,11 +4,11 @@
 
 #include "core/base/Image.h"
 #include "core/measure/Metrics.h"
+#include "core/measure/PictureComparison.h"
 #include "core/measure/References.h"
-#include "core/measure/compare/PictureComparison.h"
 #include "core/replay/Checkpoints.h"
 #include "core/settings/Settings.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <map>
 #include <memory>

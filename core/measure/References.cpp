@@ -4,7 +4,7 @@
 #include "core/gl/Context.h"
 #include "core/gl/PassTimer.h"
 #include "core/measure/Profiler.h"
-#include "core/render/jitter/ReferencePoints.h"
+#include "core/render/ReferencePoints.h"
 
 #include <algorithm>
 #include <cmath>

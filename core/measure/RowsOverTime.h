@@ -6,7 +6,7 @@
 #include "core/measure/Metrics.h"
 #include "core/render/FrameRequest.h"
 #include "core/settings/Settings.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <map>
 #include <optional>

@@ -1,7 +1,7 @@
 // What a picture is made of: a row of a frame of a lane.
 #pragma once
 
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <optional>
 

@@ -4,7 +4,7 @@
 
 #include "core/base/Image.h"
 #include "core/gl/Rect.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <array>
 #include <optional>

@@ -3,7 +3,7 @@
 #include "core/base/Say.h"
 #include "core/base/Text.h"
 #include "core/io/FrameJson.h"
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 
 #include <nlohmann/json.hpp>
 

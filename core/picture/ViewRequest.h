@@ -7,7 +7,7 @@
 #include "core/measure/compare/FrameBefore.h"
 #include "core/picture/RegionSpread.h"
 #include "core/picture/Visualizer.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <glm/vec2.hpp>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/gl/Texture.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <glm/vec2.hpp>
 

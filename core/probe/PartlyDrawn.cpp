@@ -3,7 +3,6 @@
 #include "core/probe/NearParts.h"
 #include "core/probe/TwinInputs.h"
 #include "core/render/FrameSource.h"
-#include "core/render/SceneRenderer.h"
 
 #include <glm/vec2.hpp>
 

@@ -1,7 +1,7 @@
 #include "core/probe/Probe.h"
 
 #include "core/scene/Deform.h"
-#include "core/taa/twin/stages/SampleStages.h"
+#include "core/taa/twin/SampleStages.h"
 
 #include <glm/common.hpp>
 #include <glm/mat4x4.hpp>

@@ -1,7 +1,6 @@
 // A probe: a place that stays; what it follows from frame to frame, and where that is. No GL.
 #pragma once
 
-#include "core/render/SceneRenderer.h"
 #include "core/render/View.h"
 
 #include <glm/vec2.hpp>

@@ -1,7 +1,7 @@
 #include "core/probe/SampleWeights.h"
 
-#include "core/render/jitter/Jitter.h"
-#include "core/taa/twin/stages/BlendStages.h"
+#include "core/render/Jitter.h"
+#include "core/taa/twin/BlendStages.h"
 
 #include <glm/common.hpp>
 

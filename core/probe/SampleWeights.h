@@ -2,7 +2,7 @@
 // GL.
 #pragma once
 
-#include "core/render/jitter/JitterWay.h"
+#include "core/render/JitterWay.h"
 #include "core/settings/Settings.h"
 
 #include <glm/vec2.hpp>

@@ -1,6 +1,6 @@
 #include "core/render/Cameras.h"
 
-#include "core/render/jitter/Jitter.h"
+#include "core/render/Jitter.h"
 
 #include <glm/gtc/matrix_inverse.hpp>
 

@@ -2,8 +2,9 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
-#include "core/render/SceneRenderer.h"
-#include "core/render/jitter/Jitter.h"
+#include "core/render/FrameInputs.h"
+#include "core/render/FrameRequest.h"
+#include "core/render/Jitter.h"
 
 #include <algorithm>
 #include <cassert>

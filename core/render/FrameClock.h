@@ -7,6 +7,9 @@
 
 namespace taa {
 
+struct FrameInfo;
+struct FrameRequest;
+
 /// Seconds since frame 0.
 double frameTime(const Scene& scene, int frame);
 
@@ -22,5 +25,8 @@ bool startsHistory(const Scene& scene, std::span<const int> restarts, int frame)
 /// The frame motion refers to: the one before, or the frame itself at a cut. Things move on through a
 /// restart.
 int previousFrame(const Scene& scene, int frame);
+
+/// Number, time, jitter and cut of a frame: all that can be known without drawing.
+FrameInfo frameInfo(const Scene& scene, const FrameRequest& request, int frame);
 
 } // namespace taa

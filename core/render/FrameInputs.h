@@ -3,11 +3,17 @@
 #pragma once
 
 #include "core/gl/Texture.h"
+#include "core/settings/Settings.h"
 #include "shaders/shared/FrameBlock.h"
 
 #include <glm/vec2.hpp>
 
+#include <cstddef>
+
 namespace taa {
+
+struct FrameRequest;
+struct Scene;
 
 /// Motion of a point that has no previous position (behind the previous camera): both components, px.
 /// The largest half float, so that it survives 16-bit storage.
@@ -49,5 +55,21 @@ struct FrameInputs {
   int outputWidth() const { return outputPx.x > 0 ? outputPx.x : width(); }
   int outputHeight() const { return outputPx.y > 0 ? outputPx.y : height(); }
 };
+
+/// ⌈r·W⌉ × ⌈r·H⌉ of a picture of W × H: the size of what is drawn at inputs.renderScale r, px.
+glm::ivec2 drawnSize(const glm::ivec2& picturePx, float renderScale);
+
+/// Makes the textures that are drawn for a request, with undefined contents; keeps those that fit.
+void fitInputs(const FrameRequest& request, FrameInputs& out);
+/// As above, for inputs of a size that no setting says.
+void fitInputs(const InputSettings& settings, const glm::ivec2& drawnPx, const glm::ivec2& picturePx,
+               FrameInputs& out);
+/// Makes a texture anew unless it has this size and format; its contents are undefined then.
+void fitTexture(gl::Texture& texture, const glm::ivec2& sizePx, gl::Format format, const char* label);
+/// What the textures of a frame's inputs take for a picture, bytes. Without a scene: of one without fog.
+std::size_t inputBytes(const InputSettings& settings, const glm::ivec2& picturePx,
+                       const Scene* scene = nullptr);
+/// The format of what is drawn.
+gl::Format colorFormat(const InputSettings& settings);
 
 } // namespace taa

@@ -1,10 +1,10 @@
 #include "core/render/View.h"
 
 #include "core/render/Cameras.h"
+#include "core/render/FogCones.h"
 #include "core/render/FrameClock.h"
-#include "core/render/SceneRenderer.h"
-#include "core/render/passes/FogCones.h"
-#include "core/render/passes/Lights.h"
+#include "core/render/FrameRequest.h"
+#include "core/render/Lights.h"
 
 #include <glm/geometric.hpp>
 
@@ -33,14 +33,6 @@ std::optional<gl::Rect> drawnPart(const Scene& scene, const FrameRequest& reques
 }
 
 } // namespace
-
-glm::ivec2 drawnSize(const glm::ivec2& picturePx, float renderScale) {
-  // A thousandth is let go: r is a float, and 0.67 of 100 shall be 67.
-  const auto scaled = [r = static_cast<double>(renderScale)](int side) {
-    return static_cast<int>(std::ceil(r * side - 1e-3));
-  };
-  return {scaled(picturePx.x), scaled(picturePx.y)};
-}
 
 CameraState cameraOf(const Scene& scene, const FrameRequest& request, int frame) {
   const float aspect = static_cast<float>(request.width) / static_cast<float>(request.height);

@@ -1,7 +1,8 @@
 #include "core/replay/BackgroundCompiler.h"
 
 #include "core/gl/Context.h"
-#include "core/render/SceneRenderer.h"
+#include "core/render/FrameInputs.h"
+#include "core/render/FrameRequest.h"
 #include "core/taa/TaaPass.h"
 
 #include <bit>

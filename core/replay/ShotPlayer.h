@@ -6,7 +6,7 @@
 #include "core/replay/FrameMaker.h"
 #include "core/replay/TraceCursor.h"
 #include "core/settings/Settings.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <glm/vec2.hpp>
 

@@ -3,7 +3,7 @@
 #include "core/base/Say.h"
 #include "core/io/FrameJson.h"
 #include "core/story/ProbeHeadline.h"
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 #include "core/taa/twin/Known.h"
 
 #include <array>

@@ -3,8 +3,8 @@
 #include "core/base/HtmlText.h"
 #include "core/base/Say.h"
 #include "core/settings/Parameters.h"
-#include "core/taa/rows/ChannelNames.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/ChannelNames.h"
+#include "core/taa/Intermediates.h"
 
 #include <string>
 #include <string_view>

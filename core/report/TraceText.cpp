@@ -1,7 +1,7 @@
 #include "core/report/TraceText.h"
 
 #include "core/io/FrameJson.h"
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 #include "core/taa/twin/Known.h"
 
 #include <sstream>

@@ -3,7 +3,7 @@
 
 #include "core/probe/PixelTrace.h"
 #include "core/settings/Settings.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <nlohmann/json_fwd.hpp>
 

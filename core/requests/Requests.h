@@ -2,7 +2,7 @@
 // type.
 #pragma once
 
-#include "core/inspect/verdicts/WorstOfShot.h"
+#include "core/inspect/WorstOfShot.h"
 #include "core/measure/Metrics.h"
 #include "core/picture/ViewRequest.h"
 #include "core/probe/Probe.h"
@@ -12,12 +12,12 @@
 #include "core/scene/MotionMode.h"
 #include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
+#include "core/scene/SceneCost.h"
 #include "core/scene/ShotChoice.h"
 #include "core/scene/camera/CameraTrack.h"
 #include "core/scene/camera/FlightRecording.h"
-#include "core/scene/cost/SceneCost.h"
 #include "core/settings/Settings.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <glm/vec2.hpp>
 

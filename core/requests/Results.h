@@ -7,9 +7,9 @@
 #include "core/report/SequenceExport.h"
 #include "core/requests/Playback.h"
 #include "core/requests/RequestKinds.h"
+#include "core/scene/SceneCost.h"
 #include "core/scene/SceneOutline.h"
 #include "core/scene/ShotChoice.h"
-#include "core/scene/cost/SceneCost.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,9 +1,9 @@
 // The rows of the parameter table: one for each field of Settings, in the order of the stages.
-#include "core/settings/choices/BlendChoices.h"
-#include "core/settings/choices/FaultChoices.h"
-#include "core/settings/choices/HistoryChoices.h"
-#include "core/settings/choices/InputChoices.h"
-#include "core/settings/choices/SampleChoices.h"
+#include "core/settings/BlendChoices.h"
+#include "core/settings/FaultChoices.h"
+#include "core/settings/HistoryChoices.h"
+#include "core/settings/InputChoices.h"
+#include "core/settings/SampleChoices.h"
 
 #include <array>
 #include <cstddef>

@@ -53,7 +53,7 @@ struct Choice {
   /// where nothing is done, and before the resolve, which has no twin.
   std::string_view function = {};
   /// By what weight that takes samples, where it does so for several choices: a function of the shaders or,
-  /// of weights that are made once a frame, of core/taa/rows/CurrentWeights.cpp. The twin's has the same
+  /// of weights that are made once a frame, of core/taa/CurrentWeights.cpp. The twin's has the same
   /// name.
   std::string_view kernel = {};
 };

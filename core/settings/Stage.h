@@ -32,8 +32,7 @@ struct StageInfo {
   std::string_view id;    ///< name of its GLSL file where it has one
   std::string_view label; ///< as a heading
   std::string_view description;
-  std::string_view
-      main; ///< the intermediate that says most about it (core/taa/rows/Intermediates.h); empty: none
+  std::string_view main; ///< the intermediate that says most about it (core/taa/Intermediates.h); empty: none
 };
 
 inline constexpr std::array<StageInfo, 14> kStages{{

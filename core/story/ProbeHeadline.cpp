@@ -6,7 +6,7 @@
 #include "core/story/ProbeValues.h"
 #include "core/taa/twin/Color.h"
 #include "core/taa/twin/Known.h"
-#include "core/taa/twin/stages/Stages.h"
+#include "core/taa/twin/Stages.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -5,7 +5,7 @@
 #include "core/scene/ObjectClass.h"
 #include "core/story/ProbeValues.h"
 #include "core/taa/twin/Known.h"
-#include "core/taa/twin/stages/Stages.h"
+#include "core/taa/twin/Stages.h"
 
 #include <glm/vec2.hpp>
 

@@ -3,7 +3,7 @@
 #include "core/base/Say.h"
 #include "core/scene/ObjectClass.h"
 #include "core/story/StoryText.h"
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 #include "core/taa/twin/Color.h"
 
 #include <array>

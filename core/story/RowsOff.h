@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/settings/Settings.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 namespace taa {
 

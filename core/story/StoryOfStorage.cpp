@@ -3,7 +3,7 @@
 
 #include "core/base/Say.h"
 #include "core/taa/twin/Random.h"
-#include "core/taa/twin/stages/Stages.h"
+#include "core/taa/twin/Stages.h"
 
 #include <array>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "core/capture/source/Capture.h"
 #include "core/inspect/Inspector.h"
 #include "core/render/CaptureFacts.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/sweep/MetricsOfFrames.h"
 
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/Progress.h"
-#include "core/scene/cost/SceneCost.h"
+#include "core/scene/SceneCost.h"
 #include "core/sweep/SweepPoints.h"
 #include "core/sweep/SweepSpec.h"
 

@@ -5,7 +5,7 @@
 #include "core/capture/source/Capture.h"
 #include "core/gl/Turn.h"
 #include "core/inspect/Inspector.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 
 #include <memory>
 #include <string_view>

@@ -3,7 +3,7 @@
 #include "core/base/EmbeddedFiles.h"
 #include "core/base/Files.h"
 #include "core/capture/format/Manifest.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Parameters.h"
 
 #include <nlohmann/json.hpp>

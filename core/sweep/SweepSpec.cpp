@@ -9,7 +9,7 @@
 #include "core/base/json/JsonFields.h"
 #include "core/base/json/LimitedJson.h"
 #include "core/measure/Flicker.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Presets.h"
 #include "core/sweep/MetricsOfFrames.h"
 

@@ -1,6 +1,6 @@
 #include "core/taa/History.h"
 
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <algorithm>
 #include <utility>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/taa/PassInputs.h"
+#include "core/taa/ProgramCache.h"
 #include "core/taa/TaaPass.h"
-#include "core/taa/glsl/ProgramCache.h"
 
 #include <string>
 

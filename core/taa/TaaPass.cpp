@@ -2,7 +2,7 @@
 
 #include "core/taa/OutputPass.h"
 #include "core/taa/PassInputs.h"
-#include "core/taa/glsl/ProgramCache.h"
+#include "core/taa/ProgramCache.h"
 
 #include <algorithm>
 #include <cassert>

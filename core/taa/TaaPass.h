@@ -6,9 +6,9 @@
 #include "core/gl/RenderPass.h"
 #include "core/render/FrameInputs.h"
 #include "core/settings/Settings.h"
+#include "core/taa/ExposedLayout.h"
 #include "core/taa/History.h"
-#include "core/taa/rows/ExposedLayout.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <array>
 #include <memory>

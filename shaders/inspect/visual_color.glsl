@@ -1,4 +1,4 @@
-// What a value looks like, by the row's visual (core/taa/rows/Intermediates.h). In: the value as it is stored. Out: linear
+// What a value looks like, by the row's visual (core/taa/Intermediates.h). In: the value as it is stored. Out: linear
 // Rec. 709, 0 to 1.
 #include "shared/ViewBlock.h"
 #include "inspect/color_maps.glsl"

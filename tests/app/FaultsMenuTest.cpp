@@ -1,5 +1,5 @@
 // The menu of faults: each entry injects what its row says, takes it back, and is a step of undo.
-#include "app/menus/faults/FaultsMenu.h"
+#include "app/menus/FaultsMenu.h"
 
 #include "app/panels/StatusLine.h"
 #include "app/session/PresetChoices.h"

@@ -1,8 +1,8 @@
 // What comparing a picture with its reference costs on one core: each figure is a counter named as in
 // Figures.cpp.
 #include "core/base/Median.h"
+#include "core/measure/PictureComparison.h"
 #include "core/measure/compare/GhostEnergy.h"
-#include "core/measure/compare/PictureComparison.h"
 #include "tests/bench/Timing.h"
 #include "tests/unit/compare/Pictures.h"
 

@@ -4,7 +4,7 @@
 #include "core/base/Median.h"
 #include "core/inspect/Inspector.h"
 #include "core/report/FrameExport.h"
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 #include "tests/bench/Timing.h"
 #include "tests/support/Paths.h"
 

@@ -4,8 +4,8 @@
 #include "core/inspect/Inspector.h"
 #include "core/measure/Metrics.h"
 #include "core/measure/References.h"
-#include "core/render/SceneRenderer.h"
-#include "core/scene/SceneSource.h"
+#include "core/render/passes/SceneRenderer.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/bench/Timing.h"
 
 #include <benchmark/benchmark.h>

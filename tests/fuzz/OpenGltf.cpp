@@ -2,7 +2,7 @@
 
 #include "core/base/ShownText.h"
 #include "core/scene/Pose.h"
-#include "core/scene/cost/SceneCost.h"
+#include "core/scene/SceneCost.h"
 #include "core/scene/gltf/GltfLoader.h"
 #include "tests/fuzz/Fuzz.h"
 

@@ -1,7 +1,7 @@
 // What lies outside the view is left out, and no bit of the inputs tells of it.
-#include "core/render/SceneRenderer.h"
+#include "core/render/passes/SceneRenderer.h"
 #include "core/scene/Pose.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/GlTest.h"
 
 #include <glm/gtc/quaternion.hpp>

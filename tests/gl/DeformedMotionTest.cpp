@@ -1,7 +1,7 @@
 // Motion of skinned, morphed, cached and swaying vertices, and of objects whose motion is chosen or unknown:
 // invariants 9, 14, 15 and 16, against closed forms and against the analytic projection of every pixel.
 #include "core/base/Error.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/scene/gltf/GltfLoader.h"
 #include "tests/support/frames/AnalyticMotion.h"
 #include "tests/support/frames/MotionFixture.h"

@@ -1,6 +1,6 @@
 // Holes and collisions of forward reprojection behind a quad of known pixels that moves by three of them.
-#include "core/render/SceneRenderer.h"
 #include "core/render/faults/FaultySource.h"
+#include "core/render/passes/SceneRenderer.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/frames/SmallScene.h"
 

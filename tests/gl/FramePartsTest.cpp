@@ -1,9 +1,9 @@
 // What is drawn of a part of a frame is what the whole frame holds there, bit for bit, one sample of a
 // reference after another; little else is drawn for it.
 #include "core/base/Error.h"
-#include "core/render/SceneRenderer.h"
-#include "core/render/jitter/ReferencePoints.h"
-#include "core/scene/SceneSource.h"
+#include "core/render/ReferencePoints.h"
+#include "core/render/passes/SceneRenderer.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/GlTest.h"
 
 #include <array>

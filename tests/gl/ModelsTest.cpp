@@ -1,7 +1,7 @@
 // Every shared model that opens can be drawn: no GL error, a picture that is not empty, and no NaN.
 #include "core/base/Error.h"
-#include "core/render/SceneRenderer.h"
-#include "core/scene/SceneSource.h"
+#include "core/render/passes/SceneRenderer.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/GlTest.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // What the renderer draws into the frame's inputs: depth, surfaces, materials, purity.
-#include "core/render/SceneRenderer.h"
+#include "core/render/passes/SceneRenderer.h"
 
 #include "core/base/Error.h"
 #include "core/base/Half.h"

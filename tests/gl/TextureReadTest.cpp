@@ -1,6 +1,6 @@
 // How textures and transparency are read: mip bias, unjittered texture coordinates, dithered alpha (manual
 // §19, 20.7).
-#include "core/render/SceneRenderer.h"
+#include "core/render/passes/SceneRenderer.h"
 
 #include "tests/support/GlTest.h"
 #include "tests/support/frames/SmallScene.h"

@@ -1,7 +1,7 @@
 // Opening a scene tells of every texture, and stops between them.
 #include "core/gl/Memory.h"
-#include "core/render/SceneRenderer.h"
-#include "core/scene/SceneSource.h"
+#include "core/render/passes/SceneRenderer.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/GlTest.h"
 
 #include <algorithm>

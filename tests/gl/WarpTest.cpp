@@ -1,6 +1,6 @@
 // The warp test on real models (invariant 17): the previous frame at pixel − motion is what the pixel was.
-#include "core/render/SceneRenderer.h"
-#include "core/scene/SceneSource.h"
+#include "core/render/passes/SceneRenderer.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/GlTest.h"
 
 #include <algorithm>

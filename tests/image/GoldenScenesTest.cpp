@@ -1,6 +1,6 @@
 // Each built-in scene looks as it did: a small golden picture of each.
 #include "core/inspect/Inspector.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Presets.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/pictures/Golden.h"

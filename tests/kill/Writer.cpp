@@ -13,7 +13,7 @@
 #include "core/report/doctor/DoctorPage.h"
 #include "core/settings/Presets.h"
 #include "core/sweep/SweepTable.h"
-#include "core/taa/glsl/GlslExport.h"
+#include "core/taa/GlslExport.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "tests/manual/CaseJudge.h"
 
 #include "core/base/Error.h"
-#include "core/doctor/Doctor.h"
+#include "core/doctor/examination/Doctor.h"
 #include "core/doctor/frames/ShownDifference.h"
 #include "core/settings/Presets.h"
 

@@ -10,7 +10,7 @@
 namespace taa {
 
 /// Where the kernels are whose weights are made once a frame, not by a shader.
-inline constexpr std::string_view kKernelsOfAFrame = "core/taa/rows/CurrentWeights.cpp";
+inline constexpr std::string_view kKernelsOfAFrame = "core/taa/CurrentWeights.cpp";
 
 /// A function of the resolve or the output. The twin's has the same name.
 struct ChoiceFunction {

@@ -8,7 +8,7 @@
 #include "core/cli/Arguments.h"
 #include "core/gl/Context.h"
 #include "core/inspect/UsedShaders.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/manual/CaseJudge.h"
 #include "tests/manual/CasePlan.h"
 #include "tests/manual/DoctorCases.h"

@@ -1,6 +1,6 @@
 // An exported resolve and the pass after it, compiled as they stand and bound by what their head says, give
 // the inspector's bits.
-#include "core/taa/glsl/GlslExport.h"
+#include "core/taa/GlslExport.h"
 
 #include "core/base/Files.h"
 #include "core/settings/Parameters.h"

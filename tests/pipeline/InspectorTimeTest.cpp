@@ -2,7 +2,7 @@
 #include "tests/support/SmallInspector.h"
 
 #include "core/base/Error.h"
-#include "core/render/jitter/JitterWay.h"
+#include "core/render/JitterWay.h"
 #include "tests/support/frames/Variants.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 #include "core/probe/PartlyDrawn.h"
 
 #include "core/probe/TwinInputs.h"
-#include "core/render/SceneRenderer.h"
-#include "core/scene/SceneSource.h"
+#include "core/render/passes/SceneRenderer.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/GlTest.h"
 
 #include <gtest/gtest.h>

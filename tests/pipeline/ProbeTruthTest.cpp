@@ -3,7 +3,7 @@
 #include "core/settings/Presets.h"
 #include "core/story/ProbeHeadline.h"
 #include "core/story/ProbeStory.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 #include "core/taa/twin/Details.h"
 #include "tests/support/ProbeFacts.h"
 #include "tests/support/SmallInspector.h"

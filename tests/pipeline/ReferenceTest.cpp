@@ -4,10 +4,10 @@
 #include "core/measure/compare/Flip.h"
 #include "core/measure/compare/RelativeError.h"
 #include "core/measure/compare/Ssim.h"
-#include "core/render/SceneRenderer.h"
-#include "core/render/jitter/ReferencePoints.h"
-#include "core/scene/SceneSource.h"
+#include "core/render/ReferencePoints.h"
+#include "core/render/passes/SceneRenderer.h"
 #include "core/scene/builtin/BuiltinScenes.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/taa/twin/Known.h"
 #include "tests/support/SmallInspector.h"
 

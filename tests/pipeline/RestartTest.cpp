@@ -1,7 +1,7 @@
 // History restarted at frames of the shot: empty there as after a cut, what is drawn as without it, and frame
 // n a function all the same.
 #include "core/base/Error.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/SmallInspector.h"
 #include "tests/support/frames/Frames.h"
 

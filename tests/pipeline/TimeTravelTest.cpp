@@ -5,7 +5,7 @@
 #include "core/base/Error.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
-#include "core/taa/twin/stages/Stages.h"
+#include "core/taa/twin/Stages.h"
 #include "tests/support/CompareImages.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/frames/Frames.h"

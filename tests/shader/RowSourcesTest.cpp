@@ -1,5 +1,5 @@
 // Rows that are read in place, are constant or stand for another have the bits that writing them gives.
-#include "core/taa/rows/RowSources.h"
+#include "core/taa/RowSources.h"
 #include "core/gl/Memory.h"
 #include "tests/support/CompareImages.h"
 #include "tests/support/frames/ResolveTest.h"

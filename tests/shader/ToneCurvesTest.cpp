@@ -4,7 +4,7 @@
 #include "tests/support/frames/Variants.h"
 
 #include "core/settings/Parameters.h"
-#include "core/taa/glsl/GlslExport.h"
+#include "core/taa/GlslExport.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Random requests to the render thread, for so many seconds: taa_soak_core SECONDS SEED LOG [FROM]. Every so
 // often the shot is made what it was at the beginning, and has to look as it did: whatever was asked for in
 // between.
-#include "core/RenderThread.h"
 #include "core/base/ShownText.h"
+#include "core/jobs/RenderThread.h"
 #include "tests/soak/RandomRequests.h"
 #include "tests/soak/Watch.h"
 

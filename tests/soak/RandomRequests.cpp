@@ -3,7 +3,7 @@
 #include "core/measure/MetricTable.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <algorithm>
 #include <array>

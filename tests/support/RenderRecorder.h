@@ -1,7 +1,7 @@
 // A render thread on a small picture whose results are taken down.
 #pragma once
 
-#include "core/RenderThread.h"
+#include "core/jobs/RenderThread.h"
 
 #include "core/settings/Parameters.h"
 #include "tests/support/GlTest.h"

@@ -1,5 +1,5 @@
 // What channels are called: by the settings that made the values, in every file.
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 
 #include "core/io/FrameFile.h"
 #include "core/io/FrameJson.h"

@@ -1,5 +1,5 @@
 // Where watched rows go, and the GLSL that puts them there.
-#include "core/taa/rows/ExposedLayout.h"
+#include "core/taa/ExposedLayout.h"
 
 #include "core/settings/Presets.h"
 

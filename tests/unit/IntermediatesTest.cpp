@@ -1,5 +1,5 @@
 // The table of intermediates and what is derived from it.
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include "core/base/Error.h"
 

@@ -1,5 +1,5 @@
 // The jitter pattern and its matrix: invariants 1, 2, 5, 6, 7 and 8.
-#include "core/render/jitter/Jitter.h"
+#include "core/render/Jitter.h"
 
 #include "core/scene/Pose.h"
 

@@ -1,10 +1,11 @@
 // Jitter across the way the camera moves (manual J10).
-#include "core/render/jitter/JitterWay.h"
+#include "core/render/JitterWay.h"
 
-#include "core/render/SceneRenderer.h"
+#include "core/render/FrameClock.h"
+#include "core/render/FrameRequest.h"
+#include "core/render/Jitter.h"
 #include "core/render/View.h"
-#include "core/render/jitter/Jitter.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 
 #include <gtest/gtest.h>
 

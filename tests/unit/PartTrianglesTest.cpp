@@ -1,5 +1,5 @@
 // Of a part those triangles are drawn that hold the center of one of its pixels, on the side that is drawn.
-#include "core/render/passes/draws/PartTriangles.h"
+#include "core/render/passes/PartTriangles.h"
 
 #include <gtest/gtest.h>
 

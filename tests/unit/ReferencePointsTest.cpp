@@ -1,5 +1,5 @@
 // The points of the reference: within the pixel, even, and the same however many follow.
-#include "core/render/jitter/ReferencePoints.h"
+#include "core/render/ReferencePoints.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "core/render/View.h"
 
 #include "core/render/FrameRequest.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 
 #include "app/style/Numbers.h"
 #include "app/style/Text.h"
-#include "core/inspect/verdicts/RemedyTrial.h"
+#include "core/inspect/RemedyTrial.h"
 #include "core/settings/AssignmentWords.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 #include "core/taa/twin/Color.h"
 
 #include <QObject>

@@ -1,7 +1,7 @@
 // A verdict's values and remedies in words.
 #pragma once
 
-#include "core/inspect/verdicts/VerdictOfShot.h"
+#include "core/inspect/VerdictOfShot.h"
 
 #include <QString>
 

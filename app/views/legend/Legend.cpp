@@ -7,7 +7,7 @@
 
 #include "core/base/Light.h"
 #include "core/picture/ColorMap.h"
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 
 #include <QImage>
 #include <QObject>

@@ -7,7 +7,7 @@
 #include "app/widgets/areas/FittingArea.h"
 
 #include "core/picture/RegionSpreadText.h"
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/style/Theme.h"
-#include "core/taa/rows/SearchedRows.h"
+#include "core/taa/SearchedRows.h"
 
 #include <QString>
 #include <QWidget>

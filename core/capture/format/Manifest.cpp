@@ -43,16 +43,27 @@ constexpr PlaneInfo kPlanes[] = {
 };
 static_assert(std::size(kPlanes) == kPlaneKinds);
 
-/// By RawFormat.
-constexpr std::string_view kRawNames[] = {
-    "R11G11B10F", "RGBA16F",   "RGBA32F", "RG16F",    "RG32F",    "RG16_UNORM", "RGBA8_UNORM",
-    "RGBA8_SRGB", "R16F",      "R32F",    "D32F",     "D24S8",    "D32F_S8",    "R16_UNORM",
-    "R8_UNORM",   "RG8_UNORM", "R8_UINT", "R16_UINT", "R32_UINT", "D24S8_GL",
+struct RawFormatInfo {
+  std::string_view name;
+  std::uint8_t channels, bytes; ///< of a pixel
 };
-static_assert(std::size(kRawNames) == kRawFormats);
+
+/// By RawFormat.
+constexpr RawFormatInfo kRawFormatInfos[] = {
+    {"R11G11B10F", 3, 4}, {"RGBA16F", 4, 8},    {"RGBA32F", 4, 16},    {"RG16F", 2, 4},
+    {"RG32F", 2, 8},      {"RG16_UNORM", 2, 4}, {"RGBA8_UNORM", 4, 4}, {"RGBA8_SRGB", 4, 4},
+    {"R16F", 1, 2},       {"R32F", 1, 4},       {"D32F", 1, 4},        {"D24S8", 1, 4},
+    {"D32F_S8", 1, 8},    {"R16_UNORM", 1, 2},  {"R8_UNORM", 1, 1},    {"RG8_UNORM", 2, 2},
+    {"R8_UINT", 1, 1},    {"R16_UINT", 1, 2},   {"R32_UINT", 1, 4},    {"D24S8_GL", 1, 4},
+};
+static_assert(std::size(kRawFormatInfos) == kRawFormats);
 
 const PlaneInfo& infoOf(PlaneKind kind) {
   return kPlanes[static_cast<std::size_t>(kind)];
+}
+
+const RawFormatInfo& infoOf(RawFormat format) {
+  return kRawFormatInfos[static_cast<std::size_t>(format)];
 }
 
 } // namespace
@@ -80,18 +91,27 @@ int minChannelsOf(PlaneKind kind) {
 }
 
 std::string_view rawFormatName(RawFormat format) {
-  return kRawNames[static_cast<std::size_t>(format)];
+  return infoOf(format).name;
+}
+
+int rawChannels(RawFormat format) {
+  return infoOf(format).channels;
+}
+
+std::size_t bytesPerPixel(RawFormat format) {
+  return infoOf(format).bytes;
 }
 
 std::optional<RawFormat> rawFormatOf(std::string_view name) {
-  const auto found = std::ranges::find(kRawNames, name);
-  if (found == std::end(kRawNames)) return {};
-  return static_cast<RawFormat>(found - std::begin(kRawNames));
+  const auto found = std::ranges::find(kRawFormatInfos, name, &RawFormatInfo::name);
+  if (found == std::end(kRawFormatInfos)) return {};
+  return static_cast<RawFormat>(found - std::begin(kRawFormatInfos));
 }
 
 std::string rawFormatNames() {
   std::string names;
-  for (const std::string_view name : kRawNames) names += (names.empty() ? "" : ", ") + std::string(name);
+  for (const RawFormatInfo& info : kRawFormatInfos)
+    names += (names.empty() ? "" : ", ") + std::string(info.name);
   return names;
 }
 

@@ -75,6 +75,8 @@ inline constexpr std::size_t kRawFormats = 20;
 
 /// "RGBA16F"
 std::string_view rawFormatName(RawFormat format);
+int rawChannels(RawFormat format);
+std::size_t bytesPerPixel(RawFormat format);
 std::optional<RawFormat> rawFormatOf(std::string_view name);
 
 /// Where a plane's values lie. `file` is below the capture's folder; "{frame}" stands for the frame's number,

@@ -5,7 +5,6 @@
 #include "core/base/ShownText.h"
 #include "core/base/json/JsonFields.h"
 #include "core/capture/format/ConventionText.h"
-#include "core/capture/planes/Planes.h"
 
 #include <algorithm>
 #include <map>

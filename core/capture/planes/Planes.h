@@ -42,7 +42,5 @@ FramePlanes readPlanesInTurn(const std::filesystem::path& folder, const Manifest
 /// nearest, those of integer and normalized formats clamped; channels that `format` has and the plane has not
 /// are 0, alpha 1. Ids go into integer formats alone and have to fit. Throws Error.
 void writeRawPlane(const std::filesystem::path& file, const PlaneData& plane, RawFormat format);
-std::size_t bytesPerPixel(RawFormat format);
-int rawChannels(RawFormat format);
 
 } // namespace taa::capture

@@ -35,45 +35,33 @@ enum class Layout : std::uint8_t {
   FloatOfEight,
 };
 
-struct FormatRow {
-  RawFormat format;
-  Layout layout;
-  std::uint8_t channels, bytes;
+/// By RawFormat.
+constexpr Layout kLayouts[] = {
+    Layout::PackedFloats, // R11G11B10F
+    Layout::Half,         // RGBA16F
+    Layout::Float,        // RGBA32F
+    Layout::Half,         // RG16F
+    Layout::Float,        // RG32F
+    Layout::Unorm16,      // RG16_UNORM
+    Layout::Unorm8,       // RGBA8_UNORM
+    Layout::Srgb8,        // RGBA8_SRGB
+    Layout::Half,         // R16F
+    Layout::Float,        // R32F
+    Layout::Float,        // D32F
+    Layout::DepthLow24,   // D24S8
+    Layout::FloatOfEight, // D32F_S8
+    Layout::Unorm16,      // R16_UNORM
+    Layout::Unorm8,       // R8_UNORM
+    Layout::Unorm8,       // RG8_UNORM
+    Layout::Uint8,        // R8_UINT
+    Layout::Uint16,       // R16_UINT
+    Layout::Uint32,       // R32_UINT
+    Layout::DepthHigh24,  // D24S8_GL
 };
+static_assert(std::size(kLayouts) == kRawFormats);
 
-constexpr FormatRow kRows[] = {
-    {RawFormat::R11G11B10F, Layout::PackedFloats, 3, 4},
-    {RawFormat::RGBA16F, Layout::Half, 4, 8},
-    {RawFormat::RGBA32F, Layout::Float, 4, 16},
-    {RawFormat::RG16F, Layout::Half, 2, 4},
-    {RawFormat::RG32F, Layout::Float, 2, 8},
-    {RawFormat::RG16_UNORM, Layout::Unorm16, 2, 4},
-    {RawFormat::RGBA8_UNORM, Layout::Unorm8, 4, 4},
-    {RawFormat::RGBA8_SRGB, Layout::Srgb8, 4, 4},
-    {RawFormat::R16F, Layout::Half, 1, 2},
-    {RawFormat::R32F, Layout::Float, 1, 4},
-    {RawFormat::D32F, Layout::Float, 1, 4},
-    {RawFormat::D24S8, Layout::DepthLow24, 1, 4},
-    {RawFormat::D32F_S8, Layout::FloatOfEight, 1, 8},
-    {RawFormat::R16_UNORM, Layout::Unorm16, 1, 2},
-    {RawFormat::R8_UNORM, Layout::Unorm8, 1, 1},
-    {RawFormat::RG8_UNORM, Layout::Unorm8, 2, 2},
-    {RawFormat::R8_UINT, Layout::Uint8, 1, 1},
-    {RawFormat::R16_UINT, Layout::Uint16, 1, 2},
-    {RawFormat::R32_UINT, Layout::Uint32, 1, 4},
-    {RawFormat::D24S8_GL, Layout::DepthHigh24, 1, 4},
-};
-static_assert(std::size(kRows) == kRawFormats);
-
-constexpr bool rowsAreInOrder() {
-  for (std::size_t i = 0; i < std::size(kRows); ++i)
-    if (static_cast<std::size_t>(kRows[i].format) != i) return false;
-  return true;
-}
-static_assert(rowsAreInOrder());
-
-const FormatRow& rowOf(RawFormat format) {
-  return kRows[static_cast<std::size_t>(format)];
+Layout layoutOf(RawFormat format) {
+  return kLayouts[static_cast<std::size_t>(format)];
 }
 
 template <typename T>
@@ -196,27 +184,21 @@ void encodeComponent(Layout layout, float value, int channel, std::byte* at) {
   store(at, value);
 }
 
-void encodePixel(const FormatRow& row, const float* values, std::byte* at) {
-  if (row.layout == Layout::PackedFloats)
+void encodePixel(RawFormat format, const float* values, std::byte* at) {
+  const Layout layout = layoutOf(format);
+  if (layout == Layout::PackedFloats)
     return store(at, unsignedFloatOf(values[0], 6) | unsignedFloatOf(values[1], 6) << 11u |
                          unsignedFloatOf(values[2], 5) << 22u);
-  const int bytes = row.bytes / row.channels;
-  for (int channel = 0; channel < row.channels; ++channel)
-    encodeComponent(row.layout, values[channel], channel, at + channel * bytes);
+  const int channels = rawChannels(format);
+  const int bytes = static_cast<int>(bytesPerPixel(format)) / channels;
+  for (int channel = 0; channel < channels; ++channel)
+    encodeComponent(layout, values[channel], channel, at + channel * bytes);
 }
 
 } // namespace
 
-std::size_t bytesPerPixel(RawFormat format) {
-  return rowOf(format).bytes;
-}
-
-int rawChannels(RawFormat format) {
-  return rowOf(format).channels;
-}
-
 bool isInteger(RawFormat format) {
-  const Layout layout = rowOf(format).layout;
+  const Layout layout = layoutOf(format);
   return layout == Layout::Uint8 || layout == Layout::Uint16 || layout == Layout::Uint32;
 }
 
@@ -228,7 +210,7 @@ void decodeRow(RawFormat format, const std::byte* row, int channels, std::span<f
   };
   const auto plain = [](auto stored) { return static_cast<float>(stored); };
   const std::uint32_t word = 0;
-  switch (rowOf(format).layout) {
+  switch (layoutOf(format)) {
   case Layout::Half:
     return decode(std::uint16_t{}, stride, [](std::uint16_t v) { return floatOfHalf(v); });
   case Layout::Float:
@@ -274,12 +256,11 @@ void decodeIds(RawFormat format, const std::byte* row, std::span<std::uint32_t> 
 void encodeRow(RawFormat format, std::span<const float> values, int channels, std::byte* row) {
   const std::size_t given = static_cast<std::size_t>(channels);
   assert(channels >= 1 && values.size() % given == 0);
-  const FormatRow& layout = rowOf(format);
-  const std::size_t kept = std::min<std::size_t>(given, layout.channels);
-  for (std::size_t i = 0; i < values.size(); i += given, row += layout.bytes) {
+  const std::size_t kept = std::min(given, static_cast<std::size_t>(rawChannels(format)));
+  for (std::size_t i = 0; i < values.size(); i += given, row += bytesPerPixel(format)) {
     std::array<float, 4> pixel{0.0f, 0.0f, 0.0f, 1.0f};
     std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i), kept, pixel.begin());
-    encodePixel(layout, pixel.data(), row);
+    encodePixel(format, pixel.data(), row);
   }
 }
 

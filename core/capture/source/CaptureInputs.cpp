@@ -3,7 +3,6 @@
 #include "core/base/Half.h"
 #include "core/capture/decode/Nearest.h"
 #include "core/render/Cameras.h"
-#include "core/render/SceneRenderer.h"
 
 #include <algorithm>
 #include <cstddef>

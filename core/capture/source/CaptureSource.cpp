@@ -7,8 +7,8 @@
 #include "core/gl/Buffer.h"
 #include "core/gl/Context.h"
 #include "core/render/CaptureFacts.h"
+#include "core/render/FrameInputs.h"
 #include "core/render/FrameRequest.h"
-#include "core/render/SceneRenderer.h"
 #include "core/render/passes/CameraMotionPass.h"
 
 #include <algorithm>

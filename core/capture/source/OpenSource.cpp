@@ -5,9 +5,9 @@
 #include "core/capture/source/Capture.h"
 #include "core/capture/source/CaptureScene.h"
 #include "core/capture/source/CaptureSource.h"
-#include "core/render/SceneRenderer.h"
 #include "core/render/faults/FaultySource.h"
-#include "core/scene/SceneSource.h"
+#include "core/render/passes/SceneRenderer.h"
+#include "core/scene/builtin/SceneSource.h"
 
 #include <algorithm>
 #include <memory>

@@ -4,8 +4,8 @@
 #include "core/base/Progress.h"
 #include "core/render/FrameSource.h"
 #include "core/scene/Scene.h"
+#include "core/scene/SceneCost.h"
 #include "core/scene/ShotChoice.h"
-#include "core/scene/cost/SceneCost.h"
 
 #include <memory>
 #include <string>

@@ -2,10 +2,10 @@
 
 #include "core/base/Median.h"
 #include "core/base/Say.h"
+#include "core/doctor/Mending.h"
 #include "core/doctor/NumberText.h"
-#include "core/doctor/mending/Mending.h"
 #include "core/settings/Faults.h"
-#include "core/taa/twin/stages/SampleStages.h"
+#include "core/taa/twin/SampleStages.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>

@@ -2,7 +2,7 @@
 
 #include "core/capture/import/FrameSamples.h"
 #include "core/doctor/frames/EngineOutput.h"
-#include "core/taa/twin/stages/SampleStages.h"
+#include "core/taa/twin/SampleStages.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>

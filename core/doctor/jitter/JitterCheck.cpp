@@ -3,11 +3,11 @@
 #include "core/base/Median.h"
 #include "core/base/Say.h"
 #include "core/capture/decode/ScreenUnits.h"
+#include "core/doctor/Mending.h"
 #include "core/doctor/NumberText.h"
 #include "core/doctor/jitter/JitterFit.h"
 #include "core/doctor/jitter/JitterSequence.h"
 #include "core/doctor/jitter/JitterSky.h"
-#include "core/doctor/mending/Mending.h"
 #include "core/settings/Faults.h"
 
 #include <glm/common.hpp>

@@ -1,9 +1,9 @@
 #include "core/doctor/motion/MotionMarks.h"
 
 #include "core/base/Say.h"
-#include "core/doctor/mending/Mending.h"
-#include "core/doctor/mending/MotionMending.h"
-#include "core/doctor/motion/findings/MotionFindings.h"
+#include "core/doctor/Mending.h"
+#include "core/doctor/motion/MotionFindings.h"
+#include "core/doctor/motion/MotionMending.h"
 #include "core/settings/Faults.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "core/doctor/motion/MotionRims.h"
 
 #include "core/base/Say.h"
-#include "core/doctor/mending/Mending.h"
+#include "core/doctor/Mending.h"
 #include "core/settings/Faults.h"
 
 #include <glm/common.hpp>

@@ -1,7 +1,7 @@
 #include "core/doctor/resolve/ResolveModels.h"
 
 #include "core/base/Say.h"
-#include "core/taa/twin/stages/BlendStages.h"
+#include "core/taa/twin/BlendStages.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,8 +1,8 @@
 #include "core/doctor/resolve/ResolvePixels.h"
 
 #include "core/doctor/frames/Detail.h"
-#include "core/taa/twin/stages/BlendStages.h"
-#include "core/taa/twin/stages/SampleStages.h"
+#include "core/taa/twin/BlendStages.h"
+#include "core/taa/twin/SampleStages.h"
 
 #include <algorithm>
 #include <cmath>

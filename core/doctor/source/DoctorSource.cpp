@@ -11,7 +11,7 @@
 #include "core/render/CaptureFacts.h"
 #include "core/render/faults/FaultySource.h"
 #include "core/scene/SceneOutline.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Faults.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "core/capture/decode/ScreenUnits.h"
 #include "core/doctor/depth/DepthCheck.h"
 #include "core/doctor/jitter/JitterCheck.h"
-#include "core/doctor/motion/findings/MotionWords.h"
+#include "core/doctor/motion/MotionWords.h"
 
 #include <glm/vec2.hpp>
 

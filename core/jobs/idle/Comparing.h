@@ -1,9 +1,9 @@
 // Draws the frames that views are compared with, beside the one on show.
 #pragma once
 
-#include "core/jobs/Job.h"
-#include "core/jobs/Transport.h"
-#include "core/jobs/Wanted.h"
+#include "core/jobs/desk/Job.h"
+#include "core/jobs/desk/Transport.h"
+#include "core/jobs/desk/Wanted.h"
 #include "core/requests/Requests.h"
 
 #include <cstdint>

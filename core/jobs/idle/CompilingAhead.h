@@ -1,8 +1,8 @@
 // Compiles what settings need that somebody looks at and may take.
 #pragma once
 
-#include "core/jobs/Job.h"
-#include "core/jobs/Transport.h"
+#include "core/jobs/desk/Job.h"
+#include "core/jobs/desk/Transport.h"
 #include "core/requests/Requests.h"
 
 #include <optional>

@@ -1,9 +1,9 @@
 // What the active probe's pixel is made of, looked for while nothing else is to be done.
 #pragma once
 
-#include "core/jobs/Job.h"
-#include "core/jobs/Transport.h"
-#include "core/jobs/Wanted.h"
+#include "core/jobs/desk/Job.h"
+#include "core/jobs/desk/Transport.h"
+#include "core/jobs/desk/Wanted.h"
 #include "core/requests/Requests.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Measures what rows over time are made of, up to the frame on show, while nothing else is to be done.
 #pragma once
 
-#include "core/jobs/Wanted.h"
+#include "core/jobs/desk/Wanted.h"
 #include "core/jobs/idle/Refinement.h"
 
 #include <vector>

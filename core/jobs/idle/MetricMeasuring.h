@@ -2,10 +2,10 @@
 // done.
 #pragma once
 
-#include "core/inspect/overtime/MetricCursor.h"
-#include "core/jobs/Job.h"
-#include "core/jobs/Transport.h"
-#include "core/jobs/Wanted.h"
+#include "core/inspect/MetricCursor.h"
+#include "core/jobs/desk/Job.h"
+#include "core/jobs/desk/Transport.h"
+#include "core/jobs/desk/Wanted.h"
 #include "core/jobs/idle/ThumbnailDrawing.h"
 #include "core/requests/Requests.h"
 

@@ -1,8 +1,8 @@
 // What is wrong with the active probe's pixel, and then what mends it, while nothing else is to be done.
 #pragma once
 
-#include "core/jobs/Job.h"
-#include "core/jobs/Transport.h"
+#include "core/jobs/desk/Job.h"
+#include "core/jobs/desk/Transport.h"
 #include "core/requests/Requests.h"
 #include "core/requests/Results.h"
 

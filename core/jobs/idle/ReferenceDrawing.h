@@ -1,7 +1,7 @@
 // Draws the reference of the frame on show while nothing else is to be done.
 #pragma once
 
-#include "core/jobs/Wanted.h"
+#include "core/jobs/desk/Wanted.h"
 #include "core/jobs/idle/Refinement.h"
 
 namespace taa {

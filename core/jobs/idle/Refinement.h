@@ -1,8 +1,8 @@
 // What is made of the frame on show little by little while nothing else is to be done, lane by lane.
 #pragma once
 
-#include "core/jobs/Job.h"
-#include "core/jobs/Transport.h"
+#include "core/jobs/desk/Job.h"
+#include "core/jobs/desk/Transport.h"
 #include "core/requests/Requests.h"
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // Times passes as they are drawn, and measures what each stage costs on the frame on show.
 #pragma once
 
-#include "core/jobs/Desk.h"
-#include "core/jobs/Job.h"
+#include "core/jobs/desk/Desk.h"
+#include "core/jobs/desk/Job.h"
 #include "core/requests/Requests.h"
 
 namespace taa {

@@ -1,8 +1,8 @@
 // Draws small pictures of the stages, and counts what the stages changed, where nothing else waits.
 #pragma once
 
-#include "core/jobs/Job.h"
-#include "core/jobs/Transport.h"
+#include "core/jobs/desk/Job.h"
+#include "core/jobs/desk/Transport.h"
 #include "core/jobs/idle/ThumbnailSchedule.h"
 #include "core/requests/Requests.h"
 

@@ -1,7 +1,7 @@
 // When the render thread may draw the next thumbnail: only where nothing else waits for it.
 #pragma once
 
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <glm/vec2.hpp>
 

@@ -2,9 +2,9 @@
 // demand, beside what is shown.
 #pragma once
 
-#include "core/jobs/Job.h"
-#include "core/jobs/Transport.h"
-#include "core/jobs/Wanted.h"
+#include "core/jobs/desk/Job.h"
+#include "core/jobs/desk/Transport.h"
+#include "core/jobs/desk/Wanted.h"
 #include "core/probe/PixelTrace.h"
 #include "core/replay/TraceCursor.h"
 #include "core/requests/Requests.h"

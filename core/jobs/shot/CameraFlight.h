@@ -1,7 +1,7 @@
 // The camera in somebody's hands: flown, recorded, put down.
 #pragma once
 
-#include "core/jobs/Transport.h"
+#include "core/jobs/desk/Transport.h"
 #include "core/jobs/shot/Goal.h"
 #include "core/requests/Requests.h"
 #include "core/scene/camera/FlightRecording.h"

@@ -1,8 +1,8 @@
 // Writes ranges of frames into files; everything else waits for it.
 #pragma once
 
-#include "core/jobs/Desk.h"
-#include "core/jobs/Job.h"
+#include "core/jobs/desk/Desk.h"
+#include "core/jobs/desk/Job.h"
 #include "core/requests/Requests.h"
 
 #include <optional>

@@ -1,8 +1,8 @@
 // Lets time go on: one frame after the other, in its turn.
 #pragma once
 
-#include "core/jobs/Job.h"
-#include "core/jobs/Transport.h"
+#include "core/jobs/desk/Job.h"
+#include "core/jobs/desk/Transport.h"
 #include "core/jobs/shot/CameraFlight.h"
 #include "core/jobs/shot/Goal.h"
 #include "core/requests/Requests.h"

@@ -1,8 +1,8 @@
 // Shows what a change of settings does before the whole picture is there, where that takes long.
 #pragma once
 
-#include "core/jobs/Desk.h"
-#include "core/jobs/Wanted.h"
+#include "core/jobs/desk/Desk.h"
+#include "core/jobs/desk/Wanted.h"
 #include "core/requests/Requests.h"
 
 #include <optional>

@@ -1,8 +1,8 @@
 // Goes to the frame that is wanted, and makes the frame on show exact.
 #pragma once
 
-#include "core/jobs/Job.h"
-#include "core/jobs/Transport.h"
+#include "core/jobs/desk/Job.h"
+#include "core/jobs/desk/Transport.h"
 #include "core/jobs/shot/CameraFlight.h"
 #include "core/jobs/shot/Goal.h"
 #include "core/requests/Requests.h"

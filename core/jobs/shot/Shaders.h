@@ -1,7 +1,7 @@
 // Shaders read anew from their folder.
 #pragma once
 
-#include "core/jobs/Desk.h"
+#include "core/jobs/desk/Desk.h"
 #include "core/requests/Requests.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 // What the frames are a function of: source, size, camera, settings, objects. Changed as requests say.
 #pragma once
 
-#include "core/jobs/Desk.h"
+#include "core/jobs/desk/Desk.h"
 #include "core/jobs/shot/CameraFlight.h"
 #include "core/jobs/shot/Goal.h"
 #include "core/jobs/shot/Previews.h"

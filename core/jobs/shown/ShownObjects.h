@@ -1,7 +1,7 @@
 // Delivers where wanted objects are seen on each frame that it rests at.
 #pragma once
 
-#include "core/jobs/Transport.h"
+#include "core/jobs/desk/Transport.h"
 #include "core/jobs/shot/Goal.h"
 #include "core/requests/Requests.h"
 

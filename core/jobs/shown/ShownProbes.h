@@ -1,8 +1,8 @@
 // Delivers what is at the probes of each frame on show.
 #pragma once
 
-#include "core/jobs/Desk.h"
-#include "core/jobs/Wanted.h"
+#include "core/jobs/desk/Desk.h"
+#include "core/jobs/desk/Wanted.h"
 #include "core/jobs/idle/PixelJudging.h"
 #include "core/jobs/idle/Traces.h"
 #include "core/requests/Requests.h"

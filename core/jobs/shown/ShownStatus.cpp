@@ -1,7 +1,7 @@
 #include "core/jobs/shown/ShownStatus.h"
 
 #include "core/render/CaptureFacts.h"
-#include "core/render/jitter/Jitter.h"
+#include "core/render/Jitter.h"
 
 #include <utility>
 

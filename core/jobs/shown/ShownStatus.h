@@ -1,8 +1,8 @@
 // Delivers the status whenever any of it has changed.
 #pragma once
 
-#include "core/jobs/Transport.h"
-#include "core/jobs/Wanted.h"
+#include "core/jobs/desk/Transport.h"
+#include "core/jobs/desk/Wanted.h"
 #include "core/jobs/shot/CameraFlight.h"
 #include "core/jobs/shot/Goal.h"
 #include "core/jobs/shot/ShotChanges.h"

@@ -1,8 +1,8 @@
 // Delivers the pictures of the views, both of their sides, whenever what they show or how has changed.
 #pragma once
 
-#include "core/jobs/Desk.h"
-#include "core/jobs/Wanted.h"
+#include "core/jobs/desk/Desk.h"
+#include "core/jobs/desk/Wanted.h"
 #include "core/requests/Requests.h"
 
 #include <cstdint>

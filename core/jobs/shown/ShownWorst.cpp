@@ -1,6 +1,6 @@
 #include "core/jobs/shown/ShownWorst.h"
 
-#include "core/inspect/verdicts/WorstOfShot.h"
+#include "core/inspect/WorstOfShot.h"
 
 #include <optional>
 #include <utility>

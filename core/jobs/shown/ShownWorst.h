@@ -2,8 +2,8 @@
 // by is made.
 #pragma once
 
-#include "core/jobs/Desk.h"
-#include "core/jobs/Wanted.h"
+#include "core/jobs/desk/Desk.h"
+#include "core/jobs/desk/Wanted.h"
 #include "core/requests/Requests.h"
 
 namespace taa {

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "core/base/Image.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>

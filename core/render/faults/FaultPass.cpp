@@ -1,6 +1,5 @@
 #include "core/render/faults/FaultPass.h"
 
-#include "core/render/SceneRenderer.h"
 #include "shaders/shared/FaultBlock.h"
 
 #include <glm/common.hpp>

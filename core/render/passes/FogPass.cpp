@@ -1,6 +1,6 @@
 #include "core/render/passes/FogPass.h"
 
-#include "core/render/SceneRenderer.h"
+#include "core/render/passes/SceneRenderer.h"
 
 #include <cassert>
 #include <string>

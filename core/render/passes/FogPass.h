@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/gl/RenderPass.h"
+#include "core/render/FogCones.h"
 #include "core/render/FrameInputs.h"
-#include "core/render/passes/FogCones.h"
 #include "core/render/passes/NoiseSource.h"
 
 #include <compare>

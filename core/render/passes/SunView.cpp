@@ -1,7 +1,7 @@
 #include "core/render/passes/SunView.h"
 
 #include "core/render/FrameRequest.h"
-#include "core/render/passes/Lights.h"
+#include "core/render/Lights.h"
 
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/trigonometric.hpp>

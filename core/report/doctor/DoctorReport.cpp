@@ -3,7 +3,7 @@
 #include "core/base/Say.h"
 #include "core/capture/source/Capture.h"
 #include "core/doctor/NumberText.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Parameters.h"
 
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/doctor/Diagnosis.h"
-#include "core/doctor/mending/MendedLook.h"
+#include "core/doctor/examination/MendedLook.h"
 
 #include <nlohmann/json_fwd.hpp>
 

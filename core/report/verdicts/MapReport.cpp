@@ -1,7 +1,7 @@
 #include "core/report/verdicts/MapReport.h"
 
 #include "core/inspect/Inspector.h"
-#include "core/inspect/verdicts/WorstOfShot.h"
+#include "core/inspect/WorstOfShot.h"
 #include "core/io/FrameJson.h"
 
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 
 #include "core/base/Progress.h"
 #include "core/report/ProbeReport.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 #include "core/verdict/parts/WorstPixels.h"
 
 #include <nlohmann/json_fwd.hpp>

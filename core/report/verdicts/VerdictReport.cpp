@@ -1,6 +1,6 @@
 #include "core/report/verdicts/VerdictReport.h"
 
-#include "core/inspect/verdicts/RemedyTrial.h"
+#include "core/inspect/RemedyTrial.h"
 #include "core/io/FrameJson.h"
 #include "core/story/StoryText.h"
 #include "core/verdict/parts/PartsRows.h"

@@ -1,7 +1,7 @@
 // The verdict on a pixel to hand on, as JSON and as text; the same figures in both.
 #pragma once
 
-#include "core/inspect/verdicts/VerdictOfShot.h"
+#include "core/inspect/VerdictOfShot.h"
 #include "core/report/ProbeReport.h"
 
 #include <nlohmann/json_fwd.hpp>

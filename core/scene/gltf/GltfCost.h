@@ -1,7 +1,7 @@
 // What the meshes of a glTF file will take, from the counts of its accessors: before any of them is read.
 #pragma once
 
-#include "core/scene/cost/SceneCost.h"
+#include "core/scene/SceneCost.h"
 
 namespace taa {
 

@@ -3,7 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/scene/Scene.h"
-#include "core/scene/cost/SceneCost.h"
+#include "core/scene/SceneCost.h"
 
 #include <filesystem>
 #include <string>

@@ -1,7 +1,7 @@
 // What no intermediate holds but formulas and plots of a pixel are made of.
 #pragma once
 
-#include "core/taa/twin/stages/Stages.h"
+#include "core/taa/twin/Stages.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

@@ -2,10 +2,10 @@
 #include "core/taa/twin/Twin.h"
 
 #include "core/taa/twin/Color.h"
+#include "core/taa/twin/CompareDepth.h"
 #include "core/taa/twin/Details.h"
-#include "core/taa/twin/stages/CompareDepth.h"
-#include "core/taa/twin/stages/Stages.h"
-#include "core/taa/twin/stages/Upsample.h"
+#include "core/taa/twin/Stages.h"
+#include "core/taa/twin/Upsample.h"
 
 #include <glm/vec3.hpp>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/settings/Settings.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 #include "core/taa/twin/Texels.h"
 
 #include <glm/vec2.hpp>

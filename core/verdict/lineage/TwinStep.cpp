@@ -2,8 +2,8 @@
 
 #include "core/taa/twin/Color.h"
 #include "core/taa/twin/Details.h"
-#include "core/taa/twin/stages/HistoryTaps.h"
-#include "core/taa/twin/stages/Stages.h"
+#include "core/taa/twin/HistoryTaps.h"
+#include "core/taa/twin/Stages.h"
 
 #include <glm/common.hpp>
 

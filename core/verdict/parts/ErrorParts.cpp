@@ -1,7 +1,7 @@
 #include "core/verdict/parts/ErrorParts.h"
 
 #include "core/base/Say.h"
-#include "core/taa/twin/stages/HistoryTaps.h"
+#include "core/taa/twin/HistoryTaps.h"
 
 #include <cassert>
 #include <cstddef>

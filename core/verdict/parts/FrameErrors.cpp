@@ -1,7 +1,7 @@
 #include "core/verdict/parts/FrameErrors.h"
 
 #include "core/probe/SurfaceSteps.h"
-#include "core/taa/twin/stages/HistoryTaps.h"
+#include "core/taa/twin/HistoryTaps.h"
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>

@@ -1,7 +1,7 @@
 #include "core/verdict/parts/VerdictMaps.h"
 
 #include "core/measure/Metrics.h"
-#include "core/taa/twin/stages/HistoryTaps.h"
+#include "core/taa/twin/HistoryTaps.h"
 #include "core/verdict/parts/FrameErrors.h"
 
 #include <glm/vec2.hpp>

@@ -1,7 +1,7 @@
 #include "core/verdict/pixel/Cures.h"
 
 #include "core/settings/Parameters.h"
-#include "core/taa/twin/stages/HistoryStages.h"
+#include "core/taa/twin/HistoryStages.h"
 
 #include <algorithm>
 #include <initializer_list>

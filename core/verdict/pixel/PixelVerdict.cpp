@@ -1,7 +1,7 @@
 #include "core/verdict/pixel/PixelVerdict.h"
 
 #include "core/base/Light.h"
-#include "core/render/jitter/Jitter.h"
+#include "core/render/Jitter.h"
 #include "core/verdict/pixel/OlderError.h"
 #include "core/verdict/pixel/SurfaceMoments.h"
 

@@ -4,7 +4,7 @@
 
 #include "core/settings/Settings.h"
 #include "core/settings/Stage.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 #include "core/verdict/parts/VerdictMaps.h"
 #include "core/verdict/pixel/PixelError.h"
 

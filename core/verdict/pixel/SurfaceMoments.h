@@ -1,8 +1,8 @@
 // What a surface's last moments say by themselves. No GL.
 #pragma once
 
-#include "core/taa/rows/Intermediates.h"
-#include "core/taa/twin/stages/HistoryStages.h"
+#include "core/taa/Intermediates.h"
+#include "core/taa/twin/HistoryStages.h"
 #include "core/verdict/pixel/Evidence.h"
 
 #include <glm/vec3.hpp>

@@ -1,7 +1,7 @@
 #include "core/verdict/pixel/VerdictText.h"
 
 #include "core/base/Say.h"
-#include "core/render/jitter/Jitter.h"
+#include "core/render/Jitter.h"
 #include "core/settings/Faults.h"
 #include "core/settings/Parameters.h"
 #include "core/story/StoryText.h"

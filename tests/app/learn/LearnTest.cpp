@@ -4,7 +4,7 @@
 #include "app/learn/Learning.h"
 #include "app/learn/LessonText.h"
 #include "app/learn/PartFrame.h"
-#include "app/menus/faults/FaultsMenu.h"
+#include "app/menus/FaultsMenu.h"
 #include "app/models/ProbeModel.h"
 #include "app/panels/ProbePanel.h"
 #include "app/panels/StatusLine.h"

@@ -4,7 +4,7 @@
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 #include "core/settings/Stage.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QAction>

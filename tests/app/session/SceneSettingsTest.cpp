@@ -1,7 +1,7 @@
 // Scenes are opened with the settings that show them, from wherever they are opened.
 #include "core/inspect/SceneSettings.h"
 #include "core/lessons/Lesson.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Parameters.h"
 #include "tests/app/WindowFixture.h"
 

@@ -6,7 +6,7 @@
 #include "app/views/plots/CurveChart.h"
 #include "app/views/plots/ScatterChart.h"
 #include "core/base/Error.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Presets.h"
 #include "tests/app/WindowFixture.h"
 

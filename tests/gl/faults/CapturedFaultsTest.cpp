@@ -1,9 +1,9 @@
 // Faults of a renderer's frames and of a capture of the same frames: the same bits, and none where there are
 // none.
 #include "core/capture/source/CaptureSource.h"
-#include "core/render/SceneRenderer.h"
 #include "core/render/faults/FaultySource.h"
-#include "core/scene/SceneSource.h"
+#include "core/render/passes/SceneRenderer.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Faults.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/capture/CapturedShot.h"

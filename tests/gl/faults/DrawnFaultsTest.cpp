@@ -1,8 +1,8 @@
 // Faults of what is drawn, on built-in scenes: color and depth are those that the renderer alone draws with
 // the jitter that each fault says.
-#include "core/render/SceneRenderer.h"
 #include "core/render/faults/FaultySource.h"
-#include "core/scene/SceneSource.h"
+#include "core/render/passes/SceneRenderer.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Faults.h"
 #include "tests/support/GlTest.h"
 

@@ -1,7 +1,7 @@
 // Many objects of one small mesh are drawn by few calls, and no bit of the inputs tells of it: the same as
 // from meshes of their own, of which each is drawn by itself.
-#include "core/render/SceneRenderer.h"
-#include "core/render/passes/draws/DrawCalls.h"
+#include "core/render/passes/DrawCalls.h"
+#include "core/render/passes/SceneRenderer.h"
 #include "core/scene/Pose.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/frames/SmallScene.h"

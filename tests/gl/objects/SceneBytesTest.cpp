@@ -1,8 +1,8 @@
 // What a scene is said to take is what its meshes and textures are given.
 #include "core/gl/Memory.h"
 #include "core/render/SceneResources.h"
-#include "core/scene/SceneSource.h"
-#include "core/scene/cost/SceneCost.h"
+#include "core/scene/SceneCost.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/GlTest.h"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Shaded colors that are clipped before anything is averaged (manual 1.2).
-#include "core/render/SceneRenderer.h"
 #include "core/render/passes/NoisePass.h"
-#include "core/scene/SceneSource.h"
+#include "core/render/passes/SceneRenderer.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/CompareImages.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/frames/SmallScene.h"

@@ -1,7 +1,7 @@
 // Fog in beams against the geometry of the cones: the integral, the steps, the noise and its history
 // (manual 20.4, 20.5; source 001, "improving banding").
 #include "core/measure/References.h"
-#include "core/render/SceneRenderer.h"
+#include "core/render/passes/SceneRenderer.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/frames/FogTruth.h"
 #include "tests/support/frames/SmallScene.h"

@@ -1,6 +1,6 @@
 // Shadows of the sun against the geometry of rays: what stops a ray from a wall to the sun's disk.
 #include "core/measure/References.h"
-#include "core/render/SceneRenderer.h"
+#include "core/render/passes/SceneRenderer.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/frames/FogTruth.h"
 #include "tests/support/frames/SmallScene.h"

@@ -2,10 +2,10 @@
 #include "tests/support/Batch.h"
 #include "core/base/Files.h"
 #include "core/io/FrameFile.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/Paths.h"
 

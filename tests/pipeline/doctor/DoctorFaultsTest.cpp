@@ -1,6 +1,6 @@
 // The doctor names faults that are injected into frames that are really drawn: a part of the table of
 // confusions that takes seconds.
-#include "core/doctor/Doctor.h"
+#include "core/doctor/examination/Doctor.h"
 
 #include "core/settings/Faults.h"
 #include "tests/support/GlTest.h"

@@ -1,7 +1,7 @@
 // The doctor on frames that are really drawn, and on those of other engines: no false alarm on healthy ones.
-#include "core/doctor/Doctor.h"
+#include "core/doctor/examination/Doctor.h"
 
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/GlTest.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // The doctor on the shot of a session, on a thread of its own.
-#include "core/inspect/doctor/ExaminedShot.h"
+#include "core/inspect/ExaminedShot.h"
 
 #include "core/base/Error.h"
 #include "tests/support/GlTest.h"

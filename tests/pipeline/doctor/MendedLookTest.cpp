@@ -1,7 +1,7 @@
 // Frames with what was found made right: nothing is found in them, and they are nearer to the reference.
-#include "core/doctor/mending/MendedLook.h"
+#include "core/doctor/examination/MendedLook.h"
 
-#include "core/doctor/Doctor.h"
+#include "core/doctor/examination/Doctor.h"
 #include "core/settings/Faults.h"
 #include "core/settings/Parameters.h"
 #include "tests/support/GlTest.h"

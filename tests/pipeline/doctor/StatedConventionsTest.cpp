@@ -2,7 +2,7 @@
 // wrong, and nothing else.
 #include "core/base/Files.h"
 #include "core/capture/format/Manifest.h"
-#include "core/doctor/Doctor.h"
+#include "core/doctor/examination/Doctor.h"
 #include "core/doctor/source/StatedMotion.h"
 #include "core/inspect/Inspector.h"
 #include "core/report/CaptureExport.h"

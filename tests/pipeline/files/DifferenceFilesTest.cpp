@@ -3,7 +3,7 @@
 #include "core/io/FrameFile.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/Paths.h"
 #include "tests/support/Process.h"

@@ -4,7 +4,7 @@
 #include "core/gl/Memory.h"
 #include "core/inspect/Inspector.h"
 #include "core/settings/Parameters.h"
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/Paths.h"
 

@@ -5,7 +5,7 @@
 #include "core/base/Files.h"
 #include "core/io/FrameFile.h"
 #include "core/io/GifFile.h"
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 #include "tests/support/Paths.h"
 #include "tests/support/SmallInspector.h"
 

@@ -1,7 +1,7 @@
 // A still picture accumulates to the mean of its jittered frames (invariants 47, 48).
-#include "core/render/SceneRenderer.h"
-#include "core/render/jitter/ReferencePoints.h"
-#include "core/scene/SceneSource.h"
+#include "core/render/ReferencePoints.h"
+#include "core/render/passes/SceneRenderer.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Presets.h"
 #include "tests/support/CompareImages.h"
 #include "tests/support/GlTest.h"

@@ -1,7 +1,7 @@
 // Flicker of frames of a scene: a function of the last frames however they were reached, that changes
 // nothing.
 #include "core/base/Error.h"
-#include "core/inspect/overtime/MetricCursor.h"
+#include "core/inspect/MetricCursor.h"
 #include "core/measure/Flicker.h"
 #include "core/measure/compare/GhostEnergy.h"
 #include "core/taa/twin/Known.h"

@@ -1,7 +1,7 @@
 // Rejection by object, class, normal and velocity on drawn frames, and on history that was kept without them.
 #include "core/base/Error.h"
 #include "core/inspect/Inspector.h"
-#include "core/render/SceneRenderer.h"
+#include "core/render/passes/SceneRenderer.h"
 #include "core/scene/SceneOutline.h"
 #include "core/settings/Presets.h"
 #include "tests/support/CompareImages.h"

@@ -4,7 +4,7 @@
 #include "tests/support/GlTest.h"
 #include "tests/support/frames/Frames.h"
 
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Presets.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Motion of every pixel of a frame, jitter included, against closed forms in double precision (invariants 11
 // to 13, 15); tests/gl/MotionTest.cpp holds the renderer to them case by case.
-#include "core/render/SceneRenderer.h"
+#include "core/render/passes/SceneRenderer.h"
 
 #include "tests/support/GlTest.h"
 #include "tests/support/frames/SmallScene.h"

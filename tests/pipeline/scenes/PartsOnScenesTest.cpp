@@ -1,6 +1,6 @@
 // Parts of the error of frames of a scene: a function of the last frames however they were reached, which sum
 // up to the error and have the causes that the scene gives them.
-#include "core/inspect/overtime/MetricCursor.h"
+#include "core/inspect/MetricCursor.h"
 #include "core/taa/twin/Color.h"
 #include "core/verdict/parts/VerdictMaps.h"
 #include "tests/support/SmallInspector.h"

@@ -5,7 +5,7 @@
 #include "tests/support/frames/Frames.h"
 
 #include "core/base/Half.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 

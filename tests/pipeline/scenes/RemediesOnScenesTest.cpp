@@ -1,7 +1,7 @@
 // What is said of remedies: the figures of the present settings are those of the metrics, and those of a
 // remedy what the program shows with it.
-#include "core/inspect/overtime/MetricCursor.h"
-#include "core/inspect/verdicts/RemedyTrial.h"
+#include "core/inspect/MetricCursor.h"
+#include "core/inspect/RemedyTrial.h"
 #include "core/settings/Faults.h"
 #include "tests/support/SmallInspector.h"
 

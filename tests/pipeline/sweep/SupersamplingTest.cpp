@@ -1,6 +1,6 @@
 // The line that convergence is seen beside: how far off as many samples are as there were frames since
 // history started.
-#include "core/inspect/overtime/MetricCursor.h"
+#include "core/inspect/MetricCursor.h"
 #include "core/measure/Metrics.h"
 #include "tests/support/SmallInspector.h"
 

@@ -3,7 +3,7 @@
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 #include "core/sweep/tune/ShotTune.h"
-#include "core/taa/glsl/GlslExport.h"
+#include "core/taa/GlslExport.h"
 #include "tests/support/Batch.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/Paths.h"

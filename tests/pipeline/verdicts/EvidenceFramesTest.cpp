@@ -1,5 +1,5 @@
 // What verdicts are made from is the same, bit for bit, drawn around a pixel's past and drawn whole.
-#include "core/inspect/verdicts/EvidenceFrames.h"
+#include "core/inspect/EvidenceFrames.h"
 
 #include "core/measure/References.h"
 #include "core/verdict/lineage/TwinStep.h"

@@ -1,6 +1,6 @@
 // Lineages of a shot's pixels: the response that the GPU's resolve has to an impulse, and the same figures
 // however the frames are reached.
-#include "core/inspect/verdicts/LineageOfShot.h"
+#include "core/inspect/LineageOfShot.h"
 
 #include "core/base/Error.h"
 #include "core/io/FrameJson.h"

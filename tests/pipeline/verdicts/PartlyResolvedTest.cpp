@@ -1,5 +1,5 @@
 // Frames that are resolved around some pixels only hold there what whole frames hold, bit for bit.
-#include "core/inspect/verdicts/PartlyResolved.h"
+#include "core/inspect/PartlyResolved.h"
 
 #include "core/settings/Parameters.h"
 #include "tests/support/GlTest.h"

@@ -2,7 +2,7 @@
 #include "tests/manual/VerdictLabels.h"
 #include "core/base/Files.h"
 #include "core/inspect/Inspector.h"
-#include "core/inspect/verdicts/RemedyTrial.h"
+#include "core/inspect/RemedyTrial.h"
 #include "core/measure/Metrics.h"
 #include "core/settings/Lanes.h"
 #include "core/settings/Presets.h"

@@ -3,7 +3,7 @@
 #include "core/base/Files.h"
 #include "core/capture/planes/Planes.h"
 #include "core/render/FrameClock.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include "core/capture/decode/DecodedFrame.h"
 #include "core/capture/format/Manifest.h"
-#include "core/render/SceneRenderer.h"
+#include "core/render/passes/SceneRenderer.h"
 #include "core/scene/Scene.h"
 
 #include <glm/vec2.hpp>

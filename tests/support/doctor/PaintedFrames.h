@@ -2,7 +2,7 @@
 // a board that moves before it, and a plain sky.
 #pragma once
 
-#include "core/doctor/Doctor.h"
+#include "core/doctor/examination/Doctor.h"
 
 #include <glm/vec2.hpp>
 

@@ -2,7 +2,7 @@
 #include "tests/support/frames/Frames.h"
 
 #include "core/probe/TwinInputs.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/CompareImages.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Frames of a scene resolved one after another, and what the CPU twin says of them.
 #pragma once
 
-#include "core/render/SceneRenderer.h"
+#include "core/render/passes/SceneRenderer.h"
 #include "core/taa/TaaPass.h"
 #include "core/taa/twin/Twin.h"
 

@@ -1,7 +1,7 @@
 // A fixture that draws small scenes by their camera and looks at their motion.
 #pragma once
 
-#include "core/render/SceneRenderer.h"
+#include "core/render/passes/SceneRenderer.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/frames/SmallScene.h"
 

@@ -1,8 +1,6 @@
 // Hand-made inputs and history of the resolve.
 #include "tests/support/frames/SyntheticFrame.h"
 
-#include "core/render/SceneRenderer.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>

@@ -1,7 +1,7 @@
 // Hand-made inputs of the CPU twin.
 #include "tests/support/frames/TwinInputs.h"
 
-#include "core/taa/twin/stages/Stages.h"
+#include "core/taa/twin/Stages.h"
 
 #include <array>
 #include <cstddef>

@@ -1,9 +1,9 @@
 // A small picture of a scene as verdicts are made of it.
 #pragma once
 
-#include "core/render/SceneRenderer.h"
+#include "core/render/passes/SceneRenderer.h"
 #include "core/replay/ShotPlayer.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Presets.h"
 
 #include <glm/vec2.hpp>

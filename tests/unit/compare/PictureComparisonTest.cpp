@@ -1,5 +1,5 @@
 // What is made of two pictures, and that a part of a map is that of the whole.
-#include "core/measure/compare/PictureComparison.h"
+#include "core/measure/PictureComparison.h"
 
 #include "core/base/Error.h"
 #include "core/measure/compare/Flip.h"

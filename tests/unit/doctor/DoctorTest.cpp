@@ -1,5 +1,5 @@
 // The doctor on painted frames: nothing where nothing is wrong, and each fault by its name, in its region.
-#include "core/doctor/Doctor.h"
+#include "core/doctor/examination/Doctor.h"
 
 #include "core/base/Error.h"
 #include "tests/support/doctor/PaintedFrames.h"

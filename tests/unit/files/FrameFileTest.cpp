@@ -3,7 +3,7 @@
 
 #include "core/base/Files.h"
 #include "core/settings/Parameters.h"
-#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/ChannelNames.h"
 #include "tests/support/ErrorOf.h"
 #include "tests/support/Paths.h"
 

@@ -1,7 +1,7 @@
 // JSON of somebody else's: what it may cost, and what is said of it.
 #include "core/base/json/LimitedJson.h"
 #include "core/io/SessionFile.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/ErrorOf.h"
 #include "tests/support/frames/GltfSample.h"
 

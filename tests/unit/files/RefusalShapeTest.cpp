@@ -6,7 +6,7 @@
 #include "core/io/CameraTrackJson.h"
 #include "core/io/SessionFile.h"
 #include "core/report/doctor/DoctorBaseline.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Presets.h"
 #include "core/sweep/SweepSpec.h"
 #include "tests/support/Paths.h"

@@ -2,7 +2,7 @@
 #include "core/report/ReferencePage.h"
 
 #include "core/settings/Parameters.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "core/base/Error.h"
 #include "core/scene/MotionMode.h"
 #include "core/scene/Pose.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // builtin:crowd is as large as it says.
 #include "core/scene/ObjectClass.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "core/scene/DeformBounds.h"
 
 #include "core/scene/Deform.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 
 #include <glm/vector_relational.hpp>
 #include <gtest/gtest.h>

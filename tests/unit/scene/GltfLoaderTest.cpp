@@ -2,7 +2,7 @@
 #include "core/base/Progress.h"
 #include "core/scene/Deform.h"
 #include "core/scene/Pose.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/ErrorOf.h"
 #include "tests/support/Paths.h"
 #include "tests/support/frames/GltfSample.h"

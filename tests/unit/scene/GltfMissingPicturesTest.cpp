@@ -1,6 +1,6 @@
 // Tests of glTF files whose pictures are not there or damaged: geometry comes without them, and the user is
 // told.
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/Paths.h"
 #include "tests/support/frames/GltfSample.h"
 

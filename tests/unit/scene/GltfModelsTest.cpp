@@ -1,8 +1,8 @@
 // Tests that every model of the shared data opens with what is in it, or is refused with the right sentence.
 #include "core/base/Error.h"
 #include "core/scene/Pose.h"
-#include "core/scene/SceneSource.h"
 #include "core/scene/ShotChoice.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/scene/gltf/GltfLoader.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Tests of opening spoiled glTF files: the sentence for each way they can be wrong.
 #include "core/base/Error.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/Paths.h"
 #include "tests/support/frames/GltfSample.h"
 

@@ -1,6 +1,6 @@
 // A model that brings neither light nor camera stands on a ground, and its shadow with it.
 #include "core/scene/builtin/Ground.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/frames/GltfSample.h"
 
 #include <gtest/gtest.h>

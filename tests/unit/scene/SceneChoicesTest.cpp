@@ -1,12 +1,12 @@
 // Flown cameras and hidden objects as data: no GL.
 #include "core/base/Error.h"
 #include "core/io/CameraTrackJson.h"
-#include "core/render/SceneRenderer.h"
+#include "core/render/FrameRequest.h"
 #include "core/render/View.h"
 #include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
 #include "core/scene/SceneOutline.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/ErrorOf.h"
 #include "tests/support/frames/GltfSample.h"
 

@@ -1,10 +1,10 @@
 // Tests of what a scene asks for: counted by hand, the same from a file's counts as from the scene it
 // becomes, and refused beyond a budget.
-#include "core/scene/cost/SceneCost.h"
+#include "core/scene/SceneCost.h"
 
 #include "core/base/Error.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/Paths.h"
 #include "tests/support/frames/GltfSample.h"
 

@@ -3,7 +3,7 @@
 
 #include "core/scene/Pose.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "tests/support/ErrorOf.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // The words that papers and engines have for what is here find the setting or the intermediate that is about
 // it.
-#include "core/taa/rows/SearchedRows.h"
+#include "core/taa/SearchedRows.h"
 
 #include <gtest/gtest.h>
 

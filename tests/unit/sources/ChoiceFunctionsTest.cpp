@@ -2,7 +2,7 @@
 #include "tests/manual/ChoiceFunctions.h"
 #include "core/base/Files.h"
 #include "core/settings/Parameters.h"
-#include "core/taa/glsl/GlslExport.h"
+#include "core/taa/GlslExport.h"
 
 #include <gtest/gtest.h>
 

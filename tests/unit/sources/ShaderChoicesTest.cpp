@@ -42,7 +42,7 @@ const std::set<std::string>& choicesThatNoShaderNames() {
       "kBlendTone_maxChannel",
       "kBlendRestart_filtered",
       "kBlendLength_variance",
-      // Their nine weights come from core/taa/rows/CurrentWeights.cpp, where the compiler asks for each.
+      // Their nine weights come from core/taa/CurrentWeights.cpp, where the compiler asks for each.
       "kCurrentFilter_gaussian",
       "kCurrentFilter_tent",
       "kCurrentFilter_box",

@@ -1,6 +1,6 @@
 // What single techniques do to hand-made pixels, set as the table of techniques names them, and predicted
 // from the formulas of the manual. TechniquesTest lists which test shows which row.
-#include "core/render/jitter/Jitter.h"
+#include "core/render/Jitter.h"
 #include "core/settings/Parameters.h"
 #include "tests/support/frames/TwinInputs.h"
 

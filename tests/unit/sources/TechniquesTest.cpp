@@ -5,7 +5,7 @@
 #include "core/base/Error.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
-#include "core/taa/rows/Intermediates.h"
+#include "core/taa/Intermediates.h"
 #include "tests/support/TestNames.h"
 #include "tests/unit/sources/TechniqueEffects.h"
 

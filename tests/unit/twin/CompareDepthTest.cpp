@@ -1,6 +1,6 @@
 // Depth of now against that of history: where it is looked for, what a slope is, and thin features at rest
 // (manual 12.1, 13.9). All predicted from the geometry that the pictures are made of.
-#include "core/taa/twin/stages/CompareDepth.h"
+#include "core/taa/twin/CompareDepth.h"
 #include "core/settings/Settings.h"
 #include "core/taa/twin/Twin.h"
 #include "tests/support/frames/TwinInputs.h"

@@ -1,8 +1,8 @@
 // Texels that a filter of history adds up, against the filter itself.
-#include "core/taa/twin/stages/HistoryTaps.h"
+#include "core/taa/twin/HistoryTaps.h"
 
 #include "core/settings/Parameters.h"
-#include "core/taa/twin/stages/Stages.h"
+#include "core/taa/twin/Stages.h"
 #include "tests/support/frames/TwinInputs.h"
 
 #include <gtest/gtest.h>

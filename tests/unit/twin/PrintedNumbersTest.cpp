@@ -2,7 +2,7 @@
 // every number here was computed by hand from the printed formula.
 #include "tests/support/frames/TwinInputs.h"
 
-#include "core/taa/twin/stages/Stages.h"
+#include "core/taa/twin/Stages.h"
 
 #include <gtest/gtest.h>
 

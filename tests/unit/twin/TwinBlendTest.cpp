@@ -2,7 +2,7 @@
 #include "tests/support/frames/TwinInputs.h"
 
 #include "core/taa/twin/Color.h"
-#include "core/taa/twin/stages/Stages.h"
+#include "core/taa/twin/Stages.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The current filter of the CPU twin (invariants 31, 33).
 #include "tests/support/frames/TwinInputs.h"
 
-#include "core/taa/twin/stages/Stages.h"
+#include "core/taa/twin/Stages.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // History filters of the CPU twin (invariants 26, 28 to 30).
 #include "tests/support/frames/TwinInputs.h"
 
-#include "core/taa/twin/stages/Stages.h"
+#include "core/taa/twin/Stages.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What the masks of special content do (manual 10.10, 13.18, 21.4, 21.5).
-#include "core/taa/twin/stages/Stages.h"
+#include "core/taa/twin/Stages.h"
 #include "tests/support/frames/TwinInputs.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Dilation and reprojection of the CPU twin (invariants 20, 21, 23, 25).
 #include "tests/support/frames/TwinInputs.h"
 
-#include "core/taa/twin/stages/Stages.h"
+#include "core/taa/twin/Stages.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The twin's upsampling against numbers worked out by hand (manual §22).
-#include "core/taa/twin/stages/Upsample.h"
+#include "core/taa/twin/Upsample.h"
 
-#include "core/render/SceneRenderer.h"
-#include "core/taa/twin/stages/Stages.h"
+#include "core/render/FrameInputs.h"
+#include "core/taa/twin/Stages.h"
 #include "tests/support/frames/TwinInputs.h"
 
 #include <gtest/gtest.h>

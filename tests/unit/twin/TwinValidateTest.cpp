@@ -1,7 +1,7 @@
 // Validation and α of the CPU twin (manual 5.1, 12.1, 13.1, 13.3).
 #include "tests/support/frames/TwinInputs.h"
 
-#include "core/taa/twin/stages/Stages.h"
+#include "core/taa/twin/Stages.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "core/verdict/parts/ErrorParts.h"
 
 #include "core/probe/SurfaceSteps.h"
-#include "core/taa/twin/stages/HistoryTaps.h"
+#include "core/taa/twin/HistoryTaps.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "tests/manual/VerdictLabels.h"
 
 #include "core/base/Files.h"
-#include "core/scene/SceneSource.h"
+#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Presets.h"
 #include "tests/manual/Confusions.h"
 #include "tests/support/ErrorOf.h"

@@ -2,7 +2,7 @@
 // shines on a part.
 #include "core/doctor/color/BrightnessSteps.h"
 
-#include "core/doctor/Doctor.h"
+#include "core/doctor/examination/Doctor.h"
 #include "tests/support/doctor/PaintedFrames.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // What is wrong with pictures is told in its order, and what an interface covers is no witness.
 #include "core/doctor/color/ColorCheck.h"
 
-#include "core/doctor/Doctor.h"
+#include "core/doctor/examination/Doctor.h"
 #include "tests/support/doctor/PaintedFrames.h"
 #include "tests/support/doctor/PaintedInterface.h"
 

@@ -2,7 +2,7 @@
 // other, do not.
 #include "core/doctor/color/CoplanarFlips.h"
 
-#include "core/doctor/Doctor.h"
+#include "core/doctor/examination/Doctor.h"
 #include "tests/support/doctor/PaintedFrames.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // What the doctor found of presets as engines (tests/manual/doctor.csv) is what their settings say that
 // they do: nothing else is, and nothing at all of presets that do nothing of the kind.
-#include "core/render/jitter/Jitter.h"
+#include "core/render/Jitter.h"
 #include "core/settings/Presets.h"
 #include "tests/manual/DoctorCases.h"
 

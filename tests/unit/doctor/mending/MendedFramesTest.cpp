@@ -1,5 +1,5 @@
 // Frames with something made right, pixel by pixel.
-#include "core/doctor/mending/MendedFrames.h"
+#include "core/doctor/examination/MendedFrames.h"
 
 #include "tests/support/doctor/PaintedFrames.h"
 

@@ -1,5 +1,5 @@
 // Which settings make frames right: faults are taken back, other mistakes undone.
-#include "core/doctor/mending/Mending.h"
+#include "core/doctor/Mending.h"
 
 #include "core/settings/Faults.h"
 #include "core/settings/Parameters.h"

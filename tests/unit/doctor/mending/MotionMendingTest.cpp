@@ -1,5 +1,5 @@
 // Settings that undo what is wrong with motion: the formula of each undoes that of the explanation.
-#include "core/doctor/mending/MotionMending.h"
+#include "core/doctor/motion/MotionMending.h"
 
 #include "core/settings/Parameters.h"
 

@@ -1,5 +1,5 @@
 // A frame whose motion alone is too long, and one that truly jumped: on evidence made by hand.
-#include "core/doctor/motion/findings/MotionJumps.h"
+#include "core/doctor/motion/MotionJumps.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Marks that are taken for motion, and motion that is taken for a mark: on evidence made by hand.
 #include "core/doctor/motion/MotionMarks.h"
 
-#include "core/doctor/Doctor.h"
+#include "core/doctor/examination/Doctor.h"
 #include "core/render/FrameInputs.h"
 #include "tests/support/doctor/PaintedFrames.h"
 

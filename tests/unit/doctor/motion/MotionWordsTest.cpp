@@ -1,5 +1,5 @@
 // Motion as an engine writes it, and what findings are called.
-#include "core/doctor/motion/findings/MotionWords.h"
+#include "core/doctor/motion/MotionWords.h"
 
 #include "core/settings/Faults.h"
 

@@ -1,0 +1,131 @@
+#include "core/doctor/Mending.h"
+
+#include "core/render/faults/FaultPass.h"
+#include "core/settings/Faults.h"
+#include "core/settings/Parameters.h"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+#include <utility>
+
+namespace taa::doctor {
+
+namespace {
+
+/// Of all pixels: what is wrong with so many is taken to be wrong everywhere, where the rest says nothing.
+constexpr double kMostOfPicture = 0.5;
+
+/// The part of the table that a finding is of; those that no fault of the table makes begin with its name.
+std::optional<FaultPart> partOf(const Finding& finding) {
+  const auto row = std::ranges::find(faultTable(), std::string_view(finding.id), &FaultInfo::id);
+  if (row != faultTable().end()) return row->part;
+  const std::pair<std::string_view, FaultPart> beginnings[] = {
+      {"jitter", FaultPart::Jitter}, {"motion", FaultPart::Motion}, {"depth", FaultPart::Depth}};
+  for (const auto& [beginning, part] : beginnings)
+    if (finding.id.starts_with(beginning)) return part;
+  return {};
+}
+
+/// Where and when planes are faulty.
+void copyPlace(const FaultSettings& from, FaultSettings& to) {
+  to.region = from.region;
+  to.object = from.object;
+  to.left = from.left;
+  to.top = from.top;
+  to.right = from.right;
+  to.bottom = from.bottom;
+  to.firstFrame = from.firstFrame;
+  to.lastFrame = from.lastFrame;
+}
+
+bool isSamePlace(const FaultSettings& a, const FaultSettings& b) {
+  FaultSettings moved = a;
+  copyPlace(b, moved);
+  return moved == a;
+}
+
+bool changesPlane(const FaultSettings& faults) {
+  return changesMotion(faults) || changesDepth(faults) || changesColor(faults);
+}
+
+/// Takes back what is injected of a part. False: nothing was.
+bool takeBack(FaultPart part, const Settings& healthy, Settings& settings) {
+  const Settings before = settings;
+  for (const FaultInfo& info : faultTable()) {
+    if (info.part != part) continue;
+    const bool isAdded = isInjected(info.fault, before) && !isInjected(info.fault, healthy);
+    // Of the group any strength is one; a technique's choice may be meant.
+    if (isAdded || isOfFaults(std::string(info.assignments))) withdraw(info.fault, healthy, settings);
+  }
+  if (isFaulty(settings))
+    copyPlace(before.fault, settings.fault);
+  else
+    copyPlace(healthy.fault, settings.fault);
+  return !differences(settings, before).empty();
+}
+
+/// Whether a row of `settings` only says where or when.
+bool saysPlace(const Parameter& row, const Settings& settings) {
+  Settings one;
+  row.set(one, row.get(settings));
+  copyPlace(FaultSettings{}, one.fault);
+  return one == Settings{};
+}
+
+/// Adds what makes a finding right. False, and nothing is added: it says nothing, or excludes what is set.
+bool addMending(const std::vector<std::string>& mending, Settings& settings) {
+  if (mending.empty()) return false;
+  Settings alone;
+  for (const std::string& assignment : mending) applyAssignment(alone, assignment);
+  Settings both = settings;
+  for (const std::string& assignment : mending) {
+    const Parameter& row = parameter(assignment.substr(0, assignment.find('=')));
+    if (saysPlace(row, alone)) continue;
+    if (row.get(settings) != row.defaultValue() && row.get(settings) != row.get(alone)) return false;
+    row.set(both, row.get(alone));
+  }
+  const bool isOfPlanes = changesPlane(alone.fault);
+  if (isOfPlanes && changesPlane(settings.fault) && !isSamePlace(settings.fault, alone.fault)) return false;
+  if (isOfPlanes) copyPlace(alone.fault, both.fault);
+  settings = both;
+  return true;
+}
+
+} // namespace
+
+std::optional<std::vector<std::string>> placeSettings(const Finding& finding) {
+  double share = 0.0;
+  for (const RegionPlace& region : finding.regions) share += region.share;
+  if (finding.isWholePicture || finding.regions.empty() || share >= kMostOfPicture)
+    return std::vector<std::string>();
+  const RegionPlace& largest = finding.regions.front();
+  if (largest.isSky) return std::vector<std::string>{"fault.region=sky"};
+  if (largest.objectId == 0) return {};
+  return std::vector<std::string>{"fault.region=object", "fault.object=" + std::to_string(largest.objectId)};
+}
+
+void mendBy(const std::vector<std::string>& assignments, Finding& finding) {
+  const auto place = placeSettings(finding);
+  if (assignments.empty() || !place) return;
+  finding.mending = assignments;
+  finding.mending.insert(finding.mending.end(), place->begin(), place->end());
+}
+
+void mendEverywhereBy(const std::vector<std::string>& assignments, Finding& finding) {
+  finding.mending = assignments;
+}
+
+Mended mended(const std::vector<Finding>& findings, const Settings& settings, const Settings& healthy) {
+  Mended out{settings, {}};
+  std::map<FaultPart, bool> takenBack; ///< of parts that were come to: whether something of them was injected
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    const auto part = partOf(findings[i]);
+    if (!part) continue;
+    if (!takenBack.contains(*part)) takenBack[*part] = takeBack(*part, healthy, out.settings);
+    if (takenBack[*part] || addMending(findings[i].mending, out.settings)) out.findings.push_back(i);
+  }
+  return out;
+}
+
+} // namespace taa::doctor

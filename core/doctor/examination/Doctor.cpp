@@ -1,0 +1,338 @@
+#include "core/doctor/examination/Doctor.h"
+
+#include "core/base/Say.h"
+#include "core/doctor/color/ColorCheck.h"
+#include "core/doctor/depth/DepthCheck.h"
+#include "core/doctor/examination/Examiner.h"
+#include "core/doctor/examination/MendedFrames.h"
+#include "core/doctor/examination/Withholding.h"
+#include "core/doctor/jitter/JitterCheck.h"
+#include "core/doctor/motion/MotionFindings.h"
+#include "core/doctor/motion/MotionRims.h"
+#include "core/doctor/resolve/ResolveFindings.h"
+#include "core/doctor/source/OtherConventions.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace taa::doctor {
+
+namespace {
+
+Patient sizedPatient(const Examination& examination) {
+  Patient patient = examination.patient;
+  if (patient.sizePx.x == 0) patient.sizePx = examination.read(examination.first).sizePx();
+  if (patient.outputPx.x == 0) patient.outputPx = patient.sizePx;
+  return patient;
+}
+
+/// Whether a finding is of so much of the picture that motion is no witness of anything else, or of a camera
+/// that looks like another depth.
+bool spoilsDepth(const Finding& finding) {
+  if (finding.id == faultInfo(Fault::CameraOfSecondView).id) return true;
+  constexpr double kMuch = 0.3;
+  double share = 0.0;
+  for (const RegionPlace& region : finding.regions) share += region.share;
+  return finding.isWholePicture || share >= kMuch;
+}
+
+/// Marks that are taken for motion, or the other way around, whatever else is wrong with it.
+bool isOfMarks(const Finding& finding) {
+  return finding.id == faultInfo(Fault::MotionUnwritten).id ||
+         finding.id == faultInfo(Fault::ZeroTakenAsMissing).id;
+}
+
+/// What has to be made right before the rest can be told of; at most one of them.
+struct Hiding {
+  bool allDepth = false; ///< it says nothing
+  bool flipped = false;  ///< matrices are upside down
+  std::optional<DepthRelation> depth;
+  JitterMender jitter;
+  std::optional<MotionTrial> motion;
+  bool isOfRange = false; ///< motion is: what else is wrong with it is still to be told
+
+  bool isAny() const { return allDepth || flipped || depth || jitter || motion; }
+};
+
+/// What an earlier look told of.
+struct ToldOf {
+  bool depth = false, jitter = false, motion = false;
+  bool near = false; ///< whether the planes that are stated are right was asked
+  bool isNearWrong = false;
+  bool flipped = false;
+  /// By what motion is multiplied that was longer than the picture, or shorter than a pixel.
+  std::optional<MotionTrial> unit;
+  std::optional<std::size_t> guessedUnit; ///< the finding that tells it by index; none: it was fitted
+  bool interface = false;                 ///< what it covers is no witness any more
+  bool isJitterOpen = false;
+  bool allDepth = false;                  ///< depth is not looked at any more, nor are cameras
+  std::vector<std::string> ofMotion = {}; ///< ids of what was found beside motion that was mended
+
+  /// What is mended next.
+  void add(const Hiding& hiding) {
+    depth = depth || hiding.depth || hiding.allDepth;
+    allDepth = allDepth || hiding.allDepth;
+    flipped = flipped || hiding.flipped;
+    const bool isMotionTold = hiding.motion && !hiding.isOfRange;
+    jitter = jitter || hiding.jitter || isMotionTold; // which is told beside jitter
+    motion = motion || isMotionTold;
+  }
+};
+
+/// Says what is hidden where it is not looked at again.
+void leaveOpen(const Hiding& hiding, Diagnosis& out) {
+  if (hiding.flipped)
+    out.parts.leaveOpen({say<"Jitter and motion">(),
+                         say<"matrices are upside down, by which they are examined">(),
+                         say<"Mend the matrices first.">()});
+  if (hiding.depth || hiding.allDepth)
+    out.parts.leaveOpen({say<"Jitter and motion">(),
+                         say<"depth is not what it is said to be, by which they are examined">(),
+                         say<"Mend depth first.">()});
+  if (hiding.motion)
+    out.parts.leaveOpen({say<"Depth">(), say<"motion is wrong, which says at which depth things rest">(),
+                         say<"Mend motion first.">()});
+}
+
+/// Motion that was longer than the picture was taken to be in texture coordinates: where the rest is by twice
+/// or half of it, the unit is told anew. False: it is something else.
+bool correctUnit(const MotionTrial& rest, ToldOf& told, Diagnosis& out) {
+  const bool isOfUnit = told.guessedUnit && rest.kind == MotionKind::Scaled &&
+                        (rest.factor == glm::vec2(0.5f) || rest.factor == glm::vec2(2.0f));
+  if (!isOfUnit) return false;
+  told.unit->factor *= rest.factor;
+  told.unit->isDevice = rest.factor.x > 1.0f;
+  out.findings[*told.guessedUnit] = unitFinding(*told.unit);
+  return true;
+}
+
+/// Two planes are stated, one by the matrices, and motion says which is right: where it is not that of the
+/// matrices, these are told instead of the other one.
+void blameMatrices(Diagnosis& out) {
+  const auto isOfNear = [](const Finding& finding) {
+    return finding.id == faultInfo(Fault::NearPlaneWrong).id;
+  };
+  if (std::ranges::count_if(out.findings, isOfNear) < 2) return;
+  out.findings.erase(std::ranges::find_if(out.findings, isOfNear));
+  std::ranges::find_if(out.findings, isOfNear)->change =
+      say<"State the matrices that frames are drawn with: their near plane is not the one that is stated, by "
+          "which depth makes the motion of what rests.">();
+}
+
+/// Motion, and depth as far as motion is a witness of it. `mayMend`: motion that one explanation makes right
+/// everywhere is told alone, and returned as what hides the rest.
+Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, ToldOf& told, Diagnosis& out) {
+  Diagnosis seen = out;
+  const MotionTold motion = examiner.tellMotion(seen);
+  const std::optional<MotionOfAll>& all = motion.all;
+  if (all && mayMend && !told.motion && mendsAlone(all->trial)) {
+    if (correctUnit(all->trial, told, out)) {
+      Hiding hiding;
+      hiding.motion = all->trial;
+      hiding.isOfRange = true;
+      told.jitter = true;
+      return hiding;
+    }
+    for (const Finding& finding : seen.findings) told.ofMotion.push_back(finding.id);
+    std::ranges::copy_if(seen.findings, std::back_inserter(out.findings), isOfMarks);
+    std::ranges::copy(all->findings, std::back_inserter(out.findings));
+    Hiding hiding;
+    hiding.motion = all->trial;
+    return hiding;
+  }
+  const auto before = static_cast<std::ptrdiff_t>(out.findings.size());
+  // What is right once motion is mended, is not right; and what is wrong only then, and not everywhere, is
+  // what mending has made of it.
+  if (told.motion) {
+    seen.parts.keepRight(out.parts);
+    seen.findings.erase(std::remove_if(seen.findings.begin() + before, seen.findings.end(),
+                                       [&](const Finding& finding) {
+                                         return !finding.isWholePicture &&
+                                                std::ranges::count(told.ofMotion, finding.id) == 0;
+                                       }),
+                        seen.findings.end());
+  }
+  out = std::move(seen);
+  const bool isMotionRight = static_cast<std::ptrdiff_t>(out.findings.size()) == before;
+  const bool isMotionWrong = std::any_of(out.findings.begin() + before, out.findings.end(), spoilsDepth);
+  if (tellsDepth && !isMotionWrong) {
+    const DepthPatient patient{isMotionRight, examiner.isDepthDistance(), motion.isOfCameraOrDepth,
+                               examiner.isDepthDrawn()};
+    tellDepth(examiner.depth(), out, patient);
+    if (told.isNearWrong) blameMatrices(out);
+  }
+  if (examiner.rims().coarseDepth()) withholdParts(static_cast<std::size_t>(before), out);
+  tellRims(examiner.rims(), isMotionRight && !told.motion, out);
+  if (!tellsDepth || !isMotionWrong) return {};
+  Hiding hiding;
+  hiding.motion = all ? all->trial : MotionTrial{};
+  leaveOpen(hiding, out);
+  return {};
+}
+
+/// Depth that all else is examined by, jitter, and where these are right the planes. Returns what hides the
+/// rest.
+Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf& told, Diagnosis& out) {
+  const KnownPlanes& known = examination.known;
+  Hiding hiding;
+  const bool hasCamera = known.camera && !told.allDepth;
+  // Motion that is next to none makes jitter, depth and cameras look wrong.
+  if (known.motion && !told.unit)
+    if (const std::optional<FittedLength> length = examiner.motionLength()) {
+      told.unit = trialOf(*length, out.sizePx);
+      std::ranges::move(lengthFindings(*length, *told.unit, examiner.patient()),
+                        std::back_inserter(out.findings));
+      hiding.motion = told.unit;
+      hiding.isOfRange = true;
+      return hiding;
+    }
+  if (known.depth && !std::exchange(told.near, true)) told.isNearWrong = tellNear(examiner.depth(), out);
+  if (known.depth && !told.depth)
+    hiding.allDepth = tellEnds(examiner.depth().ends, examiner.isDepthDistance(), out);
+  if (hiding.allDepth) return hiding;
+  if (known.motion && hasCamera && !told.depth) hiding.depth = otherDepth(examiner.depth());
+  if (hiding.depth) {
+    tellDepth(examiner.depth(), out);
+    return hiding;
+  }
+  hiding.flipped = hasCamera && !told.flipped && examiner.areMatricesFlipped();
+  if (hiding.flipped) {
+    out.findings.push_back(matricesFlipped(
+        say<"Depth and matrices make the motion given if y of clip space goes the other way, and nothing "
+            "that could be wrong with motion makes it of them as they are stated.">()));
+    return hiding;
+  }
+  if (known.motion && !told.unit && examiner.isMotionBeyondPicture()) {
+    told.unit = MotionTrial{MotionKind::OtherUnit, 1.0f / glm::vec2(out.sizePx)};
+    told.guessedUnit = out.findings.size();
+    out.findings.push_back(unitFinding(*told.unit));
+    hiding.motion = told.unit;
+    hiding.isOfRange = true;
+    return hiding;
+  }
+  const JitterOutcome jitter = told.jitter ? JitterOutcome() : examiner.tellJitter(hasCamera, out);
+  told.isJitterOpen = jitter.isOpen;
+  if (!known.motion) {
+    out.parts.leaveOpen(
+        {say<"Motion">(), say<"the capture has none">(), say<"Capture the plane of motion vectors, too.">()});
+    tellRims(examiner.rims(), false, out);
+    return {};
+  }
+  hiding.jitter = jitter.mender;
+  if (hiding.jitter) return hiding;
+  hiding = tellPlanes(examiner, hasCamera && !told.depth, !jitter.isOpen, told, out);
+  withholdSky(examination.contradicted.size(), out);
+  if (!jitter.isOpen) return hiding;
+  leaveOpen(hiding, out);
+  withholdMotion(jitter, examination.contradicted.size(), out);
+  return {};
+}
+
+/// The frames that `read` gives, with what hides the rest made right; `last` looked at them.
+FrameReader mendedReader(const FrameReader& read, const Hiding& hiding, const Examination& examination,
+                         const Examiner& last) {
+  if (hiding.allDepth) return withoutDepth(read);
+  if (hiding.flipped) return withFlippedMatrices(read);
+  if (hiding.depth) return withDepth(read, *hiding.depth);
+  if (hiding.jitter)
+    return withJitter(read, hiding.jitter, examination.first, examination.known.depthJittered);
+  return withMotion(read, *hiding.motion, last.jitter().stated);
+}
+
+/// What is wrong makes other things look wrong: they are looked at with it made right, until nothing is
+/// hidden. `first`: what was seen of the frames that `read` gives; `brightness`: of the frames as they are.
+/// `isInterfaceTold`: one was found in them.
+void tellAll(const Examination& examination, const Examiner& first, const BrightnessEvidence& brightness,
+             bool isInterfaceTold, FrameReader read, Diagnosis& out) {
+  ToldOf told;
+  told.interface = isInterfaceTold;
+  std::optional<Examiner> next;
+  const Examiner* last = &first;
+  const auto lookAgain = [&] {
+    last = &next.emplace(first.another());
+    next->look(read, out);
+  };
+  Hiding hiding = tellSeen(first, examination, told, out);
+  while (hiding.isAny()) {
+    told.add(hiding);
+    read = mendedReader(read, hiding, examination, *last);
+    lookAgain();
+    // One that is drawn with the jitter shows where that is right.
+    if (!told.interface) {
+      const std::vector<std::uint8_t> covered = tellInterface(next->color(), out);
+      told.interface = !covered.empty();
+      if (told.interface) {
+        read = coveredReader(read, covered);
+        lookAgain();
+      }
+    }
+    hiding = tellSeen(*next, examination, told, out);
+  }
+  tellInterfaceLeft(last->color(), told.interface, told.isJitterOpen, out);
+  last->tellColor(brightness, out);
+}
+
+/// Rows that are stored from the other end turn all that has a y: that is told, and not each of them.
+void tellRows(const Patient& patient, Diagnosis& out) {
+  const std::string turned[] = {std::string(faultInfo(Fault::JitterNegatedY).id),
+                                std::string(faultInfo(Fault::MotionNegatedY).id), matricesFlipped({}).id};
+  const auto isTurned = [&](const Finding& finding) {
+    return finding.isWholePicture && std::ranges::count(turned, finding.id) > 0;
+  };
+  if (!patient.conventions || std::ranges::count_if(out.findings, isTurned) != std::ssize(turned)) return;
+  Finding rows = rowsTurned(patient.conventions->rows);
+  rows.reason = say<"Jitter, motion and matrices all have another y than pictures show: the pictures are "
+                    "upside down.">();
+  std::erase_if(out.findings, isTurned);
+  out.findings.insert(out.findings.begin(), std::move(rows));
+}
+
+} // namespace
+
+Diagnosis examine(const Examination& examination, const Progress& progress, const DiagnosisTold& told) {
+  const Patient patient = sizedPatient(examination);
+  Diagnosis out;
+  out.sizePx = patient.sizePx;
+  out.findings = examination.contradicted;
+  Examiner first(examination, patient, progress, examination.known.output);
+  first.look(examination.read, out, [&] {
+    if (!told) return;
+    Diagnosis early = out;
+    ToldOf nothing;
+    if (tellInterface(first.color(), early).empty())
+      leaveOpen(tellSeen(first, examination, nothing, early), early);
+    told(early);
+  });
+  const std::vector<std::uint8_t> covered = tellInterface(first.color(), out);
+  const BrightnessEvidence& brightness = first.color().brightness;
+  const std::map<int, double> stepped = brightness.stepped();
+  if (covered.empty() && stepped.empty()) {
+    tellAll(examination, first, brightness, false, examination.read, out);
+  } else {
+    // An interface, or a step of brightness, makes jitter and motion look wrong: all else is looked at again
+    // without them.
+    Examiner bare = first.another();
+    FrameReader read = examination.read;
+    if (!covered.empty()) read = coveredReader(read, covered);
+    if (!stepped.empty()) read = withBrightness(std::move(read), stepped);
+    bare.look(read, out);
+    tellAll(examination, bare, brightness, !covered.empty(), read, out);
+  }
+  tellRows(patient, out);
+  if (!examination.contradicted.empty())
+    out.notes.push_back(
+        say<"What is right here is so of the frames as they are once that is stated which the "
+            "first findings name.">());
+  if (examination.known.output) tellResolve(first.resolve(), out.findings.empty(), out);
+  return out;
+}
+
+} // namespace taa::doctor

@@ -1,0 +1,110 @@
+#include "core/doctor/examination/Examiner.h"
+
+#include "core/base/Say.h"
+
+#include <algorithm>
+#include <future>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace taa::doctor {
+
+namespace {
+
+/// Whether rims have, or may have, what is beside them.
+bool isBeside(RimVerdict verdict) {
+  return verdict == RimVerdict::Shifted || verdict == RimVerdict::Coarse || verdict == RimVerdict::Unclear;
+}
+
+} // namespace
+
+void Examiner::look(const FrameReader& read, Diagnosis& out, const std::function<void()>& firstSeen) {
+  const int count = examination_.frames;
+  read_ = read;
+  out.frames = out.pairs = 0;
+  std::optional<DoctorFrame> before, now = readNext(read, 0), after;
+  for (int frame = 0; frame < count; ++frame) {
+    if (frame + 1 < count) after = readNext(read, frame + 1);
+    add(before ? &*before : nullptr, *now, after ? &*after : nullptr, out);
+    if (firstSeen && frame + 1 == kFirstLook && frame + 1 < count) firstSeen();
+    before = std::exchange(now, std::exchange(after, {}));
+  }
+  report(progress_, say<"Examining frames">(), count, count);
+}
+
+JitterOutcome Examiner::tellJitter(bool hasCamera, Diagnosis& out) const {
+  const auto surfaces = [this] { return areSurfacesJittered(); };
+  return doctor::tellJitter(jitter_, {patient_, hasCamera, skyPlace(out), surfaces}, out);
+}
+
+bool Examiner::areMatricesFlipped() const {
+  std::vector<const WitnessEvidence*> regions;
+  for (const RegionEvidence& region : motion_.regions()) regions.push_back(&region.witness);
+  return doctor::areMatricesFlipped(regions, motion_.trials());
+}
+
+MotionTold Examiner::tellMotion(Diagnosis& out) const {
+  const bool ofTime = rims_.depth.verdict() != RimVerdict::Unjittered;
+  const RimsSeen rims{ofTime, ofTime && !isBeside(rims_.motion.verdict())};
+  return doctor::tellMotion(motion_, tracker_.regions(), patient_, rims, out);
+}
+
+DoctorFrame Examiner::readNext(const FrameReader& read, int frame) const {
+  report(progress_, say<"Examining frames">(), frame, examination_.frames);
+  return read(examination_.first + frame);
+}
+
+void Examiner::add(const DoctorFrame* before, const DoctorFrame& now, const DoctorFrame* after,
+                   Diagnosis& out) {
+  ++out.frames;
+  // Each keeps what it sees to itself: some look on a thread of their own.
+  auto output = std::async(std::launch::async, [&] {
+    rims_.add(now);
+    if (looksAtOutput_) resolve_.add(now, before);
+  });
+  const std::vector<RegionIndex> labels = tracker_.label(now);
+  const std::vector<RegionIndex> labelsBefore = std::exchange(labels_, labels);
+  jitter_.stated[now.frame] = now.jitterPx;
+  if (!before || now.startsHistory) return output.get();
+  ++out.pairs;
+  const FrameNeighbors frames{now, *before, after};
+  auto pictures = std::async(std::launch::async, [&] {
+    color_.add(frames, labels);
+    jitter_.add(frames);
+  });
+  depth_.add(now);
+  depth_.order.add(now, *before, labels, labelsBefore);
+  depth_.form.add(now, labels);
+  depth_.ends.add(now);
+  if (examination_.known.motion) {
+    motion_.add(frames, labels, labelsBefore);
+    length_.add(frames);
+  }
+  pictures.get();
+  output.get();
+}
+
+std::optional<RegionPlace> Examiner::skyPlace(const Diagnosis& out) const {
+  const auto sky = std::ranges::find(tracker_.regions(), true, &Region::isSky);
+  if (sky == tracker_.regions().end()) return {};
+  const double pixels = static_cast<double>(patient_.sizePx.x) * patient_.sizePx.y;
+  return placeOf(*sky, patient_, pixels * out.frames);
+}
+
+bool Examiner::areSurfacesJittered() const {
+  constexpr int kEnough = 8;
+  JitterEvidence evidence;
+  std::optional<DoctorFrame> before;
+  for (int frame = 0; frame < std::min(kEnough, examination_.frames); ++frame) {
+    DoctorFrame now = read_(examination_.first + frame);
+    if (now.depth.empty()) return false;
+    now.luma = asDepthPicture(now);
+    evidence.stated[now.frame] = now.jitterPx;
+    if (before && !now.startsHistory) evidence.add({now, *before, nullptr});
+    before = std::move(now);
+  }
+  return doctor::areSurfacesJittered(evidence);
+}
+
+} // namespace taa::doctor

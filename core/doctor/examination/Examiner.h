@@ -1,0 +1,77 @@
+// What the doctor gathers while frames go by, once.
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/doctor/Diagnosis.h"
+#include "core/doctor/color/ColorCheck.h"
+#include "core/doctor/depth/DepthCheck.h"
+#include "core/doctor/examination/Examination.h"
+#include "core/doctor/frames/Regions.h"
+#include "core/doctor/jitter/JitterCheck.h"
+#include "core/doctor/motion/MotionEvidence.h"
+#include "core/doctor/motion/MotionFindings.h"
+#include "core/doctor/motion/MotionLength.h"
+#include "core/doctor/motion/MotionRims.h"
+#include "core/doctor/resolve/ResolveEvidence.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace taa::doctor {
+
+class Examiner {
+ public:
+  /// `progress` is reported to while it looks. Expects that all of them outlive it.
+  Examiner(const Examination& examination, const Patient& patient, const Progress& progress,
+           bool looksAtOutput)
+      : examination_(examination), patient_(patient), progress_(progress), looksAtOutput_(looksAtOutput) {}
+  /// One of the same frames that has seen none, and does not look at the output.
+  Examiner another() const { return {examination_, patient_, progress_, false}; }
+
+  /// `out`: counts frames and pairs. `firstSeen`: called after kFirstLook frames, where more follow.
+  void look(const FrameReader& read, Diagnosis& out, const std::function<void()>& firstSeen = {});
+
+  const ColorEvidence& color() const { return color_; }
+  /// `brightness`: of the frames as they are.
+  void tellColor(const BrightnessEvidence& brightness, Diagnosis& out) const {
+    doctor::tellColor(color_, brightness, patient_, examination_.known.maskUsed, out);
+  }
+  const JitterEvidence& jitter() const { return jitter_; }
+  JitterOutcome tellJitter(bool hasCamera, Diagnosis& out) const;
+  const DepthEvidence& depth() const { return depth_; }
+  bool isDepthDistance() const { return examination_.known.depthDistance; }
+  bool isDepthDrawn() const { return !patient_.conventions; }
+  const RimEvidence& rims() const { return rims_; }
+  const ResolveEvidence& resolve() const { return resolve_; }
+  bool areMatricesFlipped() const;
+  bool isMotionBeyondPicture() const { return isBeyondPicture(motion_); }
+  std::optional<FittedLength> motionLength() const { return length_.fit(); }
+  MotionTold tellMotion(Diagnosis& out) const;
+  const Patient& patient() const { return patient_; }
+
+ private:
+  DoctorFrame readNext(const FrameReader& read, int frame) const;
+  void add(const DoctorFrame* before, const DoctorFrame& now, const DoctorFrame* after, Diagnosis& out);
+  /// `out`: says how many frames there are.
+  std::optional<RegionPlace> skyPlace(const Diagnosis& out) const;
+  /// Whether surfaces are drawn with the jitter that is stated, by depth alone: reads some frames again.
+  bool areSurfacesJittered() const;
+
+  const Examination& examination_;
+  FrameReader read_; ///< what was looked at
+  const Patient& patient_;
+  const Progress& progress_;
+  RegionTracker tracker_;
+  std::vector<RegionIndex> labels_; ///< of the frame that was added last
+  ColorEvidence color_;
+  MotionEvidence motion_{patient_.sizePx};
+  LengthEvidence length_;
+  JitterEvidence jitter_;
+  DepthEvidence depth_;
+  RimEvidence rims_;
+  ResolveEvidence resolve_;
+  bool looksAtOutput_;
+};
+
+} // namespace taa::doctor

@@ -1,0 +1,85 @@
+#include "core/doctor/examination/MendedFrames.h"
+
+#include <cstddef>
+#include <utility>
+
+namespace taa::doctor {
+
+FrameReader withJitter(FrameReader read, JitterMender mender, int first, bool isDepthJittered) {
+  return [read = std::move(read), mender = std::move(mender), first, isDepthJittered](int frame) {
+    DoctorFrame out = read(frame);
+    const auto jitter = mender(frame);
+    if (!jitter || (frame > first && !mender(frame - 1))) out.startsHistory = true;
+    if (!jitter) return out;
+    out.jitterPx = *jitter;
+    if (isDepthJittered) out.depthJitterPx = *jitter;
+    return out;
+  };
+}
+
+FrameReader withDepth(FrameReader read, DepthRelation relation) {
+  return [read = std::move(read), relation](int frame) {
+    DoctorFrame out = read(frame);
+    mendDepth(relation, out);
+    return out;
+  };
+}
+
+FrameReader withFlippedMatrices(FrameReader read) {
+  return [read = std::move(read)](int frame) {
+    DoctorFrame out = read(frame);
+    if (out.previousClipFromClip) out.previousClipFromClip = flippedMatrix(*out.previousClipFromClip);
+    if (out.cameras)
+      for (int column = 0; column < 4; ++column) out.cameras->clipFromView[column][1] *= -1.0;
+    return out;
+  };
+}
+
+FrameReader withoutDepth(FrameReader read) {
+  return [read = std::move(read)](int frame) {
+    DoctorFrame out = read(frame);
+    out.depth = out.depthView = out.previousDepthView = {};
+    out.previousClipFromClip.reset();
+    out.cameras.reset();
+    out.distanceFactor = 0.0f;
+    return out;
+  };
+}
+
+bool mendsAlone(const MotionTrial& trial) {
+  if (isOfJitter(trial.kind)) return true;
+  switch (trial.kind) {
+  case MotionKind::Scaled:
+  case MotionKind::OtherUnit:
+  case MotionKind::MirroredX:
+  case MotionKind::MirroredY:
+  case MotionKind::Opposite:
+  case MotionKind::SwappedAxes:
+  case MotionKind::Encoded:
+  case MotionKind::Root:
+    return true;
+  default:
+    return false;
+  }
+}
+
+FrameReader withMotion(FrameReader read, MotionTrial trial, std::map<int, glm::vec2> stated) {
+  return [read = std::move(read), trial, stated = std::move(stated)](int frame) {
+    DoctorFrame out = read(frame);
+    DoctorFrame before; // of which these explanations ask for the jitter alone
+    const auto known = stated.find(frame - 1);
+    before.jitterPx = known == stated.end() ? out.jitterPx : known->second;
+    Image mended = out.motionPx;
+    for (int y = 0; y < mended.height; ++y)
+      for (int x = 0; x < mended.width; ++x) {
+        if (!isMotion(out.motionAt(x, y))) continue;
+        const auto motion = trueMotion(trial, {out, before}, {x, y});
+        mended.at(x, y)[0] = motion->x;
+        mended.at(x, y)[1] = motion->y;
+      }
+    out.motionPx = std::move(mended);
+    return out;
+  };
+}
+
+} // namespace taa::doctor

@@ -1,0 +1,304 @@
+#include "core/doctor/motion/MotionFindings.h"
+
+#include "core/base/Say.h"
+#include "core/doctor/Mending.h"
+#include "core/doctor/NumberText.h"
+#include "core/doctor/motion/MotionGroups.h"
+#include "core/doctor/motion/MotionJudgement.h"
+#include "core/doctor/motion/MotionJumps.h"
+#include "core/doctor/motion/MotionMarks.h"
+#include "core/doctor/motion/MotionMending.h"
+#include "core/doctor/motion/MotionOpen.h"
+#include "core/doctor/motion/MotionReasons.h"
+#include "core/doctor/motion/MotionWords.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace taa::doctor {
+
+namespace {
+
+/// Of the pixels of regions that are decided: a fault of so many is one of the whole picture.
+constexpr double kWholeShare = 0.95;
+// The sky's motion by depth and cameras alone, where it has no detail: px, and the share of all other
+// surfaces whose motion has to be that of the camera, so that cameras are known to be right.
+constexpr double kSkyMovesPx = 0.1;
+constexpr double kTrustedShare = 0.3;
+
+/// Pixels of regions that are right or wrong.
+double decidedPixels(const std::vector<JudgedRegion>& judged) {
+  double pixels = 0.0;
+  for (const JudgedRegion& region : judged)
+    if (region.decision.verdict == MotionVerdict::Right || region.decision.verdict == MotionVerdict::Wrong)
+      pixels += region.region->pixels;
+  return pixels;
+}
+
+/// Whether an explanation leads elsewhere in no region whose motion is right, by its pixels or by depth and
+/// matrices: then it may be that of all.
+bool breaksNothing(std::size_t trial, const std::vector<JudgedRegion>& judged) {
+  constexpr std::size_t kEnoughToBreak = 50;
+  constexpr double kBreaks = 1.05;
+  return std::ranges::none_of(judged, [&](const JudgedRegion& region) {
+    if (region.trial) return false;
+    if (region.decision.verdict != MotionVerdict::Wrong && breaksOutline(trial, region.evidence->outline))
+      return true;
+    const TrialEvidence& evidence = region.evidence->trials[trial];
+    if (evidence.pixels < kEnoughToBreak) return false;
+    if (isConfirmed(*region.evidence)) return true;
+    return region.decision.verdict == MotionVerdict::Right && evidence.tried >= kBreaks * evidence.given;
+  });
+}
+
+Finding findingOf(const FaultGroup& group, const std::vector<JudgedRegion>& judged,
+                  const MotionEvidence& evidence, const Patient& patient, double allPixels) {
+  Finding out;
+  nameBy(group.fault, out);
+  out.sureness = isSure(group) ? Sureness::Sure : Sureness::Likely;
+  out.isWholePicture = group.pixels >= kWholeShare * decidedPixels(judged);
+  for (const JudgedRegion* region : group.regions)
+    out.regions.push_back(placeOf(*region->region, patient, allPixels));
+  std::ranges::stable_sort(out.regions, std::greater(), &RegionPlace::share);
+  tellEvidence(group, evidence.trials(), out);
+  out.alike = alikeIds(group, evidence.trials());
+  if (!group.trial) return out;
+  const std::vector<std::string> mending = motionMending(evidence.trials()[*group.trial]);
+  if (breaksNothing(*group.trial, judged))
+    mendEverywhereBy(mending, out);
+  else
+    mendBy(mending, out);
+  const auto largest = std::ranges::max_element(
+      group.regions, {}, [](const JudgedRegion* region) { return region->evidence->example.lengthPx; });
+  const std::string example = motionExample(patient, *(*largest)->evidence, *group.trial);
+  if (!example.empty()) out.change += " " + example;
+  return out;
+}
+
+/// One for each thing that is wrong: another unit may be told with other axes.
+std::vector<Finding> findingsOf(FaultGroup group, const std::vector<JudgedRegion>& judged,
+                                const MotionEvidence& evidence, const Patient& patient, double allPixels) {
+  const MotionTrial* trial = group.trial ? &evidence.trials()[*group.trial] : nullptr;
+  const auto axes = trial ? axesBesideUnit(*trial, patient) : std::nullopt;
+  if (!axes) return {findingOf(group, judged, evidence, patient, allPixels)};
+  std::vector<Finding> out;
+  const JudgedRegion& first = *group.regions.front();
+  for (const MotionTrial& one : {unitAlone(*trial, *axes), *axes}) {
+    group.fault = motionFault(&one, *first.region, *first.evidence);
+    out.push_back(findingOf(group, judged, evidence, patient, allPixels));
+  }
+  return out;
+}
+
+/// By a factor what rests is told as well as by the camera's motion, which a capture may state that it lacks:
+/// that it has it is told then.
+void preferStated(std::vector<JudgedRegion>& judged, const std::vector<MotionTrial>& trials,
+                  const Patient& patient) {
+  if (!patient.conventions || patient.conventions->motion.includesCamera) return;
+  const auto found = std::ranges::find(trials, MotionKind::CameraTwice, &MotionTrial::kind);
+  const auto twice = static_cast<std::size_t>(found - trials.begin());
+  for (JudgedRegion& region : judged)
+    if (region.trial && trials[*region.trial].kind == MotionKind::Scaled && isAlike(region, twice))
+      region.trial = twice;
+}
+
+/// Whether the motion of surfaces is that of the cameras at so many pixels that these are right.
+bool areCamerasTrusted(const std::vector<JudgedRegion>& judged) {
+  std::size_t known = 0, ofCamera = 0;
+  for (const JudgedRegion& region : judged) {
+    if (region.region->isSky || region.evidence->cameraPx == 0.0) continue;
+    known += region.evidence->cameraKnown;
+    ofCamera += region.evidence->ofCamera;
+  }
+  return known > 0 && static_cast<double>(ofCamera) >= kTrustedShare * static_cast<double>(known);
+}
+
+/// The sky cannot move by itself: where the cameras are right, they decide, whatever its detail.
+bool isSkyUnwritten(const JudgedRegion& sky, const std::vector<JudgedRegion>& judged, bool isTrusted) {
+  const RegionEvidence& evidence = *sky.evidence;
+  const auto pixels = static_cast<double>(evidence.pixels);
+  const bool isAlone = !sky.trial || std::ranges::none_of(judged, [&](const JudgedRegion& other) {
+    return &other != &sky && other.trial == sky.trial;
+  });
+  return sky.region->isSky && isAlone && isTrusted && isUnwritten(evidence) &&
+         evidence.cameraPx >= kSkyMovesPx * pixels;
+}
+
+Finding skyFinding(const JudgedRegion& sky, const Patient& patient, double allPixels) {
+  const MotionFault fault = motionFault(nullptr, *sky.region, *sky.evidence);
+  const double meanPx = sky.evidence->cameraPx / static_cast<double>(sky.evidence->pixels);
+  Finding out;
+  nameBy(fault, out);
+  out.regions = {placeOf(*sky.region, patient, allPixels)};
+  out.reason =
+      say<"Motion is 0 wherever nothing is drawn, though depth and matrices, which make the motion of other "
+          "surfaces, move the sky by %1 px a frame in the mean.">(shortNumber(meanPx));
+  out.measure = say<"mean distance from the camera's motion, px">();
+  out.residuals = {{"ofCamera", say<"that of the camera">(), 0.0, false, true},
+                   {"asGiven", say<"as given">(), meanPx, true, false}};
+  mendBy(motionMending({MotionKind::OfCamera}), out);
+  const std::vector<MotionTrial> trials = motionTrials(patient.sizePx);
+  for (std::size_t t = 0; t < trials.size(); ++t)
+    if (trials[t].kind == MotionKind::OfCamera) out.change += " " + motionExample(patient, *sky.evidence, t);
+  return out;
+}
+
+/// Tells of a sky without motion, and takes it out of what is judged.
+void tellUnwrittenSky(std::vector<JudgedRegion>& judged, const Patient& patient, double allPixels,
+                      Diagnosis& out) {
+  const bool isTrusted = areCamerasTrusted(judged);
+  const auto sky = std::ranges::find_if(
+      judged, [&](const JudgedRegion& region) { return isSkyUnwritten(region, judged, isTrusted); });
+  if (sky == judged.end()) return;
+  out.findings.push_back(skyFinding(*sky, patient, allPixels));
+  std::erase_if(judged, [](const JudgedRegion& other) { return other.region->isSky; });
+}
+
+/// The first of them, and how many there are besides.
+std::string namesOf(const std::vector<const Region*>& regions, const Patient& patient, double allPixels) {
+  constexpr std::size_t kShown = 3;
+  std::string out;
+  for (std::size_t i = 0; i < std::min(kShown, regions.size()); ++i)
+    out += (i == 0 ? "" : ", ") + placeOf(*regions[i], patient, allPixels).name;
+  return regions.size() <= kShown ? out : say<"%1 and %2 more">(out, regions.size() - kShown);
+}
+
+/// Sentences of what is right and of what is not known.
+void tellOthers(const Judged& all, const std::vector<MotionTrial>& trials, const Patient& patient,
+                double allPixels, Diagnosis& out) {
+  // A hundred small things are not worth a hundred sentences.
+  constexpr double kWorthNaming = 0.002;
+  std::size_t small = all.unseen, right = 0;
+  std::vector<Fault> ofSmall;
+  if (all.unseen > 0) ofSmall = openFaultsOfUnseen();
+  for (const JudgedRegion& region : all.regions) {
+    const MotionVerdict verdict = region.decision.verdict;
+    const RegionPlace place = placeOf(*region.region, patient, allPixels);
+    if (verdict == MotionVerdict::Wrong) continue;
+    if (verdict == MotionVerdict::Right)
+      ++right;
+    else if (place.share < kWorthNaming || verdict == MotionVerdict::TooSmall) {
+      ++small;
+      addFaults(openFaults(region, trials), ofSmall);
+    } else {
+      Undecided open = undecidedMotion(verdict, place, *region.evidence);
+      open.faults = openFaults(region, trials);
+      out.parts.leaveOpen(std::move(open));
+    }
+  }
+  if (right > 0)
+    out.parts.addRight(
+        say<"Motion">(),
+        right == 1
+            ? say<"Motion of one region fits its own pixels, and other explanations do not.">()
+            : say<"Motion of %1 regions fits their own pixels, and other explanations do not.">(right));
+  if (small > 0)
+    out.parts.leaveOpen(
+        {small == 1 ? say<"Motion of a small region">() : say<"Motion of %1 small regions">(small),
+         say<"they have too few pixels that can be followed, or move and change too little">(),
+         say<"Bring the camera nearer to them, or capture more and larger frames.">(), ofSmall});
+}
+
+} // namespace
+
+RegionPlace placeOf(const Region& region, const Patient& patient, double allPixels) {
+  RegionPlace out;
+  const auto named = patient.objectNames.find(region.objectId);
+  if (region.isSky)
+    out.name = say<"the sky">();
+  else if (region.objectId != 0 && named != patient.objectNames.end())
+    out.name = say<"object %1 (%2)">(region.objectId, named->second);
+  else if (region.objectId != 0)
+    out.name = say<"object %1">(region.objectId);
+  else
+    out.name = say<"the part around pixel %1, %2 of frame %3">(region.pixel.x, region.pixel.y, region.frame);
+  out.frame = region.frame;
+  out.box = region.box;
+  out.pixel = region.pixel;
+  out.share = region.pixels / std::max(1.0, allPixels);
+  out.isSky = region.isSky;
+  out.objectId = region.objectId;
+  out.pixels = region.runs;
+  return out;
+}
+
+bool isBeyondPicture(const MotionEvidence& evidence) {
+  constexpr double kMostLonger = 0.5;
+  std::size_t known = 0, longer = 0;
+  for (const RegionEvidence& region : evidence.regions()) {
+    // One value that most have stands for none.
+    const std::size_t marks = 2 * region.marks > region.outside ? region.marks : 0;
+    known += region.seen - region.marked - marks;
+    longer += region.outside - marks;
+  }
+  return known > 0 && static_cast<double>(longer) >= kMostLonger * static_cast<double>(known);
+}
+
+Finding unitFinding(const MotionTrial& unit) {
+  Finding out;
+  nameBy(motionFault(&unit, Region(), RegionEvidence()), out);
+  out.sureness = Sureness::Likely;
+  out.isWholePicture = true;
+  out.reason = say<"At most of the pixels motion is longer than the picture.">();
+  mendEverywhereBy(motionMending(unit), out);
+  return out;
+}
+
+std::vector<Finding> lengthFindings(const FittedLength& length, const MotionTrial& trial,
+                                    const Patient& patient) {
+  const auto axes = axesBesideUnit(trial, patient);
+  std::vector<MotionTrial> told{axes ? unitAlone(trial, *axes) : trial};
+  if (axes) told.push_back(*axes);
+  std::vector<Finding> out;
+  for (const MotionTrial& one : told) {
+    Finding finding;
+    nameBy(lengthFault(one), finding);
+    finding.sureness = trial.kind == MotionKind::OtherUnit ? Sureness::Sure : Sureness::Likely;
+    finding.isWholePicture = true;
+    finding.reason = lengthReason(length, trial, patient.sizePx);
+    finding.measure = say<"mean difference of luma, × 1000">();
+    finding.residuals = {{trialId(trial), trialText(trial), 1000.0 * length.fitted, false, true},
+                         {"asGiven", say<"as given">(), 1000.0 * length.given, true, false}};
+    mendEverywhereBy(motionMending(one), finding);
+    out.push_back(std::move(finding));
+  }
+  return out;
+}
+
+MotionTold tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
+                      const Patient& patient, const RimsSeen& rims, Diagnosis& out) {
+  const double allPixels = static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
+  tellMarks(evidence, regions, patient, allPixels, out);
+  Judged judged = judgeMotion(evidence, regions, rims);
+  tellUnwrittenSky(judged.regions, patient, allPixels, out);
+  preferStated(judged.regions, evidence.trials(), patient);
+  MotionTold told;
+  const bool isOfOneFrame = identityFrame(evidence.pairs()).has_value();
+  for (const FaultGroup& group : groupsOf(judged.regions, evidence.trials())) {
+    if (isOfOneFrame && isOfMiddles(group)) continue; // its way over all frames holds that of the one
+    const std::vector<Finding> findings = findingsOf(group, judged.regions, evidence, patient, allPixels);
+    std::ranges::copy(findings, std::back_inserter(out.findings));
+    if (!told.all && group.trial && breaksNothing(*group.trial, judged.regions))
+      told.all = {evidence.trials()[*group.trial], findings};
+  }
+  const Finding late = lateFinding();
+  if (judged.isLate && std::ranges::count(out.findings, late.id, &Finding::id) == 0)
+    out.findings.push_back(late);
+  tellJumps(evidence, regions, patient, allPixels, out);
+  if (judged.contradicted)
+    out.parts.leaveOpen(contradictedMatrices(evidence.trials()[*judged.contradicted],
+                                             namesOf(judged.contradictedIn, patient, allPixels),
+                                             !judged.areMatricesTrusted));
+  tellOthers(judged, evidence.trials(), patient, allPixels, out);
+  told.isOfCameraOrDepth =
+      judged.unconfirmed && evidence.trials()[*judged.unconfirmed].kind == MotionKind::CameraBeside;
+  return told;
+}
+
+} // namespace taa::doctor

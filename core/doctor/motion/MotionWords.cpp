@@ -1,0 +1,352 @@
+#include "core/doctor/motion/MotionWords.h"
+
+#include "core/base/Say.h"
+#include "core/capture/decode/ScreenUnits.h"
+#include "core/doctor/NumberText.h"
+#include "core/settings/Faults.h"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace taa::doctor {
+
+namespace {
+
+/// One that the table of faults has.
+MotionFault ofTable(Fault fault, std::string change) {
+  const FaultInfo& row = faultInfo(fault);
+  return {std::string(row.id), sayLabel(row.label), sayLabel(row.symptom), std::move(change)};
+}
+
+MotionFault unwrittenFault(const Region& region) {
+  if (region.isSky)
+    return ofTable(Fault::SkyWithoutMotion,
+                   say<"Write motion where nothing is drawn, too: that of the camera for points infinitely "
+                       "far away. Or let the resolve rebuild it from depth and matrices there.">());
+  return ofTable(Fault::MotionZero,
+                 say<"Write motion for it: draw it in the pass that writes motion, with the transforms of "
+                     "this frame and of the one before.">());
+}
+
+MotionFault scaledFault(const MotionTrial& trial) {
+  const bool isOfUnits = trial.factor.x == 0.5f || trial.factor.x == 2.0f;
+  const std::string factor = shortNumber(static_cast<double>(trial.factor.x));
+  const std::string change =
+      isOfUnits
+          ? say<"Multiply the motion that you write by %1, or state the unit that it has: the picture is 2 "
+                "device coordinates wide, and 1 texture coordinate.">(factor)
+          : say<"Multiply the motion that you write by %1.">(factor);
+  if (trial.factor.x == 0.5f)
+    return ofTable(Fault::MotionDoubled,
+                   change + " " +
+                       say<"Where it is so for one object alone, its previous transform may be two frames "
+                           "old: keep that of the frame before.">());
+  if (trial.factor.x == 2.0f) return ofTable(Fault::MotionHalved, change);
+  return {"motionScaled", say<"Motion of another length">(), say<"Ghosts grow with speed.">(), change};
+}
+
+MotionFault unitFault(const MotionTrial& trial) {
+  const std::string change = say<"Multiply the motion that you write by %1, or state the unit that it has.">(
+      shortVector(glm::dvec2(trial.factor)));
+  if (std::abs(trial.factor.x) <= 1.0f)
+    return {"motionUnit", say<"Motion of another unit">(),
+            say<"History comes from outside of the picture: nothing accumulates while anything moves.">(),
+            change};
+  return ofTable(trial.isDevice ? Fault::MotionInNdc : Fault::MotionInUv, change);
+}
+
+/// Motion that is not the camera's, and by what other camera it is made.
+MotionFault wrongCameraFault(Fault fault) {
+  if (fault == Fault::CameraTurned)
+    return ofTable(fault,
+                   say<"It rests in the world, and its motion is the camera's and the same amount more: make "
+                       "it with the view of the frame before, unchanged.">());
+  return ofTable(fault, say<"It rests in the world, and its motion is that of a camera beside this one: make "
+                            "it with the matrices of the frame before of the same view.">());
+}
+
+MotionFault cameraFault(const Region& region, const RegionEvidence& evidence) {
+  if (isUnwritten(evidence)) return unwrittenFault(region);
+  if (const auto fault = wrongCamera(evidence)) return wrongCameraFault(*fault);
+  return {"motionNotCameras", say<"Motion of what rests is not the camera's">(),
+          say<"A double image of what rests.">(),
+          say<"It rests in the world, and its motion is not that of the camera: make it with the matrices of "
+              "the frame before, of the same camera and pass.">()};
+}
+
+MotionFault jitterLeftFault(MotionKind kind) {
+  const bool isTakenOff = kind == MotionKind::JitterTakenOff || kind == MotionKind::JitterOfThisTakenOff ||
+                          kind == MotionKind::JitterOfPreviousTakenOff;
+  if (isTakenOff)
+    return {
+        "motionJitterTakenOff", say<"Jitter taken off motion that had none">(),
+        say<"The whole picture trembles, at rest too.">(),
+        kind == MotionKind::JitterTakenOff
+            ? say<"Take no jitter off, or state that it is in motion no more: the matrices that motion is "
+                  "made with have none.">()
+        : kind == MotionKind::JitterOfThisTakenOff
+            ? say<"Take this frame's jitter off no more, or state that motion does not hold it.">()
+            : say<"Take the jitter of the frame before off no more, or state that motion does not hold "
+                  "it.">()};
+  const std::string change = say<"Make motion with both frames' projections without jitter, or state which "
+                                 "jitter is in it.">();
+  if (kind == MotionKind::JitterOfThis) return ofTable(Fault::MotionJitterThis, change);
+  return ofTable(kind == MotionKind::JitterOfPrevious ? Fault::MotionJitterLast : Fault::MotionJitterBoth,
+                 change);
+}
+
+MotionFault axesFault(MotionKind kind) {
+  if (kind == MotionKind::MirroredX)
+    return ofTable(Fault::MotionNegatedX,
+                   say<"Negate x of the motion that you write; or state the other direction, and that y goes "
+                       "the other way.">());
+  if (kind == MotionKind::MirroredY)
+    return ofTable(Fault::MotionNegatedY,
+                   say<"Negate y of the motion that you write, or state that it points the other way.">());
+  if (kind == MotionKind::Opposite)
+    return ofTable(Fault::MotionNegated,
+                   say<"Negate the motion that you write, or state the other direction.">());
+  return ofTable(Fault::MotionSwapped, say<"Exchange x and y of motion.">());
+}
+
+MotionFault frameFault(MotionKind kind) {
+  if (kind == MotionKind::FrameLate)
+    return ofTable(Fault::MotionLingers,
+                   say<"Give each frame its own motion: what you write is that of the frame before.">());
+  return {"motionFrameEarly", say<"Motion a frame early">(),
+          say<"Edges break for a frame when something stops or starts.">(),
+          say<"Give each frame its own motion: what you write is that of the frame after.">()};
+}
+
+MotionFault decodedFault(MotionKind kind) {
+  if (kind == MotionKind::Encoded)
+    return ofTable(Fault::MotionEncoded,
+                   say<"Decode motion before it is used: what is stored is ½ + ½ of it, in shares of the "
+                       "picture. Or state that encoding.">());
+  return ofTable(Fault::MotionRoot,
+                 say<"Decode motion before it is used: what is stored is its root, in shares of the picture. "
+                     "Or state that encoding.">());
+}
+
+MotionFault lacksCameraFault(const Region& region, const RegionEvidence& evidence) {
+  if (isUnwritten(evidence)) return unwrittenFault(region);
+  return ofTable(Fault::MotionWithoutCamera,
+                 say<"Add the camera's motion: the previous matrix has to be that of the frame before, not "
+                     "this frame's.">());
+}
+
+MotionFault otherCameraFault(MotionKind kind) {
+  switch (kind) {
+  case MotionKind::CameraTurned:
+    return ofTable(
+        Fault::CameraTurned,
+        say<"What rests moves as if the previous camera had looked elsewhere: make motion with the "
+            "view of the frame before, unchanged.">());
+  case MotionKind::CameraBeside:
+    return ofTable(
+        Fault::CameraOfSecondView,
+        say<"What rests moves as if the previous camera had stood beside this one: make motion with "
+            "the matrices of the frame before of the same view.">());
+  case MotionKind::CameraMirrored:
+    return ofTable(
+        Fault::CameraOfMirror,
+        say<"What rests moves as if the previous camera had been that of a mirror: keep the matrices "
+            "of each view apart.">());
+  default:
+    return ofTable(
+        Fault::PreviousIdentity,
+        say<"What rests moves as if the previous matrix were 1: set it to that of the frame before, "
+            "and in the first frame to this frame's.">());
+  }
+}
+
+MotionFault searchedFault(const Region& region, const RegionEvidence& evidence) {
+  if (isUnwritten(evidence)) return unwrittenFault(region);
+  return ofTable(Fault::MotionCameraOnly,
+                 say<"Its motion is the camera's alone, and it moves by itself: write motion with its own "
+                     "previous transform, skin or vertex animation.">());
+}
+
+} // namespace
+
+MotionFault motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence) {
+  if (!trial) return searchedFault(region, evidence);
+  switch (trial->kind) {
+  case MotionKind::AsGiven:
+    break;
+  case MotionKind::Resting:
+    return ofTable(Fault::InterfaceBefore,
+                   say<"It rests on the screen, and its motion is that of what is behind: draw it after TAA, "
+                       "or write 0 for it.">());
+  case MotionKind::OfCamera:
+    return cameraFault(region, evidence);
+  case MotionKind::LacksCamera:
+    return lacksCameraFault(region, evidence);
+  case MotionKind::CameraTwice:
+    return {"motionCameraTwice", say<"The camera's motion twice">(), say<"Ghosts grow with speed.">(),
+            say<"Take the camera's motion off once, or state that motion holds it: it does already.">()};
+  case MotionKind::Scaled:
+    return scaledFault(*trial);
+  case MotionKind::OtherUnit:
+    return unitFault(*trial);
+  case MotionKind::MirroredX:
+  case MotionKind::MirroredY:
+  case MotionKind::Opposite:
+  case MotionKind::SwappedAxes:
+    return axesFault(trial->kind);
+  case MotionKind::JitterOfThis:
+  case MotionKind::JitterOfPrevious:
+  case MotionKind::JitterOfBoth:
+  case MotionKind::JitterTakenOff:
+  case MotionKind::JitterOfThisTakenOff:
+  case MotionKind::JitterOfPreviousTakenOff:
+    return jitterLeftFault(trial->kind);
+  case MotionKind::FrameLate:
+  case MotionKind::FrameEarly:
+    return frameFault(trial->kind);
+  case MotionKind::Encoded:
+  case MotionKind::Root:
+    return decodedFault(trial->kind);
+  case MotionKind::TwoFramesOld:
+    return ofTable(
+        Fault::PreviousTwoFramesOld,
+        say<"Keep the transforms of the frame before: motion goes back to those of two frames ago.">());
+  case MotionKind::CameraTurned:
+  case MotionKind::CameraBeside:
+  case MotionKind::CameraMirrored:
+  case MotionKind::CameraIdentity:
+    return otherCameraFault(trial->kind);
+  }
+  return {};
+}
+
+MotionFault lengthFault(const MotionTrial& trial) {
+  if (trial.kind != MotionKind::Scaled) return motionFault(&trial, Region(), RegionEvidence());
+  return {"motionScaled", say<"Motion of another length">(), say<"Ghosts grow with speed.">(),
+          say<"Multiply the motion that you write by %1, or state the unit that it has.">(
+              shortVector(glm::dvec2(trial.factor)))};
+}
+
+std::string lengthReason(const FittedLength& length, const MotionTrial& trial, const glm::ivec2& sizePx) {
+  const auto along = [&](int axis) {
+    const std::string name = axis == 0 ? "x" : "y";
+    if (!length.factor[axis]) return say<"along %1 too little moves to tell">(name);
+    return say<"%1 ± %2 along %3">(measuredNumber(*length.factor[axis], length.error[axis]),
+                                   errorNumber(length.error[axis]), name);
+  };
+  std::string text =
+      say<"All motion is shorter than a pixel, and the pictures move by %1 px in the mean. By least squares "
+          "over %2 pixels of %3 pairs of frames they move by so many times the motion given (and its "
+          "standard error): %4, %5.">(shortNumber(length.movesPx), length.pixels, length.pairs, along(0),
+                                      along(1));
+  if (trial.kind != MotionKind::OtherUnit)
+    return text + " " + say<"No unit of a picture of %1 × %2 px lies within that.">(sizePx.x, sizePx.y);
+  const glm::dvec2 unit = glm::abs(glm::dvec2(trial.factor));
+  return text + " " +
+         (trial.isDevice
+              ? say<"Half the size of the picture lies within that, %1 and %2: device coordinates.">(
+                    shortNumber(unit.x), shortNumber(unit.y))
+              : say<"The size of the picture lies within that, %1 and %2: texture coordinates.">(
+                    shortNumber(unit.x), shortNumber(unit.y)));
+}
+
+void nameBy(const MotionFault& fault, Finding& out) {
+  out.id = fault.id;
+  out.name = fault.name;
+  out.symptom = fault.symptom;
+  out.change = fault.change;
+}
+
+std::optional<MotionTrial> axesBesideUnit(const MotionTrial& trial, const Patient& patient) {
+  if (trial.kind != MotionKind::OtherUnit) return {};
+  // Device coordinates point up, where nothing is stated of their axes.
+  const bool isUp = trial.isDevice && std::abs(trial.factor.x) > 1.0f && !patient.conventions;
+  const bool isLeft = trial.factor.x < 0.0f, isOtherY = (trial.factor.y < 0.0f) != isUp;
+  if (isLeft && isOtherY) return MotionTrial{MotionKind::Opposite};
+  if (isLeft) return MotionTrial{MotionKind::MirroredX};
+  if (isOtherY) return MotionTrial{MotionKind::MirroredY};
+  return {};
+}
+
+MotionTrial unitAlone(const MotionTrial& trial, const MotionTrial& axes) {
+  MotionTrial out = trial;
+  if (axes.kind != MotionKind::MirroredY) out.factor.x = -out.factor.x;
+  if (axes.kind != MotionKind::MirroredX) out.factor.y = -out.factor.y;
+  return out;
+}
+
+glm::dvec2 storedMotion(const Patient& patient, const glm::dvec2& motionPx) {
+  if (!patient.conventions) return motionPx;
+  const capture::MotionConventions& motion = patient.conventions->motion;
+  glm::dvec2 perValue = motion.scale * capture::pxPerUnit(motion.unit, motion.yAxis, patient.sizePx);
+  if (motion.unit == capture::ScreenUnit::Pixels && motion.pixelOf == capture::PixelOf::Output)
+    perValue *= glm::dvec2(patient.sizePx) / glm::dvec2(patient.outputPx);
+  if (motion.direction == capture::MotionDirection::PreviousMinusCurrent) perValue = -perValue;
+  const bool hasOffset = motion.encoding == capture::MotionEncoding::Offset;
+  return motionPx / perValue + (hasOffset ? motion.offset : glm::dvec2(0.0));
+}
+
+std::string motionExample(const Patient& patient, const RegionEvidence& evidence, std::size_t trial) {
+  const MotionExample& example = evidence.example;
+  if (trial >= example.byTrial.size() || !example.byTrial[trial]) return {};
+  const glm::dvec2 given = storedMotion(patient, glm::dvec2(example.given));
+  const glm::dvec2 should = storedMotion(patient, glm::dvec2(*example.byTrial[trial]));
+  const bool isEncoded =
+      patient.conventions && patient.conventions->motion.encoding == capture::MotionEncoding::Unreal;
+  const std::string place =
+      say<"at pixel %1, %2 of frame %3">(example.pixel.x, example.pixel.y, example.frame);
+  if (isEncoded)
+    return say<"For example %1 you write what decodes to %2; the pictures show %3.">(
+        place, shortVector(given), shortVector(should));
+  return say<"For example %1 you write %2; the pictures show %3.">(place, shortVector(given),
+                                                                   shortVector(should));
+}
+
+Undecided contradictedMatrices(const MotionTrial& trial, const std::string& names, bool isMisfit) {
+  return {
+      say<"Depth and matrices">(),
+      say<"the motion of %1 is not what they make, and would be if it were taken like this: %2; but the "
+          "pictures fit it as it is, as they do where something moves by itself">(names, trialText(trial)),
+      say<"State matrices and depth as they are used, or let these rest.">(),
+      {},
+      isMisfit};
+}
+
+Undecided undecidedMotion(MotionVerdict verdict, const RegionPlace& place, const RegionEvidence& evidence) {
+  Undecided out{say<"Motion of %1">(place.name), {}, {}};
+  const double movedPx = evidence.pixels == 0 ? 0.0 : evidence.givenPx / static_cast<double>(evidence.pixels);
+  switch (verdict) {
+  case MotionVerdict::Right:
+  case MotionVerdict::Wrong:
+    break;
+  case MotionVerdict::TooSmall:
+    out.reason =
+        say<"only %1 of its pixels can be followed, in %2 pairs of frames">(evidence.pixels, evidence.pairs);
+    out.capture = say<"Bring the camera nearer to it, or capture more and larger frames.">();
+    break;
+  case MotionVerdict::Still:
+    out.reason =
+        say<"it moves by %1 px a frame in the mean: all explanations say the same">(shortNumber(movedPx));
+    out.capture = say<"Let it, or the camera, move by some pixels a frame.">();
+    break;
+  case MotionVerdict::NoTexture:
+    out.reason = say<"it has too little detail to tell one place from another">();
+    out.capture = say<"Put a texture with fine detail on it.">();
+    break;
+  case MotionVerdict::Doubtful:
+    out.reason = say<"another explanation fits a little better than the motion given, and none clearly">();
+    out.capture = say<"Let it move by some pixels a frame, before the camera and in even light.">();
+    out.isMisfit = true;
+    break;
+  case MotionVerdict::Contradicted:
+    out.reason = say<"neither the motion given nor another explanation fits: its light, its material or what "
+                     "lies over it changes more than motion can tell">();
+    out.capture = say<"Keep lights and materials as they are, and nothing transparent before it.">();
+    out.isMisfit = true;
+    break;
+  }
+  return out;
+}
+
+} // namespace taa::doctor

@@ -1,0 +1,51 @@
+// The sentences of findings about motion: what is wrong, what one sees, and what to change.
+#pragma once
+
+#include "core/doctor/Diagnosis.h"
+#include "core/doctor/motion/MotionDecision.h"
+#include "core/doctor/motion/MotionFindings.h"
+
+#include <glm/vec2.hpp>
+
+#include <optional>
+#include <string>
+
+namespace taa::doctor {
+
+/// A fault of motion in words.
+struct MotionFault {
+  std::string id;              ///< of the table of faults where that has it
+  std::string name;            ///< as a heading
+  std::string symptom, change; ///< sentences
+};
+
+/// `trial`: what explains it; null: the pixels move as no explanation says.
+MotionFault motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence);
+
+/// Of a length that was fitted, or of axes besides.
+MotionFault lengthFault(const MotionTrial& trial);
+/// Sentences: what was fitted, and what unit of a picture of that size it is.
+std::string lengthReason(const FittedLength& length, const MotionTrial& trial, const glm::ivec2& sizePx);
+
+/// Gives a finding the words of a fault.
+void nameBy(const MotionFault& fault, Finding& out);
+
+/// Of another unit: what is wrong with direction and axes besides, as a trial of its own; nothing: nothing
+/// is. Where a capture states its axes, they are no part of a unit.
+std::optional<MotionTrial> axesBesideUnit(const MotionTrial& trial, const Patient& patient);
+/// The unit without that.
+MotionTrial unitAlone(const MotionTrial& trial, const MotionTrial& axes);
+
+/// What the engine stores for a motion in px, current − previous, by its conventions.
+glm::dvec2 storedMotion(const Patient& patient, const glm::dvec2& motionPx);
+/// A sentence with numbers: what is stored at a pixel and what it should be, as the engine writes motion.
+/// Empty where the trial says nothing there.
+std::string motionExample(const Patient& patient, const RegionEvidence& evidence, std::size_t trial);
+
+/// Depth and matrices make something of the motion given of some regions that pixels contradict. `names`:
+/// theirs. `isMisfit`: nothing else says that these are right.
+Undecided contradictedMatrices(const MotionTrial& trial, const std::string& names, bool isMisfit);
+/// A sentence why a region's motion is not decided, and what to capture instead.
+Undecided undecidedMotion(MotionVerdict verdict, const RegionPlace& place, const RegionEvidence& evidence);
+
+} // namespace taa::doctor

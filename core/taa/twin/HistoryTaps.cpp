@@ -1,0 +1,177 @@
+#include "core/taa/twin/HistoryTaps.h"
+
+#include "core/taa/twin/SampleStages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace taa::twin {
+namespace {
+
+constexpr float kFarthestPosition = 1e6f; // px
+
+/// Five bilinear taps for sixteen (Jimenez 2016): corners dropped, weights normalized (manual 6.4) unless
+/// as printed (6.4b), or each corner given to its two neighbors (6.4c).
+TapPlaces fiveTaps(const AxisPlace& x, const AxisPlace& y, const HistorySettings& settings) {
+  const std::array<float, 4> wx = cubicWeights(settings, x.fraction);
+  const std::array<float, 4> wy = cubicWeights(settings, y.fraction);
+  const float middleX = wx[1] + wx[2];
+  const float middleY = wy[1] + wy[2];
+  const AxisPlace x12{x.texel, wx[2] / middleX}; // taps 1 and 2 in one
+  const AxisPlace y12{y.texel, wy[2] / middleY};
+  const bool givesCorners = settings.filter == HistoryFilter::CatmullRom5Corners;
+  const float besideX = givesCorners ? middleX + 0.5f * (wx[0] + wx[3]) : middleX;
+  const float besideY = givesCorners ? middleY + 0.5f * (wy[0] + wy[3]) : middleY;
+  // HDRP reads the right tap a row higher (D13).
+  const AxisPlace rightY =
+      settings.filter == HistoryFilter::Cubic5AsPrinted ? AxisPlace{y.texel - 1, 0.0f} : y12;
+  return {{{{x12, {y.texel - 1, 0.0f}, besideX * wy[0]},
+            {{x.texel - 1, 0.0f}, y12, wx[0] * besideY},
+            {x12, y12, middleX * middleY},
+            {{x.texel + 2, 0.0f}, rightY, wx[3] * besideY},
+            {x12, {y.texel + 2, 0.0f}, besideX * wy[3]}}},
+          5,
+          2};
+}
+
+/// Nine bilinear taps: equal to sixteen texels (manual 6.3).
+TapPlaces nineTaps(const AxisPlace& px, const AxisPlace& py) {
+  const auto axis = [](const AxisPlace& place) {
+    const std::array<float, 4> w = catmullRomWeights(place.fraction);
+    const float both = w[1] + w[2];
+    return std::array<std::pair<AxisPlace, float>, 3>{{{{place.texel - 1, 0.0f}, w[0]},
+                                                       {{place.texel, w[2] / both}, both},
+                                                       {{place.texel + 2, 0.0f}, w[3]}}};
+  };
+  TapPlaces taps;
+  taps.middle = 4;
+  for (const auto& [y, wy] : axis(py))
+    for (const auto& [x, wx] : axis(px)) taps.each[taps.count++] = {x, y, wx * wy};
+  return taps;
+}
+
+/// Sixteen texels with the kernel's weights (manual 6.2, 6.5 to 6.7).
+TapPlaces sixteenTexels(const AxisPlace& x, const AxisPlace& y, const HistorySettings& settings) {
+  const std::array<float, 4> wx = cubicWeights(settings, x.fraction);
+  const std::array<float, 4> wy = cubicWeights(settings, y.fraction);
+  const bool isLanczos = settings.filter == HistoryFilter::Lanczos;
+  TapPlaces taps;
+  taps.middle = 5;
+  for (int k = 0; k < 16; ++k) {
+    const int i = k % 4, j = k / 4;
+    const bool isNear = (i == 1 || i == 2) && (j == 1 || j == 2);
+    taps.each[taps.count++] = {{x.texel + i - 1, 0.0f},
+                               {y.texel + j - 1, 0.0f},
+                               wx[static_cast<std::size_t>(i)] * wy[static_cast<std::size_t>(j)],
+                               true,
+                               isNear || !isLanczos};
+  }
+  return taps;
+}
+
+/// The four texels of bilinear interpolation, as weights.
+TapPlaces fourTexels(const AxisPlace& x, const AxisPlace& y) {
+  TapPlaces taps;
+  for (int k = 0; k < 4; ++k) {
+    const int i = k % 2, j = k / 2;
+    taps.each[taps.count++] = {{x.texel + i, 0.0f},
+                               {y.texel + j, 0.0f},
+                               (i == 0 ? 1.0f - x.fraction : x.fraction) *
+                                   (j == 0 ? 1.0f - y.fraction : y.fraction),
+                               true};
+  }
+  return taps;
+}
+
+/// What the texels around a place weigh: 4×4 of them, the first one before the texel that lies before it.
+class TexelSums {
+ public:
+  explicit TexelSums(const glm::ivec2& first) : first_(first) {}
+  void add(const TapPlaces::Tap& tap, float weight) {
+    for (int j = 0; j < 2; ++j)
+      for (int i = 0; i < 2; ++i) {
+        const float share = (i == 0 ? 1.0f - tap.x.fraction : tap.x.fraction) *
+                            (j == 0 ? 1.0f - tap.y.fraction : tap.y.fraction);
+        if (share == 0.0f) continue;
+        const glm::ivec2 at = glm::ivec2(tap.x.texel + i, tap.y.texel + j) - first_;
+        weights_[static_cast<std::size_t>(at.y * 4 + at.x)] += share * weight;
+      }
+  }
+  HistoryTexels texels(const glm::ivec2& picturePx, HistoryBorder border) const {
+    HistoryTexels result;
+    for (int k = 0; k < 16; ++k) {
+      const float weight = weights_[static_cast<std::size_t>(k)];
+      const glm::ivec2 texel = first_ + glm::ivec2(k % 4, k / 4);
+      const glm::ivec2 inside(std::clamp(texel.x, 0, picturePx.x - 1),
+                              std::clamp(texel.y, 0, picturePx.y - 1));
+      if (weight == 0.0f || (inside != texel && border == HistoryBorder::Black)) continue;
+      result.each[result.count++] = {inside, weight};
+    }
+    return result;
+  }
+
+ private:
+  glm::ivec2 first_;
+  std::array<float, 16> weights_{};
+};
+
+} // namespace
+
+AxisPlace axisPlace(float positionPx) {
+  const float texel = std::floor(positionPx - 0.5f); // texel 0 is centered at ½
+  return {static_cast<int>(texel), positionPx - (texel + 0.5f)};
+}
+
+glm::vec2 readPosition(const glm::vec2& positionPx, const glm::ivec2& pixel) {
+  const auto isSane = [](float value) { return value >= -kFarthestPosition && value <= kFarthestPosition; };
+  return isSane(positionPx.x) && isSane(positionPx.y) ? positionPx : glm::vec2(pixel) + 0.5f;
+}
+
+TapPlaces tapPlaces(const HistorySettings& settings, const glm::vec2& positionPx) {
+  const AxisPlace x = axisPlace(positionPx.x), y = axisPlace(positionPx.y);
+  switch (settings.filter) {
+  case HistoryFilter::Point: {
+    TapPlaces one;
+    one.each[one.count++] = {{static_cast<int>(std::floor(positionPx.x)), 0.0f},
+                             {static_cast<int>(std::floor(positionPx.y)), 0.0f},
+                             1.0f,
+                             true};
+    return one;
+  }
+  case HistoryFilter::Bilinear:
+    return fourTexels(x, y);
+  case HistoryFilter::CatmullRom5:
+  case HistoryFilter::CatmullRom5AsPrinted:
+  case HistoryFilter::CatmullRom5Corners:
+  case HistoryFilter::Cubic5:
+  case HistoryFilter::Cubic5AsPrinted:
+    return fiveTaps(x, y, settings);
+  case HistoryFilter::CatmullRom9:
+    return nineTaps(x, y);
+  case HistoryFilter::CatmullRom16:
+  case HistoryFilter::Cubic:
+  case HistoryFilter::Mitchell:
+  case HistoryFilter::Lanczos:
+    break;
+  }
+  return sixteenTexels(x, y, settings);
+}
+
+HistoryTexels historyTexels(const HistorySettings& settings, const glm::vec2& positionPx,
+                            const glm::ivec2& picturePx, bool isEdge) {
+  HistorySettings read = settings;
+  if (isEdge) read.filter = HistoryFilter::Bilinear;
+  const TapPlaces taps = tapPlaces(read, positionPx);
+  float sum = 0.0f;
+  for (const TapPlaces::Tap& tap : taps.all()) sum += tap.weight;
+  const bool givesMiddle = read.filter == HistoryFilter::CatmullRom5Corners;
+  const bool isNormalized = !givesMiddle && read.filter != HistoryFilter::CatmullRom5AsPrinted;
+  const AxisPlace x = axisPlace(positionPx.x), y = axisPlace(positionPx.y);
+  TexelSums sums({x.texel - 1, y.texel - 1});
+  for (const TapPlaces::Tap& tap : taps.all()) sums.add(tap, isNormalized ? tap.weight / sum : tap.weight);
+  if (givesMiddle) sums.add(taps.each[taps.middle], 1.0f - sum); // the others are differences to it
+  return sums.texels(picturePx, read.border);
+}
+
+} // namespace taa::twin

@@ -1,6 +1,0 @@
-// The ten stages of the resolve on the CPU, in order, one source file each: values in, values out.
-#pragma once
-
-#include "core/taa/twin/stages/BlendStages.h"
-#include "core/taa/twin/stages/HistoryStages.h"
-#include "core/taa/twin/stages/SampleStages.h"
