@@ -1,4 +1,4 @@
-// The tables of choices stand in this folder, one header for each group of stages. A table is in the order of
+// The tables of choices are the headers …Choices.h, one for each group of stages. A table is in the order of
 // its enumerators; each row says what the choice is, where it comes from, what it uses and what carries it
 // out. "As printed" is said of a defect of a well-known source, kept beside the corrected form.
 #pragma once

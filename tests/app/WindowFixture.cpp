@@ -27,8 +27,10 @@
 #include "app/views/ViewArea.h"
 #include "app/widgets/bars/FlightBar.h"
 
+#include <QAbstractItemModelTester>
 #include <QApplication>
 #include <QJsonDocument>
+#include <QTreeView>
 
 #include <memory>
 #include <utility>
@@ -170,6 +172,8 @@ void FakeWindow::SetUp() {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
   ASSERT_TRUE(waitFor([&] { return session.isOpen() && session.status().playing; }));
   session.setPlaying(false);
+  for (QAbstractItemModel* model : {window.scene()->tree()->model(), window.probe()->table()->model()})
+    new QAbstractItemModelTester(model, QAbstractItemModelTester::FailureReportingMode::Fatal, model);
   QTest::mouseMove(&window, {1, 1}); // not where the last test left it
   settle();
 }
