@@ -14,7 +14,7 @@
 #include "app/views/plots/ColorSpaceView.h"
 #include "app/views/plots/WhatIfPage.h"
 #include "app/widgets/ValueTable.h"
-#include "app/widgets/verdict/VerdictDetails.h"
+#include "app/widgets/probe/VerdictDetails.h"
 
 #include <QAction>
 

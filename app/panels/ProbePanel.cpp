@@ -2,7 +2,6 @@
 
 #include "app/models/ProbeModel.h"
 #include "app/models/ProbeWords.h"
-#include "app/panels/ProbeTable.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/views/plots/ColorSpacePage.h"
@@ -17,8 +16,9 @@
 #include "app/widgets/areas/YieldingColumn.h"
 #include "app/widgets/bars/ElidedLabel.h"
 #include "app/widgets/bars/ProbeBar.h"
-#include "app/widgets/verdict/VerdictDetails.h"
-#include "app/widgets/verdict/VerdictLine.h"
+#include "app/widgets/probe/ProbeTable.h"
+#include "app/widgets/probe/VerdictDetails.h"
+#include "app/widgets/probe/VerdictLine.h"
 
 #include "core/settings/Faults.h"
 #include "core/story/ProbeHeadline.h"

@@ -19,8 +19,8 @@
 #include "app/views/plots/JitterView.h"
 #include "app/views/plots/LineageBars.h"
 #include "app/views/plots/ProfileChart.h"
-#include "app/widgets/verdict/VerdictDetails.h"
-#include "app/widgets/verdict/VerdictLine.h"
+#include "app/widgets/probe/VerdictDetails.h"
+#include "app/widgets/probe/VerdictLine.h"
 
 #include "core/taa/GlslExport.h"
 

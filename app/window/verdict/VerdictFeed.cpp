@@ -4,8 +4,8 @@
 #include "app/panels/ProbePanel.h"
 #include "app/session/Session.h"
 #include "app/views/ViewArea.h"
-#include "app/widgets/verdict/VerdictDetails.h"
-#include "app/widgets/verdict/VerdictLine.h"
+#include "app/widgets/probe/VerdictDetails.h"
+#include "app/widgets/probe/VerdictLine.h"
 
 #include <QEvent>
 #include <QTreeView>

@@ -102,7 +102,7 @@ const std::vector<std::vector<std::string>>& floors() {
       {"app/session/keeping"},
       {"app/models"},
       {"app/models/alternatives", "app/models/verdict"},
-      {"app/views/legend", "app/views/plots", "app/views/timeline", "app/widgets/verdict"},
+      {"app/views/legend", "app/views/plots", "app/views/timeline", "app/widgets/probe"},
       {"app/views"},
       {"app/panels", "app/dialogs", "app/importing", "app/doctor"},
       {"app/learn", "app/docks"},

@@ -1,4 +1,4 @@
-#include "app/widgets/verdict/VerdictLine.h"
+#include "app/widgets/probe/VerdictLine.h"
 
 #include "app/style/Icons.h"
 #include "app/style/Theme.h"

@@ -1,4 +1,4 @@
-#include "app/widgets/verdict/EvidenceRow.h"
+#include "app/widgets/probe/EvidenceRow.h"
 
 #include "app/models/verdict/VerdictWords.h"
 #include "app/style/Text.h"

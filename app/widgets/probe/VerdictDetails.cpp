@@ -1,13 +1,13 @@
-#include "app/widgets/verdict/VerdictDetails.h"
+#include "app/widgets/probe/VerdictDetails.h"
 
 #include "app/models/verdict/VerdictWords.h"
 #include "app/style/Theme.h"
 #include "app/widgets/Note.h"
 #include "app/widgets/SectionHeader.h"
 #include "app/widgets/areas/FittingArea.h"
-#include "app/widgets/verdict/ErrorBars.h"
-#include "app/widgets/verdict/EvidenceRow.h"
-#include "app/widgets/verdict/RemedyButton.h"
+#include "app/widgets/probe/ErrorBars.h"
+#include "app/widgets/probe/EvidenceRow.h"
+#include "app/widgets/probe/RemedyButton.h"
 #include "core/verdict/pixel/BlindAgreement.h"
 
 #include <QLabel>

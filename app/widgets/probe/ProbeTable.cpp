@@ -1,4 +1,4 @@
-#include "app/panels/ProbeTable.h"
+#include "app/widgets/probe/ProbeTable.h"
 
 #include "app/models/ProbeModel.h"
 #include "app/style/Text.h"

@@ -1,4 +1,4 @@
-#include "app/widgets/verdict/ErrorBars.h"
+#include "app/widgets/probe/ErrorBars.h"
 
 #include "app/models/verdict/VerdictWords.h"
 #include "app/style/Numbers.h"

@@ -1,4 +1,4 @@
-#include "app/widgets/verdict/RemedyButton.h"
+#include "app/widgets/probe/RemedyButton.h"
 
 #include "app/style/Theme.h"
 #include "app/widgets/Note.h"
