@@ -6,7 +6,7 @@ buildPackages=(
   cmake ninja-build g++ pkg-config ccache
   qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-qpa-plugins qt6-wayland
   libgl-dev libegl-dev libepoxy-dev libgl1-mesa-dri libegl-mesa0
-  libglm-dev libtinygltf-dev libopenimageio-dev nlohmann-json3-dev libcli11-dev zlib1g-dev
+  libglm-dev libtinygltf-dev libopenimageio-dev nlohmann-json3-dev libcli11-dev libmd4c-dev zlib1g-dev
   fonts-dejavu-core
 )
 # To test them as well.

@@ -3,17 +3,18 @@
 #include "core/base/HtmlText.h"
 #include "core/base/Say.h"
 #include "core/lessons/Ladder.h"
-#include "core/lessons/LessonText.h"
 #include "core/report/ManualPages.h"
+
+#include <md4c.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
 #include <iterator>
+#include <new>
 #include <set>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace taa {
@@ -61,73 +62,6 @@ std::string linkHtml(const std::string& address, const std::string& html) {
   return "<a href=\"" + htmlText(address) + "\">" + html + "</a>";
 }
 
-/// Where the mark that begins at `begin` ends; npos: it has no end, or a blank stands inside of it, and it is
-/// text.
-std::size_t endOfMark(std::string_view text, std::string_view mark, std::size_t begin) {
-  const std::size_t inside = begin + mark.size(), end = text.find(mark, inside);
-  const bool isText = end == text.npos || end == inside || text[inside] == ' ' || text[end - 1] == ' ';
-  return isText ? text.npos : end;
-}
-
-std::string inlineHtml(std::string_view text, const LinkPlace& place);
-
-struct Mark {
-  std::string_view mark, tag;
-  bool isLiteral; ///< what stands in it is shown as it is
-};
-constexpr Mark kMarks[] = {{"**", "strong", false}, {"`", "code", true}, {"*", "em", false}};
-
-/// "[text](address)" at `begin`: appended, and the place behind it; 0: it is none.
-std::size_t appendLink(std::string& out, std::string_view text, std::size_t begin, const LinkPlace& place) {
-  const std::size_t middle = text.find("](", begin);
-  const std::size_t end = middle == text.npos ? text.npos : text.find(')', middle);
-  if (end == text.npos) return 0;
-  const std::string address = place(text.substr(middle + 2, end - middle - 2));
-  if (address.empty()) return 0;
-  out += linkHtml(address, inlineHtml(text.substr(begin + 1, middle - begin - 1), place));
-  return end + 1;
-}
-
-std::string inlineHtml(std::string_view text, const LinkPlace& place) {
-  std::string out;
-  for (std::size_t at = 0; at < text.size();) {
-    if (text[at] == '[')
-      if (const std::size_t behind = appendLink(out, text, at, place)) {
-        at = behind;
-        continue;
-      }
-    const auto* mark = std::ranges::find_if(
-        kMarks, [&](const Mark& each) { return text.substr(at).starts_with(each.mark); });
-    const std::size_t end = mark == std::end(kMarks) ? text.npos : endOfMark(text, mark->mark, at);
-    if (end == text.npos) {
-      out += htmlText(text.substr(at++, 1));
-      continue;
-    }
-    const std::string_view inner = text.substr(at + mark->mark.size(), end - at - mark->mark.size());
-    const std::string tag(mark->tag);
-    out +=
-        "<" + tag + ">" + (mark->isLiteral ? htmlText(inner) : inlineHtml(inner, place)) + "</" + tag + ">";
-    at = end + mark->mark.size();
-  }
-  return out;
-}
-
-/// Cells of "| a | b \| c |".
-std::vector<std::string> cellsOf(std::string_view row) {
-  std::vector<std::string> cells(1);
-  for (std::size_t at = 1; at < row.size(); ++at) {
-    if (row[at] == '\\' && row.substr(at + 1).starts_with("|"))
-      cells.back() += row[++at];
-    else if (row[at] == '|')
-      cells.emplace_back();
-    else
-      cells.back() += row[at];
-  }
-  if (withoutBlanks(cells.back()).empty()) cells.pop_back();
-  for (std::string& cell : cells) cell = std::string(withoutBlanks(cell));
-  return cells;
-}
-
 /// "11.1", "3.1a", "J9", "D8": what techniques are cited by.
 bool isRowNumber(std::string_view text) {
   if (text.size() > 1 && std::islower(static_cast<unsigned char>(text.back()))) text.remove_suffix(1);
@@ -145,103 +79,117 @@ std::string_view numberOfHeading(std::string_view text) {
   return isRowNumber(number) ? number : std::string_view();
 }
 
-/// What of a line of a numbered list stands before its text, "12. "; 0: it is none.
-std::size_t lengthOfNumber(std::string_view line) {
-  const std::size_t digits = std::min(line.find_first_not_of("0123456789"), line.size());
-  return digits > 0 && digits < 4 && line.substr(digits).starts_with(". ") ? digits + 2 : 0;
+struct BlockTags {
+  MD_BLOCKTYPE type;
+  std::string_view opening, closing;
+};
+constexpr BlockTags kBlockTags[] = {
+    {MD_BLOCK_QUOTE, "<blockquote>\n", "</blockquote>\n"},
+    {MD_BLOCK_UL, "<ul>\n", "</ul>\n"},
+    {MD_BLOCK_OL, "<ol>\n", "</ol>\n"},
+    {MD_BLOCK_LI, "<li>", "</li>\n"},
+    {MD_BLOCK_HR, "<hr>\n", ""},
+    {MD_BLOCK_CODE, "<pre>", "</pre>\n"},
+    {MD_BLOCK_P, "<p>", "</p>\n"},
+    {MD_BLOCK_TABLE, "<div class=\"table\"><table>\n", "</table></div>\n"},
+    {MD_BLOCK_TR, "<tr>", "</tr>\n"},
+    {MD_BLOCK_TH, "<th>", "</th>"},
+    {MD_BLOCK_TD, "<td>", "</td>"},
+};
+
+/// Both tags are empty where a block has none.
+BlockTags tagsOf(MD_BLOCKTYPE type) {
+  const auto* found = std::ranges::find(kBlockTags, type, &BlockTags::type);
+  return found == std::end(kBlockTags) ? BlockTags{type, "", ""} : *found;
 }
 
-/// Lines of one block, closed by a blank line.
-class BlockWriter {
+/// Writes what md4c finds, in the order of the text.
+class HtmlWriter {
  public:
-  explicit BlockWriter(const LinkPlace& place) : place_(place) {}
+  explicit HtmlWriter(const LinkPlace& place) : place_(place) {}
 
-  void take(std::string_view line) {
-    if (line.starts_with("```")) return toggleCode();
-    if (isCode_) {
-      out_ += htmlText(line) + "\n";
-      return;
+  void enterBlock(MD_BLOCKTYPE type, const void* detail) {
+    if (type == MD_BLOCK_H || type == MD_BLOCK_TR) {
+      begin_ = out_.size();
+      plain_.clear();
     }
-    if (line.starts_with("|")) return takeRow(line);
-    closeTable();
-    const std::size_t depth = line.find_first_not_of('#');
-    if (depth != 0 && depth != line.npos && depth <= 4 && line[depth] == ' ')
-      return takeHeading(depth, withoutBlanks(line.substr(depth)));
-    const std::size_t number = lengthOfNumber(line);
-    const bool isItem = number > 0 || line.starts_with("* ") || line.starts_with("- ");
-    if (withoutBlanks(line).empty() || isItem) closeParagraph();
-    if (withoutBlanks(line).empty()) return closeList();
-    if (isItem) openList(number > 0 ? "ol" : "ul");
-    paragraph_ += (paragraph_.empty() ? "" : " ") +
-                  std::string(withoutBlanks(isItem ? line.substr(std::max<std::size_t>(number, 2)) : line));
+    out_ += tagsOf(type).opening;
+    if (type != MD_BLOCK_OL) return;
+    if (const unsigned start = static_cast<const MD_BLOCK_OL_DETAIL*>(detail)->start; start != 1)
+      out_.insert(out_.rfind('>'), " start=\"" + std::to_string(start) + "\"");
   }
 
-  std::string finish() {
-    closeParagraph();
-    closeList();
-    closeTable();
-    if (isCode_) toggleCode();
-    return out_;
+  void leaveBlock(MD_BLOCKTYPE type, const void* detail) {
+    if (type == MD_BLOCK_H) finishHeading(static_cast<const MD_BLOCK_H_DETAIL*>(detail)->level);
+    if (type == MD_BLOCK_TD) plain_ += '\n';
+    if (type == MD_BLOCK_TR) finishRow();
+    out_ += tagsOf(type).closing;
   }
+
+  void enterSpan(MD_SPANTYPE type, const void* detail) { takeSpan(type, detail, true); }
+  void leaveSpan(MD_SPANTYPE type, const void* detail) { takeSpan(type, detail, false); }
+
+  void takeText(MD_TEXTTYPE type, std::string_view text) {
+    plain_ += text;
+    if (type == MD_TEXT_BR)
+      out_ += "<br>\n";
+    else if (type == MD_TEXT_SOFTBR)
+      out_ += ' ';
+    else
+      out_ += type == MD_TEXT_ENTITY ? std::string(text) : htmlText(text);
+  }
+
+  const std::string& html() const { return out_; }
 
  private:
-  void takeHeading(std::size_t depth, std::string_view text) {
-    closeParagraph();
-    closeList();
-    const std::string tag = "h" + std::to_string(depth), number(numberOfHeading(text));
+  void takeSpan(MD_SPANTYPE type, const void* detail, bool opens) {
+    if (type == MD_SPAN_A) return takeLink(static_cast<const MD_SPAN_A_DETAIL*>(detail)->href, opens);
+    if (type == MD_SPAN_IMG)
+      return takeUnlinked("![", static_cast<const MD_SPAN_IMG_DETAIL*>(detail)->src, opens);
+    const std::string tag = type == MD_SPAN_STRONG ? "strong" : type == MD_SPAN_EM ? "em" : "code";
+    out_ += (opens ? "<" : "</") + tag + ">";
+  }
+  void takeLink(const MD_ATTRIBUTE& address, bool opens) {
+    const std::string place = place_({address.text, address.size});
+    if (place.empty()) return takeUnlinked("[", address, opens);
+    out_ += opens ? "<a href=\"" + htmlText(place) + "\">" : "</a>";
+  }
+  /// As it is written.
+  void takeUnlinked(const char* mark, const MD_ATTRIBUTE& address, bool opens) {
+    out_ += opens ? mark : "](" + htmlText({address.text, address.size}) + ")";
+  }
+  void finishHeading(unsigned level) {
+    const std::string tag = "h" + std::to_string(level), number(numberOfHeading(plain_));
     const std::string anchor = takeNumber(number) ? "<a id=\"" + number + "\"></a>" : "";
-    out_ += "<" + tag + " id=\"" + htmlText(headingAnchor(std::string(text))) + "\">" + anchor +
-            inlineHtml(text, place_) + "</" + tag + ">\n";
+    out_.insert(begin_, "<" + tag + " id=\"" + htmlText(headingAnchor(plain_)) + "\">" + anchor);
+    out_ += "</" + tag + ">\n";
+  }
+  void finishRow() {
+    const std::size_t end = plain_.find('\n');
+    const std::string number = end == plain_.npos ? "" : plain_.substr(0, end);
+    if (isRowNumber(number) && takeNumber(number))
+      out_.insert(out_.find('>', begin_), " id=\"" + number + "\"");
   }
   /// Whether it leads here: what has the number first does.
   bool takeNumber(const std::string& number) { return !number.empty() && numbers_.insert(number).second; }
-  // The second row only divides the first one from the others.
-  void takeRow(std::string_view line) {
-    closeParagraph();
-    closeList();
-    if (rows_++ == 0) out_ += "<div class=\"table\"><table>\n";
-    if (rows_ == 2 && line.find_first_not_of("|-: ") == line.npos) return;
-    const std::string tag = rows_ == 1 ? "th" : "td";
-    const std::vector<std::string> cells = cellsOf(line);
-    const bool isNumbered = rows_ > 2 && !cells.empty() && isRowNumber(cells.front());
-    out_ += isNumbered && takeNumber(cells.front()) ? "<tr id=\"" + cells.front() + "\">" : "<tr>";
-    for (const std::string& cell : cells)
-      out_ += "<" + tag + ">" + inlineHtml(cell, place_) + "</" + tag + ">";
-    out_ += "</tr>\n";
-  }
-  void closeTable() {
-    if (std::exchange(rows_, 0) > 0) out_ += "</table></div>\n";
-  }
-  void closeParagraph() {
-    if (paragraph_.empty()) return;
-    const std::string tag = list_.empty() ? "p" : "li";
-    out_ += "<" + tag + ">" + inlineHtml(paragraph_, place_) + "</" + tag + ">\n";
-    paragraph_.clear();
-  }
-  void openList(const std::string& tag) {
-    if (list_ == tag) return;
-    closeList();
-    out_ += "<" + tag + ">\n";
-    list_ = tag;
-  }
-  void closeList() {
-    if (!list_.empty()) out_ += "</" + list_ + ">\n";
-    list_.clear();
-  }
-  void toggleCode() {
-    closeParagraph();
-    closeList();
-    out_ += isCode_ ? "</pre>\n" : "<pre>";
-    isCode_ = !isCode_;
-  }
 
   const LinkPlace& place_;
-  std::string out_, paragraph_;
+  std::string out_;
+  std::size_t begin_ = 0;         ///< of the heading or row of a table, in `out_`
+  std::string plain_;             ///< its text; cells end with a line feed, those of a table's head do not
   std::set<std::string> numbers_; ///< that lead somewhere
-  std::string list_;              ///< its tag; empty: there is none
-  int rows_ = 0;                  ///< of the table that is open
-  bool isCode_ = false;
 };
+
+// As md4c calls the writer; 0: go on.
+template <auto kTake, typename Type>
+int pass(Type type, void* detail, void* writer) {
+  (static_cast<HtmlWriter*>(writer)->*kTake)(type, detail);
+  return 0;
+}
+int passText(MD_TEXTTYPE type, const char* text, MD_SIZE size, void* writer) {
+  static_cast<HtmlWriter*>(writer)->takeText(type, {text, size});
+  return 0;
+}
 
 std::string taskHtml(const Task& task) {
   std::string out;
@@ -287,13 +235,19 @@ std::string webPlace(std::string_view address) {
 }
 
 std::string htmlOfMarkdown(std::string_view markdown, const LinkPlace& place) {
-  BlockWriter writer(place);
-  while (!markdown.empty()) {
-    const std::size_t end = std::min(markdown.find('\n'), markdown.size());
-    writer.take(markdown.substr(0, end));
-    markdown.remove_prefix(std::min(end + 1, markdown.size()));
-  }
-  return writer.finish();
+  const MD_PARSER parser{0,
+                         MD_FLAG_TABLES | MD_FLAG_NOHTML,
+                         pass<&HtmlWriter::enterBlock>,
+                         pass<&HtmlWriter::leaveBlock>,
+                         pass<&HtmlWriter::enterSpan>,
+                         pass<&HtmlWriter::leaveSpan>,
+                         passText,
+                         nullptr,
+                         nullptr};
+  HtmlWriter writer(place);
+  if (md_parse(markdown.data(), static_cast<MD_SIZE>(markdown.size()), &parser, &writer) != 0)
+    throw std::bad_alloc(); // the only failure that md4c has
+  return writer.html();
 }
 
 std::string lessonHtml(const Lesson& lesson, const std::vector<StepOnPage>& steps, const LessonLinks& links) {

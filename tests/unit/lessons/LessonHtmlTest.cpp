@@ -28,10 +28,15 @@ TEST(LessonHtml, HasListsAndBlocksOfCode) {
 TEST(LessonHtml, LinksToTheWebAlone) {
   EXPECT_EQ(htmlOfMarkdown("[a](https://x.org)"), "<p><a href=\"https://x.org\">a</a></p>\n");
   EXPECT_EQ(htmlOfMarkdown("[a](javascript:b)"), "<p>[a](javascript:b)</p>\n");
+  EXPECT_EQ(htmlOfMarkdown("[a](https://x.org/\"&quot;>)"),
+            "<p><a href=\"https://x.org/&quot;&amp;quot;&gt;\">a</a></p>\n");
+  EXPECT_EQ(htmlOfMarkdown("<javascript:b>"), "<p>[javascript:b](javascript:b)</p>\n");
+  EXPECT_EQ(htmlOfMarkdown("![*a*](https://x.org)"), "<p>![<em>a</em>](https://x.org)</p>\n");
 }
 
 TEST(LessonHtml, ShowsTagsAndLoneMarksAsTheyAreWritten) {
   EXPECT_EQ(htmlOfMarkdown("<script>2 * 3 ** 4 ` 5"), "<p>&lt;script&gt;2 * 3 ** 4 ` 5</p>\n");
+  EXPECT_EQ(htmlOfMarkdown("<b>\n\n\\*a\\* &lt;"), "<p>&lt;b&gt;</p>\n<p>*a* &lt;</p>\n");
 }
 
 TEST(LessonHtml, HasHeadingsNumberedListsAndTablesWhoseRowsAreFoundByNumber) {
@@ -41,6 +46,8 @@ TEST(LessonHtml, HasHeadingsNumberedListsAndTablesWhoseRowsAreFoundByNumber) {
   EXPECT_EQ(htmlOfMarkdown("## 16. Two\n"), "<h2 id=\"16-two\"><a id=\"16\"></a>16. Two</h2>\n");
   EXPECT_NE(htmlOfMarkdown("| r |\n|---|\n| 3.1a |\n").find("<tr id=\"3.1a\">"), std::string::npos);
   EXPECT_EQ(htmlOfMarkdown("1. a\n2. b\n"), "<ol>\n<li>a</li>\n<li>b</li>\n</ol>\n");
+  EXPECT_EQ(htmlOfMarkdown("9. a\n   ```\n   b\n   ```\n"),
+            "<ol start=\"9\">\n<li>a<pre>b\n</pre>\n</li>\n</ol>\n");
   EXPECT_EQ(htmlOfMarkdown("| row | b |\n|---|---|\n| 11.1 | x \\| *y* |\n| no | |\n\nz\n"),
             "<div class=\"table\"><table>\n<tr><th>row</th><th>b</th></tr>\n"
             "<tr id=\"11.1\"><td>11.1</td><td>x | <em>y</em></td></tr>\n<tr><td>no</td><td></td></tr>\n"
