@@ -170,8 +170,6 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
       ->check(CLI::ExistingDirectory);
   app.add_flag("--timing", arguments.timing,
                "Say on stderr how long after the start the first picture was there");
-  app.add_flag("--core-texts", arguments.coreTexts,
-               "Print the texts of the core for lupdate and end; see app/translations");
 }
 
 void addSceneOptions(CLI::App& app, Arguments& arguments, Texts& texts) {

@@ -46,9 +46,8 @@ struct Arguments {
   std::optional<CameraTrack> track;    ///< looked through
   ShotChoice choice;                   ///< of a scene's animations and length
   ObjectFilter filter;
-  bool coreTexts = false; ///< print the texts of the tables for lupdate, and end
-  bool reopens = false;   ///< nothing says what to show: go on from where the program was closed
-  bool timing = false;    ///< say on stderr when the first picture was there
+  bool reopens = false; ///< nothing says what to show: go on from where the program was closed
+  bool timing = false;  ///< say on stderr when the first picture was there
 };
 
 /// What to do instead of running, with the exit code: help, version, a usage error.

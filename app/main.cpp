@@ -3,7 +3,6 @@
 #include "app/session/keeping/EndSignals.h"
 #include "app/session/keeping/SessionKeeper.h"
 #include "app/style/Icons.h"
-#include "app/style/Translation.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "app/window/MainWindow.h"
@@ -220,12 +219,6 @@ int main(int argc, char** argv) {
     chooseShaders(arguments);
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("TAA Inspector"));
-    if (arguments.coreTexts) {
-      std::fputs(coreTextLines().toUtf8().constData(), stdout);
-      return 0;
-    }
-    // A picture of the window reads the same whoever takes it.
-    if (arguments.screenshot.empty()) installTranslation(application, QLocale(), translationFolders());
     return run(application, arguments);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "taa-inspector: %s\n", taa::shownReason(error).c_str());

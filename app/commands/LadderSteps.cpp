@@ -71,7 +71,7 @@ void LadderSteps::goTo(const QString& preset) {
   session_.presets().setPreset(preset);
   const Settings& now = session_.presets().settings();
   changed_ = tr("%1. Changed: %2; texture fetches of a pixel %3 → %4.")
-                 .arg(tableText(taa::preset(preset.toStdString()).label), rungChangesText(before, now))
+                 .arg(qtext(taa::preset(preset.toStdString()).label), rungChangesText(before, now))
                  .arg(textureFetches(before).sum())
                  .arg(textureFetches(now).sum());
   Q_EMIT said(changed_ + QLatin1Char(' ') + tr("Measuring what it gains…"));

@@ -34,7 +34,7 @@ void ProbeCommands::showWorst(const FoundWorst& found) {
 
 QString ProbeCommands::foundText(const FoundWorst& found) {
   const WorstQuestion& of = found.question;
-  QString what = tableText(intermediate(of.row).label);
+  QString what = qtext(intermediate(of.row).label);
   switch (found.step) {
   case WorstStep::Rejected:
     return tr("Rejected pixel %1 of %2").arg(found.number).arg(found.count);
@@ -49,7 +49,7 @@ QString ProbeCommands::foundText(const FoundWorst& found) {
   case WorstStep::Category:
     break;
   }
-  if (of.category) what = tr("%1: %2").arg(what, tableText(categoryText(of.row, *of.category)));
+  if (of.category) what = tr("%1: %2").arg(what, qtext(categoryText(of.row, *of.category)));
   return tr("Worst pixel %1 of %2 by %3").arg(found.number).arg(found.count).arg(what);
 }
 

@@ -29,8 +29,8 @@ void addPresets(std::vector<ComparisonChoice>& choices, const QString& group, co
   QString heading = group;
   for (const Preset& preset : builtinPresets()) {
     if (const PresetGroup* started = startedGroup(preset))
-      heading = QObject::tr("%1: %2").arg(group, tableText(started->label));
-    choices.push_back({{tableText(preset.label), {}, heading, {.id = preset.id}},
+      heading = QObject::tr("%1: %2").arg(group, qtext(started->label));
+    choices.push_back({{qtext(preset.label), {}, heading, {.id = preset.id}},
                        Comparison{OtherKind::Preset, {}, preset.id}});
   }
   for (const UserPreset& preset : userPresets(folder))

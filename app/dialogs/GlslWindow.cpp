@@ -62,7 +62,7 @@ GlslWindow::GlslWindow(Session& session, QWidget* parent)
   const std::vector<std::string> paths = embeddedPaths("shaders/");
   for (const StageInfo& stage : kStages)
     if (std::ranges::find(paths, fileOf(stage).toStdString()) != paths.end())
-      files_->addItem(tr("%1 (%2)").arg(tableText(stage.label), fileOf(stage)), fileOf(stage));
+      files_->addItem(tr("%1 (%2)").arg(qtext(stage.label), fileOf(stage)), fileOf(stage));
   files_->insertSeparator(files_->count());
   for (const std::string& path : paths)
     if (files_->findData(QString::fromStdString(path)) < 0)

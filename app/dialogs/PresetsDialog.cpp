@@ -39,10 +39,10 @@ enum Column { StageName, Setting, Present, InPreset };
 QString shownValue(const Parameter& row, double value) {
   if (row.kind == ParameterKind::Choice) {
     const auto index = static_cast<std::size_t>(value);
-    if (index < row.choices.size()) return tableText(row.choices[index].label);
+    if (index < row.choices.size()) return qtext(row.choices[index].label);
   }
   const QString text = QString::fromStdString(valueText(row, value));
-  return row.unit.empty() ? text : text + u' ' + tableText(row.unit);
+  return row.unit.empty() ? text : text + u' ' + qtext(row.unit);
 }
 
 } // namespace
@@ -135,11 +135,11 @@ void PresetsDialog::readPresets(const QString& wanted) {
                                            : QString::fromStdString(session_.presets().presetId());
   entries_.clear();
   for (const Preset& preset : builtinPresets())
-    entries_.push_back({tableText(preset.label), QString::fromStdString(preset.id),
-                        tableText(preset.description), preset.settings, false});
+    entries_.push_back({qtext(preset.label), QString::fromStdString(preset.id), qtext(preset.description),
+                        preset.settings, false});
   for (const UserPreset& own : userPresets(folder_)) try {
       const Preset read = preset(own.path.toStdString());
-      entries_.push_back({own.label, own.path, tableText(read.description), read.settings, true});
+      entries_.push_back({own.label, own.path, qtext(read.description), read.settings, true});
     } catch (const std::exception&) {
       continue; // it went away meanwhile
     }
@@ -170,10 +170,10 @@ void PresetsDialog::compare() {
     for (const Parameter& row : parameters()) {
       const double present = row.get(now), there = row.get(entry->settings);
       if (valueText(row, present) == valueText(row, there)) continue;
-      auto* item = new QTreeWidgetItem({tableText(stageInfo(row.stage).label), tableText(row.label),
+      auto* item = new QTreeWidgetItem({qtext(stageInfo(row.stage).label), qtext(row.label),
                                         shownValue(row, present), shownValue(row, there)});
       item->setData(Setting, Qt::UserRole, qtext(row.path));
-      item->setToolTip(Setting, tableText(row.tooltip));
+      item->setToolTip(Setting, qtext(row.tooltip));
       item->setData(InPreset, Qt::UserRole, there);
       table_->addTopLevelItem(item);
     }

@@ -123,8 +123,8 @@ void RangeDialog::addRows() {
   const std::vector<IntermediateId> shown = views_.shown();
   for (const IntermediateId id : allRows()) {
     const Intermediate& row = intermediate(id);
-    auto* item = new QListWidgetItem(
-        tr("%1 (%2)").arg(tableText(row.label), tableText(stageInfo(row.stage).label)), rows_);
+    auto* item =
+        new QListWidgetItem(tr("%1 (%2)").arg(qtext(row.label), qtext(stageInfo(row.stage).label)), rows_);
     item->setData(Qt::UserRole, static_cast<int>(id));
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
     const bool isShown = std::ranges::find(shown, id) != shown.end();

@@ -3,7 +3,6 @@
 #include "app/style/DialogSize.h"
 #include "app/style/Icons.h"
 #include "app/style/Theme.h"
-#include "core/report/ReferencePage.h"
 
 #include <QDesktopServices>
 #include <QHBoxLayout>
@@ -30,11 +29,6 @@ namespace {
 
 constexpr double kTitlesShare = 0.3; ///< of the width, that titles of pages take at most: long ones wrap
 
-/// The reference page tells them in the user's language.
-bool isOfTables(const ManualPage& page) {
-  return page.file == "settings.md" || page.file == "intermediates.md";
-}
-
 /// Tables as wide as the page, their cells apart by thin lines.
 void styleTables(QTextDocument* document, const QColor& line) {
   for (QTextFrame* frame : document->rootFrame()->childFrames()) {
@@ -58,18 +52,16 @@ ReferenceDialog::ReferenceDialog(QWidget* parent) : QDialog(parent), pages_(manu
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Manual"));
   resize(largeOver(parent, {scaled(250 * kUnit), scaled(170 * kUnit)}));
-  std::erase_if(pages_, isOfTables);
   list_ = new QListWidget;
   list_->setAccessibleName(tr("Pages of the manual"));
-  list_->addItem(tr("Settings and intermediates"));
   for (const ManualPage& page : pages_) list_->addItem(QString::fromStdString(page.title));
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setWordWrap(true);
   list_->setFixedWidth(
       std::min(list_->sizeHintForColumn(0) + 4 * kUnit, static_cast<int>(kTitlesShare * width())));
   search_ = new QLineEdit;
-  search_->setPlaceholderText(tr("Find in this page; Enter goes on"));
-  search_->setAccessibleName(tr("Find in this page"));
+  search_->setPlaceholderText(tr("Find in the manual; Enter goes on"));
+  search_->setAccessibleName(tr("Find in the manual"));
   search_->setClearButtonEnabled(true);
   search_->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
   browser_ = new QTextBrowser;
@@ -105,12 +97,8 @@ ReferenceDialog::ReferenceDialog(QWidget* parent) : QDialog(parent), pages_(manu
 void ReferenceDialog::showPage(int row) {
   auto* document = new QTextDocument(browser_);
   document->setDefaultFont(browser_->font());
-  if (row <= 0) {
-    document->setHtml(QString::fromStdString(referencePageHtml()));
-  } else {
-    document->setMarkdown(QString::fromStdString(pages_[static_cast<std::size_t>(row - 1)].text));
-    styleTables(document, themeColors(this).line);
-  }
+  document->setMarkdown(QString::fromStdString(pages_.at(static_cast<std::size_t>(row)).text));
+  styleTables(document, themeColors(this).line);
   browser_->setDocument(document); // which deletes the one before
   find(false);
 }
@@ -123,10 +111,7 @@ void ReferenceDialog::follow(const QUrl& link) {
   }
   const std::string file = link.path().toStdString();
   const auto page = std::ranges::find(pages_, file, &ManualPage::file);
-  if (page != pages_.end())
-    list_->setCurrentRow(static_cast<int>(page - pages_.begin()) + 1);
-  else if (!file.empty())
-    list_->setCurrentRow(0);
+  if (page != pages_.end()) list_->setCurrentRow(static_cast<int>(page - pages_.begin()));
   if (link.hasFragment()) scrollTo(link.fragment().toStdString());
 }
 
@@ -148,26 +133,35 @@ bool ReferenceDialog::findInPage(bool fromHere) {
   return browser_->find(search_->text());
 }
 
-QStringList ReferenceDialog::pagesWith(const QString& text) const {
-  QStringList titles;
-  if (QString::fromStdString(referencePageHtml()).contains(text, Qt::CaseInsensitive))
-    titles << list_->item(0)->text();
-  for (const ManualPage& page : pages_)
-    if (QString::fromStdString(page.text).contains(text, Qt::CaseInsensitive))
-      titles << QString::fromStdString(page.title);
-  return titles;
+std::vector<int> ReferenceDialog::pagesWith(const QString& text) const {
+  std::vector<int> rows;
+  const auto count = static_cast<int>(pages_.size());
+  for (int step = 1; step < count; ++step) {
+    const int row = (list_->currentRow() + step) % count;
+    const std::string& page = pages_[static_cast<std::size_t>(row)].text;
+    if (QString::fromStdString(page).contains(text, Qt::CaseInsensitive)) rows.push_back(row);
+  }
+  return rows;
 }
 
+// Enter goes on to the next page that has it.
 void ReferenceDialog::find(bool fromHere) {
   const QString text = search_->text();
   const bool found = text.isEmpty() || findInPage(fromHere);
   missed_->setVisible(!found);
   if (found) return;
-  const QStringList pages = pagesWith(text);
+  const std::vector<int> rows = pagesWith(text);
+  if (fromHere && !rows.empty()) {
+    list_->setCurrentRow(rows.front());
+    return;
+  }
+  QStringList titles;
+  for (const int row : rows) titles << list_->item(row)->text();
   missed_->setText(
-      pages.isEmpty()
+      titles.isEmpty()
           ? tr("No page of the manual has “%1”. Fewer letters or another word may find it.").arg(text)
-          : tr("“%1” is not on this page, but on: %2.").arg(text, pages.join(QStringLiteral(", "))));
+          : tr("“%1” is not on this page, but on: %2. Enter goes there.")
+                .arg(text, titles.join(QStringLiteral(", "))));
 }
 
 } // namespace taa::app

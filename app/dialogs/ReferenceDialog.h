@@ -1,4 +1,4 @@
-// The manual and the reference page: pages at the left, and a field that finds a word in the one on show.
+// The manual: pages at the left, and a field that finds a word in the one on show, and in the others.
 #pragma once
 
 #include "core/report/ManualPages.h"
@@ -17,8 +17,7 @@ class QUrl;
 
 namespace taa::app {
 
-/// Deletes itself when closed. Opens on the reference of settings and intermediates, in the user's language;
-/// the manual's own pages of them are left out.
+/// Deletes itself when closed.
 class ReferenceDialog : public QDialog {
   Q_OBJECT
  public:
@@ -30,10 +29,10 @@ class ReferenceDialog : public QDialog {
   void scrollTo(const std::string& anchor);
   void find(bool fromHere);
   bool findInPage(bool fromHere);
-  /// Titles of the pages that have a text.
-  QStringList pagesWith(const QString& text) const;
+  /// Rows of the pages that have a text, those below the one on show first.
+  std::vector<int> pagesWith(const QString& text) const;
 
-  std::vector<ManualPage> pages_; ///< those of the list after its first row
+  std::vector<ManualPage> pages_; ///< as the list has them
   QListWidget* list_ = nullptr;
   QLineEdit* search_ = nullptr;
   QLabel* missed_ = nullptr; ///< that nothing was found, and where it is

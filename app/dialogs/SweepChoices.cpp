@@ -40,9 +40,9 @@ bool isSweptNumber(const Parameter& row) {
 }
 
 QString sweptValueText(const Parameter& row, double value) {
-  if (row.kind == ParameterKind::Choice) return tableText(row.choices[static_cast<std::size_t>(value)].label);
+  if (row.kind == ParameterKind::Choice) return qtext(row.choices[static_cast<std::size_t>(value)].label);
   const QString text = QString::fromStdString(valueText(row, value));
-  return row.unit.empty() ? text : text + u' ' + tableText(row.unit);
+  return row.unit.empty() ? text : text + u' ' + qtext(row.unit);
 }
 
 /// All that a choice or a switch has.
@@ -95,8 +95,7 @@ void SweepChoices::listParameters() {
   for (const Parameter& row : parameters())
     if (qtext(row.path) == chosen ||
         (isRelevant(row, session_.presets().settings()) && !(captured && isFixedBy(*captured, row))))
-      axis_->addItem(tr("%1: %2").arg(tableText(stageInfo(row.stage).label), tableText(row.label)),
-                     qtext(row.path));
+      axis_->addItem(tr("%1: %2").arg(qtext(stageInfo(row.stage).label), qtext(row.label)), qtext(row.path));
   if (!chosen.isEmpty()) axis_->setCurrentIndex(axis_->findData(chosen));
 }
 
@@ -116,7 +115,7 @@ void SweepChoices::listPresets() {
   };
   add(tr("The present settings"), {}, true);
   for (const Preset& preset : builtinPresets())
-    add(tableText(preset.label), QString::fromStdString(preset.id),
+    add(qtext(preset.label), QString::fromStdString(preset.id),
         preset.group == kPresetGroups.front().id && preset.step == 0);
   for (const UserPreset& own : userPresets(folder_)) add(tr("%1 (mine)").arg(own.label), own.path, false);
 }
@@ -149,7 +148,7 @@ const Parameter* SweepChoices::row() const {
 }
 
 QString SweepChoices::title() const {
-  return row() ? tableText(row()->label) : tr("Preset");
+  return row() ? qtext(row()->label) : tr("Preset");
 }
 
 // Around what is set now.
@@ -167,7 +166,7 @@ void SweepChoices::showRange(const Parameter& row) {
   for (QDoubleSpinBox* field : {from_, to_}) {
     field->setDecimals(row.kind == ParameterKind::Integer ? 0 : kRangeDecimals);
     field->setRange(row.minimum, row.maximum);
-    field->setSuffix(row.unit.empty() ? QString() : u' ' + tableText(row.unit));
+    field->setSuffix(row.unit.empty() ? QString() : u' ' + qtext(row.unit));
   }
   from_->setValue(range.from);
   to_->setValue(range.to);

@@ -55,8 +55,8 @@ class SweepLine : public QTreeWidgetItem {
 
 QString metricTitle(Metric metric) {
   const MetricInfo& info = metricInfo(metric);
-  const QString label = tableText(info.label);
-  return info.unit.empty() ? label : label + u' ' + tableText(info.unit);
+  const QString label = qtext(info.label);
+  return info.unit.empty() ? label : label + u' ' + qtext(info.unit);
 }
 
 } // namespace
@@ -78,7 +78,7 @@ SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* paren
   left->addWidget(frames_);
   left->addWidget(supersampling_);
   supersampling_->setObjectName(QStringLiteral("supersampling"));
-  supersampling_->setToolTip(tableText(metricInfo(Metric::Supersampling).description));
+  supersampling_->setToolTip(qtext(metricInfo(Metric::Supersampling).description));
   auto* sides = new QHBoxLayout;
   sides->setSpacing(3 * kUnit);
   sides->addLayout(left);
@@ -209,7 +209,7 @@ void SweepDialog::listMetrics() {
   table_->header()->setSortIndicator(-1, Qt::AscendingOrder); // as they are measured, until one is clicked
   for (std::size_t column = 0; column < metrics_.size(); ++column)
     table_->headerItem()->setToolTip(FirstMetric + static_cast<int>(column),
-                                     tableText(metricInfo(metrics_[column]).description));
+                                     qtext(metricInfo(metrics_[column]).description));
 }
 
 void SweepDialog::listScenes() {

@@ -24,7 +24,7 @@ QString sweptSourceOf(const BuiltinScene& scene) {
 /// As the list of built-in scenes calls it, else by its file.
 QString sweptSceneName(const std::string& source) {
   for (const BuiltinScene& scene : builtinScenes())
-    if (sweptSourceOf(scene).toStdString() == source) return tableText(scene.label);
+    if (sweptSourceOf(scene).toStdString() == source) return qtext(scene.label);
   const QFileInfo file(QString::fromStdString(source));
   return file.fileName().isEmpty() ? file.path() : file.fileName();
 }
@@ -64,7 +64,7 @@ void SweepScenes::list() {
   };
   add(tr("%1, as it is open").arg(sweptSceneName(open_)), {}, true);
   for (const BuiltinScene& scene : builtinScenes())
-    if (sweptSourceOf(scene).toStdString() != open_) add(tableText(scene.label), sweptSourceOf(scene), false);
+    if (sweptSourceOf(scene).toStdString() != open_) add(qtext(scene.label), sweptSourceOf(scene), false);
 }
 
 std::vector<SweptScene> SweepScenes::chosen() const {

@@ -40,7 +40,7 @@ constexpr int kFirstEvaluations = 100, kMaxEvaluations = 10'000;
 
 QString goalTitle(const QString& id) {
   if (id == QLatin1String(kCostGoal)) return TuneChoices::tr("Cost of the resolve");
-  return tableText(metricInfo(*findMetric(id.toStdString())).label);
+  return qtext(metricInfo(*findMetric(id.toStdString())).label);
 }
 
 TuneChoices::TuneChoices(Session& session, QWidget* parent)
@@ -78,7 +78,7 @@ QWidget* TuneChoices::makeGoal() {
     weight.field->setValue(first.weight);
     weight.field->setAccessibleName(tr("Weight of %1").arg(goalTitle(weight.id)));
     if (const auto metric = findMetric(first.id))
-      weight.field->setToolTip(tableText(metricInfo(*metric).description));
+      weight.field->setToolTip(qtext(metricInfo(*metric).description));
     form->addRow(goalTitle(weight.id), weight.field);
     connect(weight.field, &QDoubleSpinBox::valueChanged, this, &TuneChoices::changed);
     weights_.push_back(weight);
@@ -92,7 +92,7 @@ void TuneChoices::listStages() {
   for (const Parameter* row : tunableRows()) {
     QListWidgetItem*& item = listed[row->stage];
     if (!item) {
-      item = new QListWidgetItem(tableText(stageInfo(row->stage).label), stages_);
+      item = new QListWidgetItem(qtext(stageInfo(row->stage).label), stages_);
       item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
       item->setCheckState(Qt::Checked);
     }

@@ -24,7 +24,7 @@ namespace taa::app {
 namespace {
 
 QString htmlOf(std::string_view view) {
-  return tableText(view).toHtmlEscaped();
+  return qtext(view).toHtmlEscaped();
 }
 
 QString textOf(const capture::Convention& row, const capture::Conventions& of) {
@@ -87,10 +87,10 @@ QString conventionToolTip(const capture::Convention& row) {
 }
 
 ConventionRow::ConventionRow(const capture::Convention& row, QWidget* parent)
-    : QWidget(parent), row_(row), label_(new ParameterLabel(tableText(row.label))), verdictText_(new QLabel) {
+    : QWidget(parent), row_(row), label_(new ParameterLabel(qtext(row.label))), verdictText_(new QLabel) {
   makeEditor();
   editor_->setObjectName(path());
-  editor_->setAccessibleName(tableText(row.label));
+  editor_->setAccessibleName(qtext(row.label));
   editor_->installEventFilter(this);
   const QString tip = conventionToolTip(row);
   label_->setToolTip(tip);
@@ -157,8 +157,8 @@ QWidget* ConventionRow::makeChoice() {
   if (row_.kind == capture::ConventionKind::OptionalChoice)
     add(tr("As it is stored"), QStringLiteral("none"), tr("Nothing is done there."));
   for (const capture::ConventionChoice& choice : row_.choices)
-    add(tableText(choice.label), qtext(choice.id), tableText(choice.explanation));
-  box->view()->setAccessibleName(tableText(row_.label));
+    add(qtext(choice.label), qtext(choice.id), qtext(choice.explanation));
+  box->view()->setAccessibleName(qtext(row_.label));
   connect(box, &QComboBox::currentIndexChanged, this, [this, box] { edit(box->currentData().toString()); });
   showText_ = [box](const QString& text) { box->setCurrentIndex(box->findData(text)); };
   return box;

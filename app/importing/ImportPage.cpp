@@ -91,8 +91,8 @@ QWidget* ImportPage::makeHeader() {
   like_->view()->setAccessibleName(like_->accessibleName());
   like_->addItem(tr("Nothing known"), QString());
   for (const capture::StartingPoint& point : capture::startingPoints()) {
-    like_->addItem(tableText(point.label), qtext(point.id));
-    like_->setItemData(like_->count() - 1, tableText(point.notes), Qt::ToolTipRole);
+    like_->addItem(qtext(point.label), qtext(point.id));
+    like_->setItemData(like_->count() - 1, qtext(point.notes), Qt::ToolTipRole);
   }
   like_->setToolTip(tr("The conventions of an engine or library, to begin with"));
   line->addWidget(place_, 1);
@@ -219,7 +219,7 @@ bool ImportPage::edit(const QString& path, const QString& text) {
   const capture::Convention& row = capture::convention(path.toStdString());
   try {
     change(withAssignments(state(), {std::string(row.path) + "=" + text.toStdString()}),
-           tr("change %1").arg(tableText(row.label)), std::string(row.path));
+           tr("change %1").arg(qtext(row.label)), std::string(row.path));
   } catch (const Error& error) {
     showState(); // as it was
     say(QString::fromUtf8(error.what()));

@@ -51,7 +51,7 @@ void setInjected(PresetChoices& presets, const FaultInfo& info, bool isOn) {
     inject(info.fault, choice.settings);
   else
     withdraw(info.fault, healthySettings(presets), choice.settings);
-  presets.change(choice, FaultsMenu::tr("fault: %1").arg(tableText(info.label)));
+  presets.change(choice, FaultsMenu::tr("fault: %1").arg(qtext(info.label)));
 }
 
 } // namespace
@@ -97,7 +97,7 @@ void FaultsMenu::addNone(Session& session) {
 }
 
 void FaultsMenu::addPart(Session& session, FaultPart part) {
-  QMenu* menu = addMenu(tableText(faultPartLabel(part)));
+  QMenu* menu = addMenu(qtext(faultPartLabel(part)));
   menu->setToolTipsVisible(true);
   for (const FaultInfo& info : faultTable())
     if (info.part == part) addFault(session, menu, info);
@@ -106,11 +106,11 @@ void FaultsMenu::addPart(Session& session, FaultPart part) {
 void FaultsMenu::addFault(Session& session, QMenu* menu, const FaultInfo& info) {
   PresetChoices& presets = session.presets();
   // By the settings, not by the mark, which may not be shown.
-  QAction* action = commands_.addCheck(menu, tableText(info.label), {}, [&presets, &info](bool) {
+  QAction* action = commands_.addCheck(menu, qtext(info.label), {}, [&presets, &info](bool) {
     setInjected(presets, info, !isInjected(info.fault, presets.settings()));
   });
   action->setObjectName(QStringLiteral("fault.") + qtext(info.id));
-  action->setToolTip(tableText(info.symptom));
+  action->setToolTip(qtext(info.symptom));
   onRefresh([this, &session, action, &info] {
     action->setCheckable(areNamed_);
     action->setChecked(areNamed_ && isInjected(info.fault, session.presets().settings()));

@@ -38,9 +38,9 @@ FileMenu::FileMenu(Commands& commands, const Targets& on, QWidget* parent)
   addSeparator();
   for (const BuiltinScene& scene : builtinScenes()) {
     const QString source = QStringLiteral("builtin:") + QString::fromStdString(scene.id);
-    QAction* open = add(tableText(scene.label), {}, [&keeper, source] { keeper.openSource(source); });
-    open->setToolTip(tableText(scene.description));
-    commands_.setName(open, tr("Scene: %1").arg(tableText(scene.label)));
+    QAction* open = add(qtext(scene.label), {}, [&keeper, source] { keeper.openSource(source); });
+    open->setToolTip(qtext(scene.description));
+    commands_.setName(open, tr("Scene: %1").arg(qtext(scene.label)));
   }
   setToolTipsVisible(true);
   addSeparator();

@@ -180,7 +180,7 @@ void FrameMenu::refreshObjects(QMenu* menu) {
       for (std::size_t mode = 0; mode < kMotionModes.size(); ++mode)
         modes
             ->addAction(
-                tableText(kMotionModes[mode].label), &session_,
+                qtext(kMotionModes[mode].label), &session_,
                 [this, name, mode] { session_.scene().setMotionMode(name, static_cast<MotionMode>(mode)); })
             ->setCheckable(true);
     }

@@ -49,15 +49,15 @@ void PipelineMenu::addPresets(Session& session) {
   QMenu* listed = presets;
   for (const Preset& preset : builtinPresets()) {
     if (const PresetGroup* group = startedGroup(preset)) {
-      listed = presets->addMenu(tableText(group->label));
+      listed = presets->addMenu(qtext(group->label));
       listed->setToolTipsVisible(true);
     }
     const QString id = QString::fromStdString(preset.id);
     const QList<QKeySequence> key =
         ++number <= 9 ? QList<QKeySequence>{QKeySequence(QStringLiteral("Ctrl+Alt+%1").arg(number))}
                       : QList<QKeySequence>();
-    commands_.add(listed, tableText(preset.label), key, [&session, id] { session.presets().setPreset(id); })
-        ->setToolTip(tableText(preset.description));
+    commands_.add(listed, qtext(preset.label), key, [&session, id] { session.presets().setPreset(id); })
+        ->setToolTip(qtext(preset.description));
   }
 }
 

@@ -68,7 +68,7 @@ MetricsMenu::MetricsMenu(Commands& commands, TimelinePanel& timeline, QWidget* p
   };
   offer(tr("None"), {});
   for (const MetricInfo& info : kMetrics)
-    offer(tableText(info.label), info.metric)->setToolTip(tableText(info.description));
+    offer(qtext(info.label), info.metric)->setToolTip(qtext(info.description));
   setToolTipsVisible(true);
 }
 

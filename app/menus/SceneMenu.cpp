@@ -77,7 +77,7 @@ void SceneMenu::addSelection(ScenePanel& scene) {
       add(tr("&Probe the selected object"), keys({"Ctrl+J"}), [&scene] { scene.revealSelected(); })};
   QMenu* motion = addMenu(tr("&Motion of the selected object"));
   for (std::size_t mode = 0; mode < kMotionModes.size(); ++mode)
-    commands_.add(motion, tableText(kMotionModes[mode].label),
+    commands_.add(motion, qtext(kMotionModes[mode].label),
                   {QKeySequence(QStringLiteral("Ctrl+Shift+%1").arg(mode + 1))},
                   [&scene, mode] { scene.setMotionOfSelected(static_cast<MotionMode>(mode)); });
   QMenu* classes = addMenu(tr("&Class of the selected object"));

@@ -27,7 +27,7 @@ bool MetricSeries::add(const FrameMetrics& metrics) {
 TimelineStrip MetricSeries::strip(Metric metric, int frameCount) const {
   const MetricInfo& info = metricInfo(metric);
   TimelineStrip strip{
-      tableText(info.label), info.unit.empty() ? QString() : QLatin1Char(' ') + tableText(info.unit), {}};
+      qtext(info.label), info.unit.empty() ? QString() : QLatin1Char(' ') + qtext(info.unit), {}};
   strip.values.resize(static_cast<std::size_t>(frameCount));
   for (const auto& [frame, metrics] : known_) {
     const std::optional<double> value = metrics.at(metric);

@@ -48,7 +48,7 @@ void addCurves(std::vector<Curve>& curves, const PlotRow& row, IntermediateId id
   const std::vector<std::string> channels = channelNames(info, space);
   for (int channel = 0; channel < info.channels; ++channel) {
     if (!row.has(channel)) continue;
-    QString name = row.beside ? QLatin1Char(' ') + tableText(info.label) : QString();
+    QString name = row.beside ? QLatin1Char(' ') + qtext(info.label) : QString();
     if (info.channels > 1)
       name += QLatin1Char(' ') + QString::fromStdString(channels[static_cast<std::size_t>(channel)]);
     const std::size_t number = curves.size();
@@ -103,8 +103,8 @@ std::vector<PlotRow> plotRowsFromJson(const QJsonArray& json) {
 
 QString plotTitle(const PlotRow& row) {
   const Intermediate& info = intermediate(row.id);
-  const QString label = tableText(info.label);
-  return info.unit.empty() ? label : QStringLiteral("%1, %2").arg(label, tableText(info.unit));
+  const QString label = qtext(info.label);
+  return info.unit.empty() ? label : QStringLiteral("%1, %2").arg(label, qtext(info.unit));
 }
 
 std::vector<Curve> plotCurves(const PlotRow& row, const std::vector<ProbeTrace>& traces,
@@ -127,7 +127,7 @@ std::vector<ChartMark> plotMarks(const PixelTrace* active, const std::vector<int
   for (const auto& [frame, sample] : active->samples()) {
     const int reason = static_cast<int>(twin::at(sample.record, IntermediateId::rejectReason).x);
     if (reason != 0)
-      marks.push_back({static_cast<double>(frame), MarkKind::Reject, tableText(rejectReasonText(reason))});
+      marks.push_back({static_cast<double>(frame), MarkKind::Reject, qtext(rejectReasonText(reason))});
   }
   return marks;
 }

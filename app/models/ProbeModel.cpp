@@ -205,8 +205,8 @@ int ProbeModel::rowCount(const QModelIndex& parent) const {
 }
 
 QVariant ProbeModel::stageData(const Branch& branch, int column, int role) const {
-  if (role == Qt::DisplayRole && column == Name) return tableText(stageInfo(branch.stage).label);
-  if (role == Qt::ToolTipRole) return tableText(stageInfo(branch.stage).description);
+  if (role == Qt::DisplayRole && column == Name) return qtext(stageInfo(branch.stage).label);
+  if (role == Qt::ToolTipRole) return qtext(stageInfo(branch.stage).description);
   if (role == Qt::FontRole) {
     QFont font = secondaryFont();
     font.setBold(true);
@@ -222,7 +222,7 @@ QVariant ProbeModel::foldData(const Branch& branch, int column, int role) const 
       (role != Qt::DisplayRole && role != Qt::ToolTipRole && role != Qt::AccessibleTextRole))
     return {};
   QStringList names;
-  for (const IntermediateId id : branch.off) names << tableText(intermediate(id).label);
+  for (const IntermediateId id : branch.off) names << qtext(intermediate(id).label);
   if (role == Qt::ToolTipRole)
     return tr("The settings switch these off: %1. A click or Enter unfolds them or folds them away.")
         .arg(names.join(QStringLiteral(", ")));
@@ -230,8 +230,8 @@ QVariant ProbeModel::foldData(const Branch& branch, int column, int role) const 
 }
 
 QString ProbeModel::cell(const Intermediate& row, int column) const {
-  if (column == Name) return tableText(row.label);
-  if (column == Unit) return isSky(row) ? tr("sky") : tableText(row.unit);
+  if (column == Name) return qtext(row.label);
+  if (column == Unit) return isSky(row) ? tr("sky") : qtext(row.unit);
   if (const auto known = glimpse_.values.find(row.id); known != glimpse_.values.end() && column == Value)
     return cellText(row, known->second, glimpse_.space);
   if (!record_) return {};

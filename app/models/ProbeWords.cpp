@@ -15,23 +15,23 @@ QString rowText(const Intermediate& row, const glm::vec4& value) {
 QString storyText(IntermediateId id, const RowStory& story) {
   QStringList lines;
   if (!story.words.empty())
-    lines << tableText(intermediate(id).label) + QStringLiteral(": ") + qtext(story.words);
+    lines << qtext(intermediate(id).label) + QStringLiteral(": ") + qtext(story.words);
   if (!story.formula.empty())
     lines << (story.subject.empty() ? QString() : qtext(story.subject) + QStringLiteral(": ")) +
                  qtext(story.formula);
-  lines << tableText(intermediate(id).description);
+  lines << qtext(intermediate(id).description);
   return lines.join(QLatin1Char('\n'));
 }
 
 QString storyHtml(IntermediateId id, const RowStory& story) {
-  QString html = QStringLiteral("<b>%1</b>").arg(tableText(intermediate(id).label).toHtmlEscaped());
+  QString html = QStringLiteral("<b>%1</b>").arg(qtext(intermediate(id).label).toHtmlEscaped());
   if (!story.words.empty()) html += QStringLiteral(": ") + qtext(story.words).toHtmlEscaped();
   if (!story.formula.empty()) {
     const QString subject = story.subject.empty() ? QString() : qtext(story.subject) + QStringLiteral(": ");
     html += QStringLiteral("<br><span style=\"font-family:'%1'\">%2</span>")
                 .arg(numberFont().family(), (subject + qtext(story.formula)).toHtmlEscaped());
   }
-  return html + QStringLiteral("<br><i>%1</i>").arg(tableText(intermediate(id).description).toHtmlEscaped());
+  return html + QStringLiteral("<br><i>%1</i>").arg(qtext(intermediate(id).description).toHtmlEscaped());
 }
 
 } // namespace taa::app

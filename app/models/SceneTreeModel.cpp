@@ -108,7 +108,7 @@ QString SceneTreeModel::label(int node) const {
   const OutlineNode& item = outline_->nodes[static_cast<std::size_t>(node)];
   QString name = qtext(item.key);
   if (const auto given = given_[static_cast<std::size_t>(node)])
-    name = tr("%1: %2").arg(name, tableText(kObjectClasses[static_cast<std::size_t>(*given)].label));
+    name = tr("%1: %2").arg(name, qtext(kObjectClasses[static_cast<std::size_t>(*given)].label));
   switch (item.kind) {
   case NodeKind::Light:
     return tr("%1 (light)").arg(name);
@@ -141,7 +141,7 @@ QVariant SceneTreeModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::DisplayRole) {
     if (index.column() == Name) return label(node);
     if (item.objectCount == 0) return {};
-    return tableText(kMotionModes[static_cast<std::size_t>(motionOf(node))].label);
+    return qtext(kMotionModes[static_cast<std::size_t>(motionOf(node))].label);
   }
   if (role == Qt::ToolTipRole || role == Qt::AccessibleDescriptionRole) return explanation(node);
   if (role == Qt::CheckStateRole && index.column() == Name)

@@ -38,7 +38,7 @@ JitterPattern patternOf(const AlphaSeries& series, const std::vector<double>& we
 QString patternName(const AlphaSeries& series) {
   if (!series.jitterPx.empty()) return JitterPanel::tr("The capture's own");
   const Parameter& row = parameter("jitter.sequence");
-  return tableText(row.choices[static_cast<std::size_t>(row.get(series.settings))].label);
+  return qtext(row.choices[static_cast<std::size_t>(row.get(series.settings))].label);
 }
 
 } // namespace

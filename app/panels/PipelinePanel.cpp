@@ -48,7 +48,7 @@ QString summary(Stage stage, const Settings& settings) {
   for (const Parameter& row : parameters())
     if (row.stage == stage && row.kind == ParameterKind::Choice && isRelevant(row, settings)) {
       const auto index = static_cast<std::size_t>(row.get(settings));
-      return index < row.choices.size() ? tableText(row.choices[index].label) : QString();
+      return index < row.choices.size() ? qtext(row.choices[index].label) : QString();
     }
   return {};
 }
@@ -155,9 +155,9 @@ void PipelinePanel::setUserPresets(const std::vector<UserPreset>& presets) {
   std::vector<ChoiceButton::Part> parts;
   for (const Preset& preset : builtinPresets()) {
     if (const PresetGroup* group = startedGroup(preset))
-      parts.push_back({static_cast<int>(labels.size()), tableText(group->label)});
-    labels << tableText(preset.label);
-    descriptions << tableText(preset.description);
+      parts.push_back({static_cast<int>(labels.size()), qtext(group->label)});
+    labels << qtext(preset.label);
+    descriptions << qtext(preset.description);
   }
   if (!presets.empty()) parts.push_back({static_cast<int>(labels.size()), {}});
   for (const UserPreset& preset : presets) {
@@ -177,8 +177,8 @@ QString PipelinePanel::presetAt(int index) const {
 
 PipelinePanel::Section PipelinePanel::makeSection(const StageInfo& stage) {
   Section section;
-  section.header = new SectionHeader(tableText(stage.label));
-  section.header->setToolTip(tableText(stage.description));
+  section.header = new SectionHeader(qtext(stage.label));
+  section.header->setToolTip(qtext(stage.description));
   section.header->setObjectName(QStringLiteral("stage.") + qtext(stage.id));
   section.header->setChecked(startsExpanded(stage.stage));
   section.body = new QWidget;
@@ -201,9 +201,8 @@ PipelinePanel::Section PipelinePanel::makeSection(const StageInfo& stage) {
   section.main = mainRow(stage.stage);
   if (section.main) {
     section.header->setHasThumbnail(showsThumbnails_);
-    section.header->setToolTip(
-        tr("%1\nThe picture: %2. Click it to show it in the active view.")
-            .arg(tableText(stage.description), tableText(intermediate(*section.main).label)));
+    section.header->setToolTip(tr("%1\nThe picture: %2. Click it to show it in the active view.")
+                                   .arg(qtext(stage.description), qtext(intermediate(*section.main).label)));
     connect(section.header, &SectionHeader::thumbnailClicked, this,
             [this, id = *section.main] { Q_EMIT intermediateChosen(id, false); });
   }
@@ -257,7 +256,7 @@ void PipelinePanel::setPreset(const QString& id, bool changed) {
                        : isOwn
                            ? static_cast<int>(presets.size()) + static_cast<int>(own - userPresets_.begin())
                            : -1);
-  presets_->setCaption((isBuiltin ? tableText(found->label)
+  presets_->setCaption((isBuiltin ? qtext(found->label)
                         : isOwn   ? own->label
                                   : id) +
                        (changed ? QStringLiteral(" *") : QString()));

@@ -220,9 +220,9 @@ void PlotsPanel::makeChips() {
   for (const PlotRow& row : rows_) {
     const Intermediate& info = intermediate(row.id);
     auto* chip = new QToolButton;
-    chip->setText(tableText(info.label));
-    chip->setAccessibleName(tr("Plot of %1").arg(tableText(info.label)));
-    chip->setToolTip(tableText(info.description));
+    chip->setText(qtext(info.label));
+    chip->setAccessibleName(tr("Plot of %1").arg(qtext(info.label)));
+    chip->setToolTip(qtext(info.description));
     chip->setPopupMode(QToolButton::InstantPopup);
     chip->setFocusPolicy(Qt::TabFocus);
     auto* menu = new QMenu(chip);

@@ -216,7 +216,7 @@ QWidget* ProbePanel::makeNeighbors() {
   for (std::size_t i = 0; i < swatches_.size(); ++i) {
     swatches_[i] = new Swatches(captions[i]);
     swatches_[i]->setToolTip(
-        tr("The pixel and its neighbors: %1").arg(tableText(intermediate(kNeighbors[i]).label)));
+        tr("The pixel and its neighbors: %1").arg(qtext(intermediate(kNeighbors[i]).label)));
     line->addWidget(swatches_[i]);
   }
   line->addStretch(1);

@@ -121,7 +121,7 @@ QWidget* ProfilerPanel::makeTop() {
 
 void ProfilerPanel::setDriver(const gl::Driver& driver) {
   const QString text = tr("%1: %2.").arg(QString::fromStdString(driver.renderer),
-                                         tableText(timingWords(gl::timingMethodFor(driver))));
+                                         qtext(timingWords(gl::timingMethodFor(driver))));
   if (driver.renderer.empty() || text == driver_) return;
   driver_ = text;
   method_->setText(driver_);
@@ -148,7 +148,7 @@ void ProfilerPanel::refresh() {
 void ProfilerPanel::showPasses() {
   std::vector<ValueTable::Row> rows;
   for (const ProfileSeries::Row& row : series_.rows())
-    rows.push_back({{tableText(row.name), ms(row.last), ms(row.median), percentNumber(row.share)},
+    rows.push_back({{qtext(row.name), ms(row.last), ms(row.median), percentNumber(row.share)},
                     onPanel(ProfileChart::colorOf(rows.size()), themeColors(this))});
   rows.push_back({{tr("All"), ms(series_.last().totalMs), ms(series_.medianTotal()), {}}, {}, true});
   passes_->setRows(rows);
@@ -162,7 +162,7 @@ void ProfilerPanel::showMemory() {
   rows.push_back({{tr("All"), mebibytes(last.memoryBytes), {}}, {}, true});
   rows.push_back({{tr("of it kept histories"), mebibytes(last.checkpointBytes), {}}});
   for (const MemoryCost& cost : last.memory)
-    rows.push_back({{tableText(cost.name), mebibytes(cost.bytes), QString::number(cost.objects)}});
+    rows.push_back({{qtext(cost.name), mebibytes(cost.bytes), QString::number(cost.objects)}});
   memory_->setRows(rows);
 }
 
@@ -174,12 +174,11 @@ void ProfilerPanel::setStageCosts(const StageCosts& costs) {
   };
   for (const StageCost& cost : costs.stages) {
     const bool isClear = cost.verdict() == CostVerdict::Clear, isNoise = cost.verdict() == CostVerdict::Noise;
-    rows.push_back(
-        {{tableText(stageInfo(cost.stage).label), isNoise ? tr("in the noise") : ms(cost.ms.median),
-          ms(cost.ms.spread()), isClear ? share(cost.ms.median) : QString()},
-         {},
-         false,
-         QString::fromStdString(verdictWords(cost))});
+    rows.push_back({{qtext(stageInfo(cost.stage).label), isNoise ? tr("in the noise") : ms(cost.ms.median),
+                     ms(cost.ms.spread()), isClear ? share(cost.ms.median) : QString()},
+                    {},
+                    false,
+                    QString::fromStdString(verdictWords(cost))});
   }
   rows.push_back(
       {{tr("Draw and stores"), ms(costs.store.median), ms(costs.store.spread()), share(costs.store.median)}});

@@ -38,7 +38,7 @@ std::vector<std::optional<ObjectClass>> ScenePanel::classChoices() {
 }
 
 QString ScenePanel::classLabel(std::optional<ObjectClass> objectClass) {
-  return objectClass ? tableText(kObjectClasses[static_cast<std::size_t>(*objectClass)].label)
+  return objectClass ? qtext(kObjectClasses[static_cast<std::size_t>(*objectClass)].label)
                      : tr("By what moves it");
 }
 
@@ -258,7 +258,7 @@ void ScenePanel::openMotionMenu(const QPoint& globalPos) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   for (std::size_t mode = 0; mode < kMotionModes.size(); ++mode) {
-    QAction* action = menu->addAction(tableText(kMotionModes[mode].label), this,
+    QAction* action = menu->addAction(qtext(kMotionModes[mode].label), this,
                                       [this, mode] { setMotionOfSelected(static_cast<MotionMode>(mode)); });
     action->setCheckable(true);
     action->setChecked(model_->motionOf(selected()) == static_cast<MotionMode>(mode));

@@ -219,7 +219,7 @@ void TimelinePanel::offerMetrics(const QPoint& place) {
     action->setChecked(metric == stripMetric_);
   };
   offer(tr("No metric under the ruler"), {});
-  for (const MetricInfo& info : kMetrics) offer(tableText(info.label), info.metric);
+  for (const MetricInfo& info : kMetrics) offer(qtext(info.label), info.metric);
   menu->popup(place);
 }
 

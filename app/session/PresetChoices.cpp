@@ -81,7 +81,7 @@ void PresetChoices::setParameter(const QString& path, double value) {
     row.set(changed.settings, value);
     // Numbers are dragged; each choice is one of its own.
     const bool isNumber = row.kind == ParameterKind::Number || row.kind == ParameterKind::Integer;
-    change(changed, tr("change of %1").arg(tableText(row.label)),
+    change(changed, tr("change of %1").arg(qtext(row.label)),
            isNumber ? std::string(row.path) : std::string());
   });
 }
@@ -92,7 +92,7 @@ void PresetChoices::assign(const std::vector<std::string>& assignments) {
     QStringList labels;
     for (const std::string& assignment : assignments) {
       applyAssignment(changed.settings, assignment);
-      labels << tableText(parameter(assignment.substr(0, assignment.find('='))).label);
+      labels << qtext(parameter(assignment.substr(0, assignment.find('='))).label);
     }
     change(changed, tr("change of %1").arg(labels.join(QStringLiteral(", "))));
   });
@@ -101,8 +101,7 @@ void PresetChoices::assign(const std::vector<std::string>& assignments) {
 void PresetChoices::setPreset(const QString& idOrPath) {
   outbox_.guarded([&] {
     const Preset preset = taa::preset(idOrPath.toStdString());
-    change({preset.settings, preset.settings, preset.id},
-           tr("choice of preset %1").arg(tableText(preset.label)));
+    change({preset.settings, preset.settings, preset.id}, tr("choice of preset %1").arg(qtext(preset.label)));
     sayNotes(preset.notes);
   });
 }

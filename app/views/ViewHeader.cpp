@@ -65,7 +65,7 @@ void ViewHeader::makeControls() {
   map_ = new ChoiceButton(this);
   map_->setToolTip(tr("Color map (M)"));
   QStringList maps;
-  for (const ColorMap map : kColorMaps) maps << tableText(colorMapName(map));
+  for (const ColorMap map : kColorMaps) maps << qtext(colorMapName(map));
   map_->setChoices(maps);
   compare_ = new IconButton(QStringLiteral("compare"),
                             tr("Compare with another intermediate, preset or frame (C)"), this);
@@ -142,7 +142,7 @@ void ViewHeader::setContent(const Intermediate& row, const ViewStyle& style, con
   row_ = row;
   style_ = style;
   space_ = space;
-  name_->setCaption(tableText(row.label));
+  name_->setCaption(qtext(row.label));
   name_->setToolTip(intermediateToolTip(row));
   QStringList names;
   if (row.channels > 1)

@@ -114,7 +114,7 @@ void ViewPanel::setResult(const std::shared_ptr<const ViewResult>& result) {
   measure();
   if (!result) return;
   const bool isOfThis = result->request.id == id() && result->request.asDifference == isDifference();
-  const QString label = tableText(source_.row().label);
+  const QString label = qtext(source_.row().label);
   const MeasuredContent content{.row = source_.row(),
                                 .space = source_.space(),
                                 .label = isDifference() ? tr("%1, difference").arg(label) : label,

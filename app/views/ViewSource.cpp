@@ -141,7 +141,7 @@ QString ViewSource::sideText(bool other) const {
     const QString preset = QString::fromStdString(comparison_.preset);
     settings = preset.endsWith(QStringLiteral(".json")) ? QFileInfo(preset).completeBaseName() : preset;
   }
-  const QString row = tableText(intermediate(other ? otherId() : id_).label);
+  const QString row = qtext(intermediate(other ? otherId() : id_).label);
   return settings.isEmpty() ? row : QStringLiteral("%1 · %2").arg(row, settings);
 }
 

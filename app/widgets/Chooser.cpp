@@ -89,7 +89,7 @@ QString detailOf(const ChooserEntry& entry, const SearchHit& hit) {
 } // namespace
 
 ChooserEntry intermediateEntry(const Intermediate& row) {
-  return {tableText(row.label), tableText(row.unit), tableText(stageInfo(row.stage).label), searchedRow(row)};
+  return {qtext(row.label), qtext(row.unit), qtext(stageInfo(row.stage).label), searchedRow(row)};
 }
 
 Chooser::Chooser(const QString& placeholder, std::vector<ChooserEntry> entries,

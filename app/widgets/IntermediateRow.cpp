@@ -22,12 +22,11 @@ constexpr int kRowLetter = 14;
 } // namespace
 
 QString intermediateToolTip(const Intermediate& row) {
-  const QString unit =
-      row.unit.empty() ? QString() : QStringLiteral(" · ") + tableText(row.unit).toHtmlEscaped();
+  const QString unit = row.unit.empty() ? QString() : QStringLiteral(" · ") + qtext(row.unit).toHtmlEscaped();
   const QString names =
       row.channels > 1 ? QStringLiteral(" · ") + QString::fromStdString(channelNamesText(row)) : QString();
   return QStringLiteral("<b>%1</b>%2%3<br>%4<br><br><code>%5</code>")
-      .arg(tableText(row.label), unit, names, tableText(row.description).toHtmlEscaped(), qtext(row.name));
+      .arg(qtext(row.label), unit, names, qtext(row.description).toHtmlEscaped(), qtext(row.name));
 }
 
 void paintViewLetter(QPainter& painter, const QRect& box, QChar letter, bool active,
@@ -44,7 +43,7 @@ void paintViewLetter(QPainter& painter, const QRect& box, QChar letter, bool act
 
 IntermediateRow::IntermediateRow(const Intermediate& row, QWidget* parent)
     : QAbstractButton(parent), row_(row), searched_(searchedRow(row)) {
-  setText(tableText(row.label));
+  setText(qtext(row.label));
   setObjectName(qtext(row.name));
   setToolTip(intermediateToolTip(row));
   setFocusPolicy(Qt::TabFocus);

@@ -57,7 +57,7 @@ void ProbeFeed::connectWhatIf() {
       choice.presetSettings = preset(variant.id).settings;
     }
     choice.settings = variant.settings;
-    session_.presets().change(choice, tr("try of %1").arg(tableText(variant.label)));
+    session_.presets().change(choice, tr("try of %1").arg(qtext(variant.label)));
   });
   connect(page, &WhatIfPage::referenceRequested, this, [this] { probes_.setReference(true); });
   connect(page, &WhatIfPage::measuringRequested, this, [this, page] {

@@ -1,4 +1,4 @@
-// Sentences of the core in the user's language: each is written where it is said, and known by all who ask.
+// Sentences of the core, each written whole where it is said, so that it can be found and read as one.
 #pragma once
 
 #include <algorithm>
@@ -29,27 +29,9 @@ struct Sentence {
   }
 };
 
-/// What a text is: said by say(), or a label, unit or description of the tables.
-enum class Said { Sentence, Label };
-
-/// Another language's text for an English one, with the same places; the English one where it has none.
-using Translate = std::string (*)(Said kind, const char* text);
-
-/// How everything is said from now on; as it is written without this. Before there is a second thread.
-void setTranslate(Translate translate);
-
-/// A label or other text of the tables within a sentence, in its language.
-std::string sayLabel(std::string_view label);
-
-/// Every text that say() is called with anywhere in the program, sorted, each once.
-std::vector<std::string> allSentences();
-
 namespace saying {
 
-/// Keeps a text for allSentences().
-bool remember(const char* text);
-
-/// The text, translated, with `arguments` at its places.
+/// The text with `arguments` at its places.
 std::string fill(const char* text, const std::vector<std::string>& arguments);
 
 inline std::string argument(std::string_view text) {
@@ -59,16 +41,12 @@ std::string argument(std::integral auto number) {
   return std::to_string(number);
 }
 
-template <Sentence kText>
-inline const bool kIsRemembered = remember(kText.text.data());
-
 } // namespace saying
 
 /// say<"%1 has no camera called %2">(file, name): texts and whole numbers; one for each place.
 template <Sentence kText, typename... Arguments>
 std::string say(const Arguments&... arguments) {
   static_assert(sizeof...(arguments) == kText.places(), "a text has one place for each argument");
-  static_cast<void>(saying::kIsRemembered<kText>);
   return saying::fill(kText.text.data(), {saying::argument(arguments)...});
 }
 

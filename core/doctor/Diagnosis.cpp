@@ -80,8 +80,8 @@ Finding faultFinding(Fault fault) {
   const FaultInfo& row = faultInfo(fault);
   Finding out;
   out.id = row.id;
-  out.name = sayLabel(row.label);
-  out.symptom = sayLabel(row.symptom);
+  out.name = std::string(row.label);
+  out.symptom = std::string(row.symptom);
   return out;
 }
 

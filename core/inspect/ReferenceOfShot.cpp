@@ -99,7 +99,7 @@ Image ReferenceOfShot::image(IntermediateId id, const gl::Rect& region, int lane
   if (!isOverTime(id)) return requiredRows(id, lane).image(id, region);
   if (const RowsOverTime* made = overTime_.rows(id, lane)) return made->image(id, region);
   throw Error(say<"%1 of frame %2 is not there yet: it has to be measured first">(
-      sayLabel(intermediate(id).label), player_.shown().frame));
+      std::string(intermediate(id).label), player_.shown().frame));
 }
 
 const gl::Texture* ReferenceOfShot::texture(IntermediateId id, int lane) {

@@ -35,7 +35,7 @@ bool isSameQuantity(const Quantity& a, const Quantity& b) {
 /// "History position X", "Motion, its length": what of a row is one number.
 std::string rowText(const Quantity& quantity, const SpaceSettings& space) {
   const Intermediate& row = intermediate(quantity.row);
-  const std::string label = sayLabel(row.label);
+  const std::string label = std::string(row.label);
   if (row.channels == 1) return label;
   if (quantity.channel >= 0)
     return label + " " + channelNames(row, space).at(static_cast<std::size_t>(quantity.channel));
@@ -60,7 +60,7 @@ std::string lineageText(LineageFigure figure) {
 }
 
 std::string withUnit(const std::string& text, std::string_view unit) {
-  return unit.empty() ? text : text + ", " + sayLabel(unit);
+  return unit.empty() ? text : text + ", " + std::string(unit);
 }
 
 /// "100, 60", or that it is the one that is probed.
@@ -73,7 +73,7 @@ std::string labelInFrame(const Quantity& quantity, const SpaceSettings& space) {
   const std::string_view unit = intermediate(quantity.row).unit;
   switch (quantity.kind) {
   case QuantityKind::Metric:
-    return withUnit(sayLabel(metricInfo(quantity.metric).label), metricInfo(quantity.metric).unit);
+    return withUnit(std::string(metricInfo(quantity.metric).label), metricInfo(quantity.metric).unit);
   case QuantityKind::Value:
     return withUnit(say<"%1 at %2">(rowText(quantity, space), probedText(quantity)), unit);
   case QuantityKind::Difference:
@@ -100,10 +100,10 @@ std::string labelInFrame(const Quantity& quantity, const SpaceSettings& space) {
     return say<"Time of the resolve, times that of the first">();
   case QuantityKind::Verdict: {
     const auto kind = std::ranges::find(kVerdictKinds, quantity.verdict, &VerdictKindInfo::kind);
-    return say<"Verdict \"%1\" at %2">(sayLabel(kind->label), probedText(quantity));
+    return say<"Verdict \"%1\" at %2">(std::string(kind->label), probedText(quantity));
   }
   case QuantityKind::Doctor:
-    return say<"Finding \"%1\"">(sayLabel(faultInfo(quantity.fault).label));
+    return say<"Finding \"%1\"">(std::string(faultInfo(quantity.fault).label));
   case QuantityKind::Number:
     break;
   }

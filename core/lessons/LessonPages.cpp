@@ -50,9 +50,9 @@ std::string figureName(const Lesson& lesson, std::size_t step, std::size_t view)
 /// "Resolved, builtin:fan, frame 40; compared with preset:off"
 std::string captionOf(const LessonView& view, const LessonState& state) {
   std::string caption =
-      say<"%1, %2, frame %3">(sayLabel(intermediate(view.id).label), state.shot.source, state.shot.frame);
+      say<"%1, %2, frame %3">(std::string(intermediate(view.id).label), state.shot.source, state.shot.frame);
   if (state.plays)
-    caption = say<"%1, %2, %3 frames from frame %4 on">(sayLabel(intermediate(view.id).label),
+    caption = say<"%1, %2, %3 frames from frame %4 on">(std::string(intermediate(view.id).label),
                                                         state.shot.source, kClipFrames, state.shot.frame);
   if (view.comparison) caption = say<"%1; compared with %2">(caption, comparisonText(view.comparison));
   if (state.look)

@@ -142,7 +142,7 @@ std::string categoriesText(const RegionSpread& spread, const Intermediate& row) 
   for (const auto& [category, count] : spread.categories) {
     const std::string_view name = categoryText(row.id, category);
     text += (text.empty() ? "" : ", ") + std::to_string(category) + (name.empty() ? "" : " ") +
-            (name.empty() ? std::string() : sayLabel(name)) + " " + spreadShareText(count, total) + " (" +
+            (name.empty() ? std::string() : std::string(name)) + " " + spreadShareText(count, total) + " (" +
             std::to_string(count) + ")";
   }
   return text;

@@ -67,7 +67,7 @@ std::string maskMeaning(Id id, const Values& v) {
 
 std::string rejectionMeaning(Id id, const Values& v) {
   const float x = v.of(id);
-  if (id == Id::rejectReason) return sayLabel(rejectReasonText(static_cast<int>(x)));
+  if (id == Id::rejectReason) return std::string(rejectReasonText(static_cast<int>(x)));
   if (x >= 1) return say<"rejected">();
   if (x == 0) return say<"not rejected">();
   return countsLess(v) ? say<"counts less">() : say<"changes nothing">();
@@ -94,7 +94,7 @@ std::string historyMeaning(Id id, const Values& v) {
 
 std::string partMeaning(Id id, const Values& v) {
   if (const std::string_view category = categoryText(id, static_cast<int>(v.of(id))); !category.empty())
-    return sayLabel(category);
+    return std::string(category);
   if (overTime(id) != OverTime::Parts) return {};
   return v.of(id) > 0   ? say<"makes it brighter">()
          : v.of(id) < 0 ? say<"makes it darker">()

@@ -16,7 +16,7 @@ namespace taa::story {
 
 std::string choiceLabel(std::string_view path, const Settings& settings) {
   const Parameter& row = parameter(path);
-  return sayLabel(row.choices[static_cast<std::size_t>(row.get(settings))].label);
+  return std::string(row.choices[static_cast<std::size_t>(row.get(settings))].label);
 }
 
 std::string weightedMean(const Teller& t, std::span<const float> weights, std::span<const float> values,

@@ -87,7 +87,7 @@ std::string rejectedWords(const Teller& t, const std::string& reason) {
 std::string testsText(const ValidateSettings& validate) {
   std::string text;
   const auto add = [&text](bool runs, twin::RejectReason reason) {
-    if (runs) text += (text.empty() ? "" : ", ") + sayLabel(rejectReasonText(static_cast<int>(reason)));
+    if (runs) text += (text.empty() ? "" : ", ") + std::string(rejectReasonText(static_cast<int>(reason)));
   };
   add(validate.offScreen != OffScreen::Keep, twin::RejectReason::OffScreen);
   add(isOn(validate.depth), twin::RejectReason::Depth);
@@ -107,7 +107,7 @@ RowStory reasonStory(const Teller& t) {
     const std::string tests = testsText(t.settings().validate);
     return {tests.empty() ? say<"kept: no test runs">() : say<"kept: all tests passed (%1)">(tests), "", ""};
   }
-  return {rejectedWords(t, sayLabel(rejectReasonText(reason))), "", ""};
+  return {rejectedWords(t, std::string(rejectReasonText(reason))), "", ""};
 }
 
 RowStory normalStory(const Teller& t) {

@@ -10,15 +10,16 @@ namespace taa {
 namespace {
 
 SearchedChoice searchedChoice(const Choice& choice) {
-  return {std::string(choice.id), sayLabel(choice.label), sayLabel(choice.explanation)};
+  return {std::string(choice.id), std::string(choice.label), std::string(choice.explanation)};
 }
 
 SearchedRow withoutChoices(const Parameter& row) {
-  return {.label = sayLabel(row.label),
+  return {.label = std::string(row.label),
           .id = std::string(row.path),
-          .group = sayLabel(stageInfo(row.stage).label),
+          .group = std::string(stageInfo(row.stage).label),
           .choices = {},
-          .text = sayLabel(row.tooltip) + '\n' + std::string(row.formula) + '\n' + sayLabel(row.source)};
+          .text =
+              std::string(row.tooltip) + '\n' + std::string(row.formula) + '\n' + std::string(row.source)};
 }
 
 } // namespace
@@ -41,11 +42,11 @@ SearchedRow searchedValue(const Parameter& row, int value) {
 }
 
 SearchedRow searchedRow(const Intermediate& row) {
-  return {.label = sayLabel(row.label),
+  return {.label = std::string(row.label),
           .id = std::string(row.name),
-          .group = sayLabel(stageInfo(row.stage).label),
+          .group = std::string(stageInfo(row.stage).label),
           .choices = {},
-          .text = sayLabel(row.description)};
+          .text = std::string(row.description)};
 }
 
 } // namespace taa

@@ -64,8 +64,7 @@ QString remedyEffectsText(const RemedyAnswer& of, const TriedRemedy& tried) {
 
 QString rowValueText(const VerdictRow& row) {
   if (row.id == IntermediateId::rejectReason)
-    return row.value == 0.0 ? QObject::tr("accepted")
-                            : tableText(rejectReasonText(static_cast<int>(row.value)));
+    return row.value == 0.0 ? QObject::tr("accepted") : qtext(rejectReasonText(static_cast<int>(row.value)));
   const QString value = shortText(row.value, 4);
   if (!row.limit) return value;
   return QObject::tr("%1, limit %2").arg(value, shortText(*row.limit, 4));

@@ -124,7 +124,7 @@ void addReasons(Writer& writer, const ReasonCounts& counts, const ReasonCounts* 
     writer.swatch(reason);
     QString share = shareText(counts[index], totalOf(counts));
     if (other) share += QStringLiteral(" | ") + shareText((*other)[index], totalOf(*other));
-    writer.plain(QObject::tr("%1 %2 · %3").arg(reason).arg(tableText(rejectReasonText(reason)), share));
+    writer.plain(QObject::tr("%1 %2 · %3").arg(reason).arg(qtext(rejectReasonText(reason)), share));
   }
   if (!isAny) writer.plain(QObject::tr("nothing is rejected in this picture"));
 }
@@ -136,7 +136,7 @@ void addCategories(Writer& writer, const Intermediate& row) {
     writer.digits(QString::number(number));
     if (const std::string_view text = categoryText(row.id, number); !text.empty()) {
       writer.flow().glue();
-      writer.plain(tableText(text));
+      writer.plain(qtext(text));
     }
   }
 }
@@ -188,7 +188,7 @@ void addAbsence(Writer& writer, const QString& meaning) {
 } // namespace
 
 QString rowName(const LegendSide& side) {
-  const QString label = tableText(side.row.label);
+  const QString label = qtext(side.row.label);
   return side.isDifference ? QObject::tr("%1, difference").arg(label) : label;
 }
 
@@ -199,7 +199,7 @@ void addRowLegend(LegendFlow& flow, const LegendSide& side, const ThemeColors& c
   flow.startLine();
   writer.plain(rowName(side));
   addScale(writer, side);
-  writer.quiet(tableText(row.unit));
+  writer.quiet(qtext(row.unit));
   if (row.visual == Visual::Depth) writer.quiet(QObject::tr("logarithmic"));
   if (hasExposure(row) && style.exposure != 0)
     writer.digits(QStringLiteral("EV %1%2").arg(style.exposure > 0 ? QStringLiteral("+") : QString(),
@@ -267,7 +267,7 @@ void paintDot(QPainter& painter, const QRect& place) {
 void addArrows(Writer& writer, const Intermediate& row, const ViewStyle& style,
                const ViewTransform& transform) {
   const ArrowScale scale = arrowScale(transform);
-  const QString unit = tableText(row.unit);
+  const QString unit = qtext(row.unit);
   writer.icon(static_cast<int>(std::lround(scale.longest)), legendHeight() - 8, paintArrow);
   writer.plain(QObject::tr("= %1 %2 or more, shorter in proportion").arg(shortText(extent(style)), unit));
   writer.icon(6, 6, paintDot);

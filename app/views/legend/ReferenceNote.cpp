@@ -29,7 +29,7 @@ QString errorText(const PictureError& error) {
 }
 
 QString numberText(Metric metric, double number) {
-  return QObject::tr("%1 %2").arg(tableText(metricInfo(metric).label)).arg(number, 0, 'f', 4);
+  return QObject::tr("%1 %2").arg(qtext(metricInfo(metric).label)).arg(number, 0, 'f', 4);
 }
 
 QString engineNote(const ViewResult& result) {

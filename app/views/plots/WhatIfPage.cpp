@@ -54,23 +54,22 @@ QString channelsText(const glm::vec3& color) {
 }
 
 QString tipOf(const WhatIfRow& row, const WhatIfEntry& entry, const PictureNumbers::Means* means) {
-  QStringList lines{
-      WhatIfPage::tr("%1: %2").arg(tableText(whatIfGroupLabel(row.group)), tableText(row.label)),
-      WhatIfPage::tr("resolved %1").arg(channelsText(row.resolved)),
-      WhatIfPage::tr("changed by %1").arg(channelsText(row.difference))};
+  QStringList lines{WhatIfPage::tr("%1: %2").arg(qtext(whatIfGroupLabel(row.group)), qtext(row.label)),
+                    WhatIfPage::tr("resolved %1").arg(channelsText(row.resolved)),
+                    WhatIfPage::tr("changed by %1").arg(channelsText(row.difference))};
   if (entry.error)
     lines << WhatIfPage::tr("from the reference, as shown: %1").arg(shortText(*entry.error, 3));
   for (std::size_t place = 0; means && place < means->size(); ++place)
     if ((*means)[place])
       lines << WhatIfPage::tr("picture, %1: %2")
-                   .arg(tableText(metricInfo(kPictureMetrics[place]).label), shortText(*(*means)[place], 4));
+                   .arg(qtext(metricInfo(kPictureMetrics[place]).label), shortText(*(*means)[place], 4));
   if (!row.note.empty()) lines << QStringLiteral("* ") + QString::fromStdString(row.note);
   if (!row.isCurrent) lines << WhatIfPage::tr("A click or Enter tries it; Ctrl+Z takes it back");
   return lines.join(QLatin1Char('\n'));
 }
 
 ValueTable::Row lineOf(const WhatIfRow& row, const WhatIfEntry& entry, const PictureNumbers::Means* means) {
-  QString name = (row.isCurrent ? QStringLiteral("▸ ") : QString()) + tableText(row.label);
+  QString name = (row.isCurrent ? QStringLiteral("▸ ") : QString()) + qtext(row.label);
   if (!row.note.empty()) name += QStringLiteral(" *");
   QStringList cells{name, entry.error ? shortText(*entry.error, 2) : QString(), channelsText(row.resolved),
                     entry.change == 0 ? WhatIfPage::tr("same") : shortText(entry.change, 2),
@@ -105,7 +104,7 @@ WhatIfPage::WhatIfPage(SweepWork::Sweep sweep, QWidget* parent)
   table_->headerItem()->setToolTip(ChangeColumn, tr("How far it moves the pixel, as shown"));
   for (std::size_t place = 0; place < kPictureMetrics.size(); ++place)
     table_->headerItem()->setToolTip(FirstPictureColumn + static_cast<int>(place),
-                                     tableText(metricInfo(kPictureMetrics[place]).description));
+                                     qtext(metricInfo(kPictureMetrics[place]).description));
   note_->setText(
       tr("This frame again on the history it had, one choice replaced. ▸ is in force, a click or Enter tries "
          "another. * uses jitter and inputs as they are now, or misses what this history does not keep."));

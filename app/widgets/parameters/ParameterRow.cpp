@@ -25,14 +25,14 @@ namespace {
 constexpr int kFieldWidth = 116;
 
 QString escaped(std::string_view view) {
-  return tableText(view).toHtmlEscaped();
+  return qtext(view).toHtmlEscaped();
 }
 
 } // namespace
 
 QString parameterToolTip(const Parameter& row) {
   QString tip = QStringLiteral("<b>%1</b><br>%2")
-                    .arg(escaped(row.label), withoutManual(tableText(row.tooltip)).toHtmlEscaped());
+                    .arg(escaped(row.label), withoutManual(qtext(row.tooltip)).toHtmlEscaped());
   if (!row.formula.empty()) tip += QStringLiteral("<br><br><code>%1</code>").arg(escaped(row.formula));
   QStringList facts;
   const QString unit = row.unit.empty() ? QString() : QStringLiteral(" ") + escaped(row.unit);
@@ -40,7 +40,7 @@ QString parameterToolTip(const Parameter& row) {
     facts << ParameterRow::tr("range %1 to %2%3").arg(row.minimum).arg(row.maximum).arg(unit);
   facts << ParameterRow::tr("default %1%2")
                .arg(QString::fromStdString(valueText(row, row.defaultValue())), unit);
-  if (const QString source = withoutManual(tableText(row.source)); !source.isEmpty())
+  if (const QString source = withoutManual(qtext(row.source)); !source.isEmpty())
     facts << source.toHtmlEscaped();
   tip += QStringLiteral("<br><br>%1<br><code>%2</code>")
              .arg(facts.join(QStringLiteral(" · ")), qtext(row.path).toHtmlEscaped());
@@ -49,7 +49,7 @@ QString parameterToolTip(const Parameter& row) {
 
 ParameterRow::ParameterRow(const Parameter& row, QWidget* parent)
     : QWidget(parent), row_(row), searched_(searchedRow(row)),
-      label_(new ParameterLabel(tableText(row.label), this)), found_(new QLabel(this)) {
+      label_(new ParameterLabel(qtext(row.label), this)), found_(new QLabel(this)) {
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
@@ -58,7 +58,7 @@ ParameterRow::ParameterRow(const Parameter& row, QWidget* parent)
   found_->hide();
   makeEditor();
   editor_->setObjectName(path());
-  editor_->setAccessibleName(tableText(row.label));
+  editor_->setAccessibleName(qtext(row.label));
   const QString tip = parameterToolTip(row);
   label_->setToolTip(tip);
   editor_->setToolTip(tip);
@@ -80,7 +80,7 @@ void ParameterRow::makeEditor() {
   }
   if (row_.kind != ParameterKind::Choice) {
     auto* field = new NumberField({row_.minimum, row_.maximum, row_.kind == ParameterKind::Integer}, this);
-    field->setUnit(tableText(row_.unit));
+    field->setUnit(qtext(row_.unit));
     connect(field, &NumberField::valueEdited, this, &ParameterRow::edit);
     showValue_ = [field](double value) { field->setValue(value); };
     dim_ = [field](bool dimmed) { field->setDimmed(dimmed); };
@@ -90,8 +90,8 @@ void ParameterRow::makeEditor() {
   QStringList labels, explanations, lines;
   std::vector<bool> shipped;
   for (const Choice& choice : row_.choices) {
-    const QString explanation = tableText(choice.explanation);
-    labels << tableText(choice.label);
+    const QString explanation = qtext(choice.explanation);
+    labels << qtext(choice.label);
     explanations << withoutManual(explanation);
     lines << briefly(explanation);
     shipped.push_back(isAsShipped(choice));

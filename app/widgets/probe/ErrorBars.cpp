@@ -33,7 +33,7 @@ void ErrorBars::setError(const PixelError& error) {
     bars_.push_back({label, shortText(value, 3), value});
   };
   for (std::size_t part = 0; part < kErrorParts; ++part)
-    add(tableText(intermediate(rowOfPart(static_cast<ErrorPart>(part))).label), error.sum[part]);
+    add(qtext(intermediate(rowOfPart(static_cast<ErrorPart>(part))).label), error.sum[part]);
   add(tr("Error"), error.error());
   QStringList said;
   for (const Bar& bar : bars_) said << bar.label + QLatin1Char(' ') + bar.text;

@@ -22,7 +22,7 @@ EvidenceRow::EvidenceRow(QWidget* parent) : QAbstractButton(parent) {
 void EvidenceRow::setRow(const VerdictRow& row) {
   row_ = row;
   const Intermediate& of = intermediate(row.id);
-  setText(tableText(of.label));
+  setText(qtext(of.label));
   value_ = rowValueText(row);
   frame_ = tr("frame %1").arg(row.frame);
   setToolTip(tr("%1<br><br>Enter shows it in the active view, in frame %2.")

@@ -33,8 +33,8 @@ ValueColumns neededColumns(int indentation) {
   };
   int name = 0, unit = 0;
   for (const Intermediate& row : kIntermediates) {
-    name = std::max(name, widthOf(tableText(row.label)));
-    unit = std::max(unit, widthOf(tableText(row.unit)));
+    name = std::max(name, widthOf(qtext(row.label)));
+    unit = std::max(unit, widthOf(qtext(row.unit)));
   }
   const int value = QFontMetrics(numberFont()).horizontalAdvance(QString(kValueColumn, QLatin1Char('0')));
   return {name + indentation + kValueMargins, value + kValueMargins, unit + kValueMargins};

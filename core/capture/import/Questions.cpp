@@ -43,7 +43,7 @@ std::vector<Trial> choicesOf(const TestState& state, std::string_view path) {
   std::vector<Trial> trials;
   for (const ConventionChoice& choice : row.choices)
     trials.push_back(
-        trialOf(state, sayLabel(choice.label), {std::string(path) + "=" + std::string(choice.id)}));
+        trialOf(state, std::string(choice.label), {std::string(path) + "=" + std::string(choice.id)}));
   return trials;
 }
 

@@ -16,7 +16,7 @@ namespace {
 /// One that the table of faults has.
 MotionFault ofTable(Fault fault, std::string change) {
   const FaultInfo& row = faultInfo(fault);
-  return {std::string(row.id), sayLabel(row.label), sayLabel(row.symptom), std::move(change)};
+  return {std::string(row.id), std::string(row.label), std::string(row.symptom), std::move(change)};
 }
 
 MotionFault unwrittenFault(const Region& region) {

@@ -14,7 +14,7 @@ namespace taa {
 namespace {
 
 std::string kindLabel(VerdictKind kind) {
-  return sayLabel(kVerdictKinds[static_cast<std::size_t>(kind)].label);
+  return std::string(kVerdictKinds[static_cast<std::size_t>(kind)].label);
 }
 
 /// Two digits, three from 100 on: finer is noise.
@@ -44,7 +44,7 @@ twin::RejectReason decidingReason(const PixelVerdict& verdict) {
 }
 
 std::string rejectedText(const PixelVerdict& verdict) {
-  return sayLabel(rejectReasonText(static_cast<int>(decidingReason(verdict))));
+  return std::string(rejectReasonText(static_cast<int>(decidingReason(verdict))));
 }
 
 std::string alphaText(const PixelVerdict& verdict) {
@@ -54,7 +54,7 @@ std::string alphaText(const PixelVerdict& verdict) {
 /// The label of what a setting chooses: "Catmull-Rom 5".
 std::string chosenText(std::string_view path, const Settings& settings) {
   const Parameter& row = parameter(path);
-  return sayLabel(row.choices[static_cast<std::size_t>(row.get(settings))].label);
+  return std::string(row.choices[static_cast<std::size_t>(row.get(settings))].label);
 }
 
 bool testsGeometry(const ValidateSettings& validate) {

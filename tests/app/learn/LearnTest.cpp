@@ -114,7 +114,7 @@ TEST_F(LearnTest, AStepUnfoldsItsStageInThePipelineAndScrollsToIt) {
   learning()->openStep(QStringLiteral("first-ghost"), static_cast<int>(changes - tour().steps.begin()) + 1);
   SectionHeader* header = nullptr;
   for (SectionHeader* found : window.findChildren<SectionHeader*>())
-    if (found->text() == tableText(taa::stageInfo(stage).label)) header = found;
+    if (found->text() == qtext(taa::stageInfo(stage).label)) header = found;
   ASSERT_TRUE(header);
   EXPECT_TRUE(header->isChecked());
   EXPECT_TRUE(waitFor([&] { return header->visibleRegion().boundingRect() == header->rect(); }));

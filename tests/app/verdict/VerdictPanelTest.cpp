@@ -59,8 +59,8 @@ class VerdictPanel : public taa::app::test::FakeWindow {
 /// What the tables call a change.
 QString inWords(const char* path, const QString& value) {
   const Parameter& row = parameter(path);
-  return tableText(stageInfo(row.stage).label) + QStringLiteral(" ▸ ") + tableText(row.label) +
-         QStringLiteral(": ") + value;
+  return qtext(stageInfo(row.stage).label) + QStringLiteral(" ▸ ") + qtext(row.label) + QStringLiteral(": ") +
+         value;
 }
 
 } // namespace
@@ -232,8 +232,7 @@ TEST_F(VerdictPanel, NamesRemediesAsTheTablesDo) {
   probe();
   ASSERT_EQ(shownRemedies(), 2);
   const auto clamp = static_cast<std::size_t>(RectifyMethod::Clamp);
-  const QString method =
-      inWords("rectify.method", tableText(parameter("rectify.method").choices[clamp].label));
+  const QString method = inWords("rectify.method", qtext(parameter("rectify.method").choices[clamp].label));
   const RemedyButton* first = details()->remedies()[0];
   EXPECT_EQ(first->text(), inWords("validate.object", QStringLiteral("on")) + QLatin1Char('\n') + method);
   EXPECT_EQ(details()->remedies()[1]->text(), method);
@@ -363,7 +362,7 @@ TEST_F(VerdictPanel, UnfoldsWhatDecidedAndGoesThere) {
   EXPECT_TRUE(details()->isUnfolded());
   ASSERT_TRUE(rows[3]->isVisible());
   EXPECT_FALSE(rows[4]->isVisible()) << "there are four";
-  EXPECT_EQ(rows[1]->text(), tableText(intermediate(IntermediateId::depthMismatch).label));
+  EXPECT_EQ(rows[1]->text(), qtext(intermediate(IntermediateId::depthMismatch).label));
   EXPECT_EQ(rows[1]->value(), "0.5, limit 0.125");
   EXPECT_EQ(rows[0]->value(), "0.0625");
   EXPECT_TRUE(details()->agreement()->isVisible());
