@@ -7,7 +7,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/ShownText.h"
-#include "core/cli/EmptyValues.h"
+#include "core/cli/Options.h"
 #include "core/io/CameraTrackJson.h"
 #include "core/lessons/Lesson.h"
 #include "core/lessons/LessonText.h"

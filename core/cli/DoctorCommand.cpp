@@ -3,8 +3,7 @@
 #include "core/base/ExistingFiles.h"
 #include "core/base/Files.h"
 #include "core/base/Say.h"
-#include "core/cli/Commands.h"
-#include "core/cli/PlanChecks.h"
+#include "core/cli/Command.h"
 #include "core/cli/Shot.h"
 #include "core/doctor/examination/Doctor.h"
 #include "core/doctor/examination/MendedLook.h"
@@ -34,17 +33,49 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path mendedPreset(const DoctorArguments& arguments) {
-  return fs::path(arguments.mended) / "mended.json";
+struct DoctorCommand final : Command {
+  ShotOptions shot;
+  int frames = doctor::kDoctorFrames;
+  std::string html;                      ///< a file; empty: none is written
+  std::string baseline, writtenBaseline; ///< of known findings: read, written; empty: none
+  std::string mended;                    ///< a folder; empty: what is found is not mended
+  bool json = false, force = false;
+
+  DoctorCommand() : Command("doctor") {
+    description("Say what is wrong with jitter, depth and motion vectors of an engine's frames, region by "
+                "region, and what to change; ends with 3 where something is");
+    addShotOptions(*this, shot);
+    add_option("--frames", frames, "How many frames are examined, from frame 0 on")
+        ->check(CLI::Range(doctor::kLeastDoctorFrames, doctor::kMaxDoctorFrames))
+        ->capture_default_str();
+    add_option("--html", html,
+               "Also write all of it as one page of HTML, without scripts, to put into a bug tracker");
+    add_option("--baseline", baseline,
+               "A JSON file of findings that are known: where there are no others, it ends with 0");
+    add_option("--write-baseline", writtenBaseline,
+               "Also write all that is found as such a file, and end with 0");
+    add_option(
+        "--mended", mended,
+        "Also look at the frames with what was found made right: what is found then, how far both are from "
+        "the reference, and in this folder pictures and settings of them, as a preset to compare with");
+    addForce(*this, force);
+    addJson(*this, json);
+  }
+
+  int run(std::ostream& out, const Progress& progress) const override;
+};
+
+fs::path mendedPreset(const fs::path& folder) {
+  return folder / "mended.json";
 }
 
 /// Throws Error where a file is there that would be replaced.
-void refuseFiles(const DoctorArguments& arguments) {
+void refuseFiles(const DoctorCommand& command) {
   std::vector<fs::path> files;
-  if (!arguments.html.empty()) files.emplace_back(arguments.html);
-  if (!arguments.writtenBaseline.empty()) files.emplace_back(arguments.writtenBaseline);
-  if (!arguments.mended.empty()) files.push_back(mendedPreset(arguments));
-  if (!arguments.force) refuseToReplace(files);
+  if (!command.html.empty()) files.emplace_back(command.html);
+  if (!command.writtenBaseline.empty()) files.emplace_back(command.writtenBaseline);
+  if (!command.mended.empty()) files.push_back(mendedPreset(command.mended));
+  if (!command.force) refuseToReplace(files);
 }
 
 doctor::DoctorSource openedSource(const ShotPlan& plan, const Progress& progress) {
@@ -73,14 +104,13 @@ Settings healthySettings(const LaneChoice& lane) {
 }
 
 /// The settings as a preset, and the pictures, given beside mended.
-void writeMended(const doctor::MendedLook& look, const DoctorArguments& arguments) {
-  const fs::path folder = arguments.mended;
+void writeMended(const doctor::MendedLook& look, const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw Error(say<"cannot make the folder %1: %2">(folder.string(), error.message()));
   if (look.mended.findings.empty()) return;
   Preset row{"mended", "Mended", "", 0, "Makes right what the doctor found.", look.mended.settings};
-  writeFile(mendedPreset(arguments), presetToText(row));
+  writeFile(mendedPreset(folder), presetToText(row));
   for (const doctor::MendedPicture& picture : look.pictures) {
     const std::string name =
         "finding" + std::to_string(picture.finding + 1) + "-frame" + std::to_string(picture.frame);
@@ -89,43 +119,45 @@ void writeMended(const doctor::MendedLook& look, const DoctorArguments& argument
   }
 }
 
-} // namespace
-
-bool runDoctor(const DoctorArguments& arguments, std::ostream& out, const Progress& progress) {
-  const ShotPlan plan = planShot(arguments.shot);
-  if (arguments.shot.lanes.size() > 1)
+int DoctorCommand::run(std::ostream& out, const Progress& progress) const {
+  const ShotPlan plan = planShot(shot);
+  if (shot.lanes.size() > 1)
     throw UsageError("--lane: the doctor looks at what all lanes are given, so one is enough");
-  std::optional<DoctorBaseline> baseline;
-  if (!arguments.baseline.empty())
-    baseline = baselineFromText(readFile(arguments.baseline), arguments.baseline);
-  refuseFiles(arguments);
+  std::optional<DoctorBaseline> known;
+  if (!baseline.empty()) known = baselineFromText(readFile(baseline), baseline);
+  refuseFiles(*this);
   sayNotes(plan.notes, plan.lanes);
   const UsedShaders shaders; // before the context: everything is compiled from them
   const gl::Context context;
   doctor::DoctorSource source = openedSource(plan, progress);
   const LaneChoice& lane = plan.lanes.front();
-  doctor::Diagnosis diagnosis = doctor::examine(doctor::examinationOf(source, arguments.frames), progress);
-  std::optional<doctor::MendedLook> mended;
-  if (!arguments.mended.empty() && !diagnosis.isHealthy()) {
-    mended = doctor::lookAtMended(source, diagnosis, lane.settings, healthySettings(lane), progress);
-    writeMended(*mended, arguments);
+  doctor::Diagnosis diagnosis = doctor::examine(doctor::examinationOf(source, frames), progress);
+  std::optional<doctor::MendedLook> look;
+  if (!mended.empty() && !diagnosis.isHealthy()) {
+    look = doctor::lookAtMended(source, diagnosis, lane.settings, healthySettings(lane), progress);
+    writeMended(*look, mended);
   }
-  if (!arguments.writtenBaseline.empty()) {
-    baseline = baselineOf(diagnosis);
-    writeFile(arguments.writtenBaseline, baselineToText(*baseline));
+  if (!writtenBaseline.empty()) {
+    known = baselineOf(diagnosis);
+    writeFile(writtenBaseline, baselineToText(*known));
   }
-  if (baseline) markKnown(diagnosis, *baseline);
-  if (!arguments.html.empty())
-    writeFile(arguments.html, doctorHtml(diagnosis, plan.source, mended ? &*mended : nullptr));
-  if (arguments.json) {
-    nlohmann::ordered_json json = doctorJson(diagnosis, plan.source);
-    if (mended) json["mended"] = mendedJson(*mended, diagnosis, lane.settings);
-    out << json.dump(2) << '\n';
+  if (known) markKnown(diagnosis, *known);
+  if (!html.empty()) writeFile(html, doctorHtml(diagnosis, plan.source, look ? &*look : nullptr));
+  if (json) {
+    nlohmann::ordered_json result = doctorJson(diagnosis, plan.source);
+    if (look) result["mended"] = mendedJson(*look, diagnosis, lane.settings);
+    print(out, result);
   } else {
     out << doctorText(diagnosis, plan.source);
-    if (mended) out << mendedText(*mended, diagnosis, lane.settings);
+    if (look) out << mendedText(*look, diagnosis, lane.settings);
   }
-  return !diagnosis.hasNews();
+  return diagnosis.hasNews() ? kFindings : kDone;
+}
+
+} // namespace
+
+std::shared_ptr<Command> doctorCommand() {
+  return std::make_shared<DoctorCommand>();
 }
 
 } // namespace taa::cli

@@ -1,15 +1,16 @@
 // taa-batch import: what a folder of somebody's frames is, and how sure that is, as a capture.
-#include "core/cli/Commands.h"
-
 #include "core/base/ShownText.h"
 #include "core/capture/import/Guess.h"
 #include "core/capture/import/SavedImport.h"
+#include "core/cli/Command.h"
+#include "core/cli/Options.h"
 #include "core/cli/Table.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -19,6 +20,34 @@ namespace taa::cli {
 using nlohmann::ordered_json;
 
 namespace {
+
+struct ImportCommand final : Command {
+  std::string folder, out; ///< out empty: it is only measured
+  std::string like;        ///< id of a starting point; empty: none
+  std::vector<std::string> assignments;
+  bool checks = false; ///< measure what is stated or guessed, and write nothing
+  bool force = false, json = false;
+
+  ImportCommand() : Command("import") {
+    description("Say what a folder of an engine's frames is, by names, side files and pixels, and write it "
+                "as a capture");
+    add_option("FOLDER", folder, "Holds pictures (EXR, PNG, HDR, TIFF, DDS), or capture.json")->required();
+    add_option("--like", like, "A starting point to begin with: " + startingPointIds());
+    add_option("--set", assignments,
+               "key=value of a convention, which is then not questioned; repeat it for more")
+        ->allow_extra_args(false);
+    CLI::Option* written = add_option("--out", out,
+                                      "Folder of capture.json. Planes stay where they are when that is below "
+                                      "it, and are linked or copied into it otherwise");
+    add_flag("--check", checks,
+             "Write nothing, and end with 3 where pixels contradict a convention that is stated")
+        ->excludes(written);
+    addForce(*this, force);
+    addJson(*this, json);
+  }
+
+  int run(std::ostream& output, const Progress& progress) const override;
+};
 
 std::string residualText(double residual) {
   char text[32];
@@ -80,26 +109,29 @@ ordered_json guessJson(const capture::Guess& guess) {
           {"missing", guess.missing}};
 }
 
+int ImportCommand::run(std::ostream& output, const Progress& progress) const {
+  if (out.empty() && !checks)
+    throw UsageError("--out FOLDER is required, or --check to measure without writing");
+  const capture::Guess guess = capture::guessCapture(folder, like, assignments, progress);
+  ordered_json result;
+  if (json)
+    result = guessJson(guess);
+  else
+    printGuess(output, guess);
+  if (!checks) {
+    const capture::SavedImport saved = capture::saveImport(folder, guess.manifest, out, force, progress);
+    result["written"] = saved.manifest.string();
+    if (!json) output << '\n' << saved.manifest.string() << '\n';
+  }
+  if (json) print(output, result);
+  const bool isContradicted = std::ranges::any_of(guess.findings, &capture::Finding::contradicts);
+  return checks && isContradicted ? kFindings : kDone;
+}
+
 } // namespace
 
-bool runImport(const ImportArguments& arguments, std::ostream& out, const Progress& progress) {
-  if (arguments.out.empty() && !arguments.check)
-    throw UsageError("--out FOLDER is required, or --check to measure without writing");
-  const capture::Guess guess =
-      capture::guessCapture(arguments.folder, arguments.like, arguments.assignments, progress);
-  ordered_json json;
-  if (arguments.json)
-    json = guessJson(guess);
-  else
-    printGuess(out, guess);
-  if (!arguments.check) {
-    const capture::SavedImport saved =
-        capture::saveImport(arguments.folder, guess.manifest, arguments.out, arguments.force, progress);
-    json["written"] = saved.manifest.string();
-    if (!arguments.json) out << '\n' << saved.manifest.string() << '\n';
-  }
-  if (arguments.json) out << json.dump(2) << '\n';
-  return std::ranges::any_of(guess.findings, &capture::Finding::contradicts);
+std::shared_ptr<Command> importCommand() {
+  return std::make_shared<ImportCommand>();
 }
 
 } // namespace taa::cli

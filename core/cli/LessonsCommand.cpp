@@ -1,17 +1,15 @@
 // taa-batch lessons: what lessons there are, whether what they say is true, and they as pages.
 #include "core/base/ExistingFiles.h"
-#include "core/cli/LessonsOptions.h"
-#include "core/cli/ShotOptions.h"
+#include "core/cli/Command.h"
+#include "core/cli/Options.h"
 #include "core/cli/Table.h"
 #include "core/inspect/Inspector.h"
 #include "core/lessons/LessonCheck.h"
 #include "core/lessons/LessonPages.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstddef>
 #include <filesystem>
-#include <iostream>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -20,10 +18,45 @@ namespace taa::cli {
 
 namespace {
 
-std::vector<Lesson> lessonsOf(const LessonsArguments& arguments) {
-  if (arguments.files.empty()) return builtinLessons();
+struct LessonsCommand final : Command {
+  std::vector<std::string> files; ///< Markdown; empty: the built-in ones
+  bool checks = false, verbose = false;
+  std::string html;    ///< a folder; empty: no pages are written
+  std::string manual;  ///< where they link to; empty: to pages of it that are written with them
+  std::string figures; ///< a folder of what the window drew; empty: none
+  bool listsSteps = false;
+  bool force = false;
+
+  LessonsCommand() : Command("lessons") {
+    description("List the lessons, check what they claim, or write them as pages; ends with 3 where "
+                "something does not hold");
+    add_option("FILE", files, "Lessons as Markdown; without any the built-in ones");
+    add_flag("--check", checks,
+             "Set the state of each step, and say which claims do not hold and which tasks cannot be solved "
+             "as they say");
+    add_flag("--verbose", verbose, "With --check: also say what was measured where all is right");
+    add_option(
+        "--html", html,
+        "Write them into this folder as pages with pictures, clips and the manual, which need no program")
+        ->type_name("FOLDER");
+    add_option("--manual", manual,
+               "With --html: folder or address of the manual that pages link to, with / at its end; without "
+               "it the manual becomes pages, too");
+    add_option("--figures", figures,
+               "With --html: folder of figures that the window drew, LESSON-STEP-FIGURE.svg or .png; "
+               "app/lesson-pages makes them")
+        ->type_name("FOLDER");
+    add_flag("--steps", listsSteps, "List steps in place of lessons, with what the window draws of each");
+    addForce(*this, force);
+  }
+
+  int run(std::ostream& out, const Progress& progress) const override;
+};
+
+std::vector<Lesson> lessonsOf(const std::vector<std::string>& files) {
+  if (files.empty()) return builtinLessons();
   std::vector<Lesson> lessons;
-  for (const std::string& file : arguments.files) lessons.push_back(readLesson(file));
+  for (const std::string& file : files) lessons.push_back(readLesson(file));
   return lessons;
 }
 
@@ -63,55 +96,26 @@ bool checkLessons(const std::vector<Lesson>& lessons, bool isVerbose, std::ostre
   return areRight;
 }
 
-} // namespace
-
-bool runLessons(const LessonsArguments& arguments, std::ostream& out, const Progress& progress) {
-  const std::vector<Lesson> lessons = lessonsOf(arguments);
-  if (arguments.check) return checkLessons(lessons, arguments.verbose, out, progress);
-  if (arguments.html.empty()) {
-    arguments.steps ? listSteps(lessons, out) : listLessons(lessons, out);
-    return true;
+int LessonsCommand::run(std::ostream& out, const Progress& progress) const {
+  const std::vector<Lesson> lessons = lessonsOf(files);
+  if (checks) return checkLessons(lessons, verbose, out, progress) ? kDone : kFindings;
+  if (html.empty()) {
+    listsSteps ? listSteps(lessons, out) : listLessons(lessons, out);
+    return kDone;
   }
-  const std::string& manualUrl = arguments.manual;
-  const LessonPages pages{arguments.html, manualUrl, arguments.figures};
-  const std::vector<std::filesystem::path> files = lessonPageFiles(lessons, pages);
-  if (!arguments.force) refuseToReplace(files);
+  const LessonPages pages{html, manual, figures};
+  const std::vector<std::filesystem::path> written = lessonPageFiles(lessons, pages);
+  if (!force) refuseToReplace(written);
   Inspector inspector;
   writeLessonPages(inspector, lessons, pages, progress);
-  for (const std::filesystem::path& file : files) out << file.string() << '\n';
-  return true;
+  for (const std::filesystem::path& file : written) out << file.string() << '\n';
+  return kDone;
 }
 
-void addLessons(CLI::App& app, LessonsArguments& lessons, const Progress& progress, bool& isMistaken) {
-  CLI::App* command = app.add_subcommand(
-      "lessons",
-      "List the lessons, check what they claim, or write them as pages; ends with 3 where something does not "
-      "hold");
-  command->add_option("FILE", lessons.files, "Lessons as Markdown; without any the built-in ones");
-  command->add_flag("--check", lessons.check,
-                    "Set the state of each step, and say which claims do not hold and which tasks cannot be "
-                    "solved as they say");
-  command->add_flag("--verbose", lessons.verbose,
-                    "With --check: also say what was measured where all is right");
-  command
-      ->add_option(
-          "--html", lessons.html,
-          "Write them into this folder as pages with pictures, clips and the manual, which need no program")
-      ->type_name("FOLDER");
-  command->add_option(
-      "--manual", lessons.manual,
-      "With --html: folder or address of the manual that pages link to, with / at its end; without it "
-      "the manual becomes pages, too");
-  command
-      ->add_option("--figures", lessons.figures,
-                   "With --html: folder of figures that the window drew, LESSON-STEP-FIGURE.svg or .png; "
-                   "app/lesson-pages makes them")
-      ->type_name("FOLDER");
-  command->add_flag("--steps", lessons.steps,
-                    "List steps in place of lessons, with what the window draws of each");
-  addForce(*command, lessons.force);
-  command->callback(
-      [&lessons, &progress, &isMistaken] { isMistaken = !runLessons(lessons, std::cout, progress); });
+} // namespace
+
+std::shared_ptr<Command> lessonsCommand() {
+  return std::make_shared<LessonsCommand>();
 }
 
 } // namespace taa::cli

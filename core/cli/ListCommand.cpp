@@ -1,13 +1,16 @@
 // taa-batch list: the tables, for people and for programs.
-#include "core/cli/Commands.h"
-
+#include "core/cli/Command.h"
+#include "core/cli/Options.h"
 #include "core/cli/Table.h"
 #include "core/io/FrameJson.h"
 #include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Presets.h"
 
+#include <algorithm>
+#include <memory>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace taa::cli {
@@ -82,22 +85,40 @@ Listing listScenes() {
   return list;
 }
 
-Listing listing(const std::string& what) {
-  if (what == "intermediates") return listIntermediates();
-  if (what == "parameters") return listParameters();
-  if (what == "presets") return listPresets();
-  if (what == "scenes") return listScenes();
-  throw UsageError("cannot list \"" + what + "\"; there are intermediates, parameters, presets and scenes");
-}
+const std::vector<std::pair<std::string, Listing (*)()>> kListings = {
+    {"intermediates", listIntermediates},
+    {"parameters", listParameters},
+    {"presets", listPresets},
+    {"scenes", listScenes},
+};
+
+struct ListCommand final : Command {
+  std::string what; ///< of kListings
+  bool json = false;
+
+  ListCommand() : Command("list") {
+    description("Say what there is");
+    std::vector<std::string> names;
+    for (const auto& [name, listing] : kListings) names.push_back(name);
+    add_option("WHAT", what, enumeration(names, " or "))->required()->check(CLI::IsMember(names));
+    addJson(*this, json);
+  }
+
+  int run(std::ostream& out, const Progress&) const override {
+    const Listing list =
+        std::ranges::find(kListings, what, &decltype(kListings)::value_type::first)->second();
+    if (json)
+      print(out, list.json);
+    else
+      printTable(out, list.rows);
+    return kDone;
+  }
+};
 
 } // namespace
 
-void runList(const ListArguments& arguments, std::ostream& out) {
-  const Listing list = listing(arguments.what);
-  if (arguments.json)
-    out << list.json.dump(2) << '\n';
-  else
-    printTable(out, list.rows);
+std::shared_ptr<Command> listCommand() {
+  return std::make_shared<ListCommand>();
 }
 
 } // namespace taa::cli

@@ -1,57 +1,65 @@
 #include "core/cli/Pictures.h"
 
-#include "core/base/Error.h"
 #include "core/picture/StyleText.h"
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace taa::cli {
 
 namespace {
 
-// What is wrong with it is the caller's mistake.
 void checkStyle(const std::vector<std::string>& assignments, const char* flag) {
   ViewStyle style;
-  for (const std::string& assignment : assignments) try {
-      applyStyle(style, assignment);
-    } catch (const Error& error) {
-      throw UsageError(std::string(flag) + ": " + error.what());
-    }
-}
-
-template <typename Read>
-auto understood(const char* flag, const std::string& text, Read read) {
-  try {
-    return read(text);
-  } catch (const Error& error) {
-    throw UsageError(std::string(flag) + ": " + error.what());
-  }
+  for (const std::string& assignment : assignments) readOption(flag, [&] { applyStyle(style, assignment); });
 }
 
 } // namespace
 
-Pictures::Pictures(const RenderArguments& arguments, const std::vector<IntermediateId>& ids)
-    : arguments_(arguments) {
-  checkStyle(arguments.style, "--style");
-  checkStyle(arguments.otherStyle, "--other-style");
-  if (!arguments.compare.empty()) comparison_ = understood("--compare", arguments.compare, parseComparison);
-  if (!comparison_ && !(arguments.compareAs.empty() && arguments.otherStyle.empty()))
-    throw UsageError("--compare-as and --other-style need --compare: " + std::string(kComparisonHelp));
-  if (comparison_)
-    showing_ = !arguments.compareAs.empty() ? understood("--compare-as", arguments.compareAs, showingNamed)
-               : arguments.format == "exr"  ? Showing::Difference
-                                            : Showing::Wipe;
-  check(ids);
-  showsReference_ = std::ranges::any_of(
-      ids, [this](IntermediateId id) { return isOfReference(id) || isOfReference(otherId(id)); });
+void addPictureOptions(CLI::App& command, PictureOptions& options) {
+  command
+      .add_option("--style", options.style,
+                  "How png and gif show values: low=, high=, exposure=, channels=, map=, marks=, clipped=, "
+                  "rejected=, outlines= or arrows=; repeat it for more")
+      ->allow_extra_args(false);
+  command.add_option("--compare", options.compare,
+                     "What each is compared with, " + std::string(kComparisonHelp) +
+                         "; an exr has the values of the differences then");
+  command.add_option("--compare-as", options.compareAs,
+                     "Of png and gif: how both are shown: wipe, which it is without this, first, other or "
+                     "difference");
+  command
+      .add_option("--divider", options.divider,
+                  "Where a wipe goes over to the other side, share of the width")
+      ->check(numberFrom(0.0, 1.0))
+      ->capture_default_str();
+  command
+      .add_option("--other-style", options.otherStyle, "As --style, of the other side; repeat it for more")
+      ->allow_extra_args(false);
 }
 
-void Pictures::check(const std::vector<IntermediateId>& ids) const {
+Pictures::Pictures(PictureOptions options, const std::vector<IntermediateId>& ids, bool areValues,
+                   int referenceSamples)
+    : options_(std::move(options)), referenceSamples_(referenceSamples) {
+  checkStyle(options_.style, "--style");
+  checkStyle(options_.otherStyle, "--other-style");
+  if (!options_.compare.empty())
+    comparison_ = readOption("--compare", [&] { return parseComparison(options_.compare); });
+  if (!comparison_ && !(options_.compareAs.empty() && options_.otherStyle.empty()))
+    throw UsageError("--compare-as and --other-style need --compare: " + std::string(kComparisonHelp));
+  showsReference_ = std::ranges::any_of(
+      ids, [this](IntermediateId id) { return isOfReference(id) || isOfReference(otherId(id)); });
   if (!compares()) return;
-  if (arguments_.format == "exr" && showing_ != Showing::Difference)
-    throw UsageError("--compare-as " + arguments_.compareAs +
+  showing_ = !options_.compareAs.empty()
+                 ? readOption("--compare-as", [&] { return showingNamed(options_.compareAs); })
+             : areValues ? Showing::Difference
+                         : Showing::Wipe;
+  if (areValues && showing_ != Showing::Difference)
+    throw UsageError("--compare-as " + options_.compareAs +
                      " is of pictures: it needs --format png or gif; of values there is the difference");
   for (const IntermediateId id : ids) {
     const Intermediate &row = intermediate(id), &other = intermediate(otherId(id));
@@ -79,7 +87,7 @@ IntermediateId Pictures::otherId(IntermediateId id) const {
 
 PictureRequest Pictures::request(const Inspector& inspector, IntermediateId id, int lane) const {
   const Intermediate& row = intermediate(id);
-  const ViewStyle first = styled(defaultStyle(row), arguments_.style);
+  const ViewStyle first = styled(defaultStyle(row), options_.style);
   PictureRequest request{.id = id,
                          .style = first,
                          .transform = {},
@@ -88,13 +96,13 @@ PictureRequest Pictures::request(const Inspector& inspector, IntermediateId id, 
                          .lane = lane,
                          .showing = showing_,
                          .divider =
-                             static_cast<int>(std::lround(arguments_.divider * inspector.shot().width())),
-                         .referenceSamples = arguments_.referenceSamples};
+                             static_cast<int>(std::lround(options_.divider * inspector.shot().width())),
+                         .referenceSamples = referenceSamples_};
   if (!compares()) return request;
-  if (showing_ == Showing::Difference) request.style = styled(differenceStyle(row), arguments_.style);
+  if (showing_ == Showing::Difference) request.style = styled(differenceStyle(row), options_.style);
   OtherSide& other = request.other.emplace(otherSideOf(comparison_, id, 1));
   // The same row looks the same on both sides, as in a view.
-  other.style = styled(other.id == id ? first : defaultStyle(intermediate(other.id)), arguments_.otherStyle);
+  other.style = styled(other.id == id ? first : defaultStyle(intermediate(other.id)), options_.otherStyle);
   return request;
 }
 

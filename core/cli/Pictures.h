@@ -10,10 +10,20 @@
 
 namespace taa::cli {
 
+struct PictureOptions {
+  std::vector<std::string> style;      ///< "key=value" on top of the styles that rows open with
+  std::string compare, compareAs;      ///< empty: with nothing, as a wipe
+  double divider = 0.5;                ///< where it lies in a wipe, share of the width
+  std::vector<std::string> otherStyle; ///< as style, of the other side
+};
+void addPictureOptions(CLI::App& command, PictureOptions& options);
+
 class Pictures {
  public:
-  /// Throws UsageError where --compare and its like make no sense.
-  Pictures(const RenderArguments& arguments, const std::vector<IntermediateId>& ids);
+  /// `areValues`: an exr, so that a comparison is a difference. Throws UsageError where --compare and its
+  /// like make no sense.
+  Pictures(PictureOptions options, const std::vector<IntermediateId>& ids, bool areValues,
+           int referenceSamples);
 
   bool compares() const { return static_cast<bool>(comparison_); }
   bool showsReference() const { return showsReference_; }
@@ -27,11 +37,11 @@ class Pictures {
   Picture draw(Inspector& inspector, IntermediateId id, int lane, const Progress& progress) const;
 
  private:
-  void check(const std::vector<IntermediateId>& ids) const;
   ViewStyle styled(ViewStyle style, const std::vector<std::string>& assignments) const;
   IntermediateId otherId(IntermediateId id) const;
 
-  const RenderArguments& arguments_;
+  PictureOptions options_;
+  int referenceSamples_;
   Comparison comparison_;
   Showing showing_ = Showing::First;
   bool showsReference_ = false;

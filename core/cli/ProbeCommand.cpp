@@ -1,7 +1,5 @@
 // taa-batch probe: one pixel of one frame.
-#include "core/cli/Commands.h"
-
-#include "core/base/Error.h"
+#include "core/cli/Command.h"
 #include "core/cli/Shot.h"
 #include "core/cli/Table.h"
 #include "core/inspect/ShownPicture.h"
@@ -9,6 +7,7 @@
 #include "core/io/FrameJson.h"
 #include "core/picture/RegionSpreadText.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -20,6 +19,95 @@
 namespace taa::cli {
 
 namespace {
+
+/// What --find takes.
+const std::vector<std::pair<std::string, WorstStep>> kFound = {
+    {"rejected", WorstStep::Rejected}, {"clipped", WorstStep::Clipped}, {"nan", WorstStep::NoNumber}};
+
+/// A region with its rows.
+struct AskedRegion {
+  gl::Rect rect;
+  std::vector<IntermediateId> rows;
+};
+
+struct ProbeCommand final : Command {
+  ShotOptions shot;
+  std::string pixel;
+  int frame = -1; ///< −1: that of the session
+  bool json = false;
+  bool whatIf = false;                    ///< also the pixel under other choices
+  std::string compare;                    ///< the other side; empty: none
+  std::string region;                     ///< X,Y,WxH instead of a pixel; empty: none
+  std::string find;                       ///< of kFound, instead of a pixel; empty: none
+  std::vector<std::string> emit;          ///< of a region; empty: all of the frame's own resolve
+  int referenceSamples = kVerdictSamples; ///< of rows of the reference that are named
+
+  ProbeCommand() : Command("probe") {
+    description(
+        "Print every intermediate at one pixel of one frame, or how their values are spread over a region");
+    addShotOptions(*this, shot);
+    addFrame(*this, frame);
+    addPixel(*this, pixel);
+    add_option("--find", find,
+               "In place of --pixel: the worst pixel whose history is rejected, the one whose history is "
+               "moved farthest (clipped), or the first one that is NaN or infinite in the output (nan)")
+        ->check(CLI::IsMember(kFound));
+    add_option("--region", region,
+               "X,Y,WxH in place of --pixel: least and greatest value, mean, deviation, percentiles and "
+               "histogram of each row there, and how many are NaN, infinite or absent");
+    add_option("--emit", emit,
+               "Of a region: intermediates, with commas between (see list intermediates), or all; else those "
+               "of the frame's own resolve")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    addReferenceSamples(*this, referenceSamples,
+                        "of the reference, where --emit names rows of it, 4 to 1024");
+    addJson(*this, json);
+    add_flag("--what-if", whatIf,
+             "Also print the pixel under every rectification, box, history filter and preset");
+    add_option(
+        "--compare", compare,
+        "Also print each row of what the pixel is compared with, and their difference: preset:NAME, frame:N, "
+        "frame:-N for N frames before, or motion:-1 for the frame before, where the pixel came from");
+  }
+
+  int run(std::ostream& out, const Progress& progress) const override;
+  void checkPlace() const;
+  Comparison comparison(const ShotPlan& plan) const;
+  std::vector<IntermediateId> rows() const;
+  void printRegion(const AskedRegion& asked, const ShotPlan& plan, Inspector& inspector, std::ostream& out,
+                   const Progress& progress) const;
+};
+
+/// What is asked for in place of a pixel is one thing, and what belongs to a pixel is said of one.
+void ProbeCommand::checkPlace() const {
+  if (pixel.empty() + find.empty() + region.empty() != 2)
+    throw UsageError(
+        "one of --pixel, --find and --region is required; taa-batch probe --help says what they are");
+  if (!region.empty() && (whatIf || !compare.empty()))
+    throw UsageError("--what-if and --compare are of a pixel, not of a region");
+  if (region.empty() && !emit.empty())
+    throw UsageError("--emit is of a region: probe prints all rows of a pixel");
+}
+
+Comparison ProbeCommand::comparison(const ShotPlan& plan) const {
+  if (compare.empty()) return {};
+  const Comparison parsed = readOption("--compare", [&] { return parseComparison(compare); });
+  if (parsed.kind == OtherKind::Row)
+    throw UsageError("--compare: probe prints all rows already: name a preset or a frame");
+  if (parsed.kind == OtherKind::Preset && plan.lanes.size() > 1)
+    throw UsageError("--compare is of one lane: leave --lane out");
+  return parsed;
+}
+
+/// Of a region.
+std::vector<IntermediateId> ProbeCommand::rows() const {
+  if (!emit.empty()) return parseEmit(emit);
+  std::vector<IntermediateId> ids;
+  for (const Intermediate& row : kIntermediates)
+    if (!isOfReference(row.id)) ids.push_back(row.id);
+  return ids;
+}
 
 void printWhatIf(std::ostream& out, const std::vector<WhatIfRow>& variants) {
   std::vector<std::vector<std::string>> rows{
@@ -40,22 +128,6 @@ void printWhatIf(std::ostream& out, const std::vector<WhatIfRow>& variants) {
   printTable(out, rows, "  ");
 }
 
-// What it says of rows and lanes is the caller's mistake.
-Comparison comparisonOf(const ProbeArguments& arguments, const ShotPlan& plan) {
-  if (arguments.compare.empty()) return {};
-  Comparison comparison;
-  try {
-    comparison = parseComparison(arguments.compare);
-  } catch (const Error& error) {
-    throw UsageError(std::string("--compare: ") + error.what());
-  }
-  if (comparison.kind == OtherKind::Row)
-    throw UsageError("--compare: probe prints all rows already: name a preset or a frame");
-  if (comparison.kind == OtherKind::Preset && plan.lanes.size() > 1)
-    throw UsageError("--compare is of one lane: leave --lane out");
-  return comparison;
-}
-
 void addOtherSide(Inspector& inspector, const Comparison& comparison, const glm::ivec2& pixel, int lane,
                   ProbedLane& probed, const Progress& progress) {
   if (!comparison) return;
@@ -66,47 +138,16 @@ void addOtherSide(Inspector& inspector, const Comparison& comparison, const glm:
   probed.compared = inspector.probes().compared(pixel, source, lane);
 }
 
-gl::Rect regionOf(const ProbeArguments& arguments) {
-  const std::optional<gl::Rect> region = parseRegion(arguments.region);
+gl::Rect regionOf(const std::string& text) {
+  const std::optional<gl::Rect> region = parseRegion(text);
   if (!region)
-    throw UsageError("--region " + arguments.region +
-                     ": expected X,Y,WxH, for example 40,20,64x36; 0,0 is the top left");
+    throw UsageError("--region " + text + ": expected X,Y,WxH, for example 40,20,64x36; 0,0 is the top left");
   return *region;
 }
 
-/// What is asked for in place of a pixel is one thing, and what belongs to a pixel is said of one.
-void checkPlace(const ProbeArguments& arguments) {
-  const int places = (arguments.pixel.empty() ? 0 : 1) + (arguments.find.empty() ? 0 : 1) +
-                     (arguments.region.empty() ? 0 : 1);
-  if (places != 1)
-    throw UsageError(
-        "one of --pixel, --find and --region is required; taa-batch probe --help says what they are");
-  if (!arguments.region.empty() && (arguments.whatIf || !arguments.compare.empty()))
-    throw UsageError("--what-if and --compare are of a pixel, not of a region");
-  if (arguments.region.empty() && !arguments.emit.empty())
-    throw UsageError("--emit is of a region: probe prints all rows of a pixel");
-}
-
 glm::ivec2 foundPixel(Inspector& inspector, const std::string& find) {
-  const WorstStep step = find == "rejected"  ? WorstStep::Rejected
-                         : find == "clipped" ? WorstStep::Clipped
-                                             : WorstStep::NoNumber;
+  const WorstStep step = std::ranges::find(kFound, find, &decltype(kFound)::value_type::first)->second;
   return inspector.worst().next(IntermediateId::resolved, 0, {}, step).worst.pixel;
-}
-
-/// Of the rows that are asked for, those that are made.
-std::vector<IntermediateId> rowsOf(const ProbeArguments& arguments) {
-  if (!arguments.emit.empty()) return parseEmit(arguments.emit);
-  std::vector<IntermediateId> rows;
-  for (const Intermediate& row : kIntermediates)
-    if (!isOfReference(row.id)) rows.push_back(row.id);
-  return rows;
-}
-
-std::vector<IntermediateId> resolvedRows(const ProbeArguments& arguments) {
-  std::vector<IntermediateId> rows = rowsOf(arguments);
-  std::erase_if(rows, isOfReference);
-  return rows;
 }
 
 void printSpreads(std::ostream& out, const std::vector<RegionSpread>& spreads,
@@ -128,84 +169,87 @@ void printSpreads(std::ostream& out, const std::vector<RegionSpread>& spreads,
   printTable(out, lines);
 }
 
-void runRegion(const ProbeArguments& arguments, const ShotPlan& plan, Inspector& inspector, std::ostream& out,
-               const Progress& progress) {
-  const gl::Rect asked = regionOf(arguments);
-  requirePixel(inspector, {asked.x, asked.y});
-  const InspectedShot& shot = inspector.shot();
-  const gl::Rect region = *insidePicture(asked, shot.width(), shot.height());
-  const std::vector<IntermediateId> rows = rowsOf(arguments);
-  nlohmann::ordered_json json = shotJson(inspector);
-  json["frame"] = shot.frame();
-  json["region"] = {region.x, region.y, region.width, region.height};
-  for (int lane = 0; lane < shot.laneCount(); ++lane) {
-    const LaneChoice& choice = plan.lanes.at(static_cast<std::size_t>(lane));
-    inspector.reference().makeRows(rows, arguments.referenceSamples, progress, lane);
-    const SpaceSettings& space = shot.usedSettings(lane).space;
+void ProbeCommand::printRegion(const AskedRegion& asked, const ShotPlan& plan, Inspector& inspector,
+                               std::ostream& out, const Progress& progress) const {
+  const InspectedShot& opened = inspector.shot();
+  const gl::Rect inside = *insidePicture(asked.rect, opened.width(), opened.height());
+  nlohmann::ordered_json result = shotJson(inspector);
+  result["frame"] = opened.frame();
+  result["region"] = {inside.x, inside.y, inside.width, inside.height};
+  for (int lane = 0; lane < opened.laneCount(); ++lane) {
+    inspector.reference().makeRows(asked.rows, referenceSamples, progress, lane);
+    const SpaceSettings& space = opened.usedSettings(lane).space;
     std::vector<RegionSpread> spreads;
-    for (const IntermediateId id : rows)
-      spreads.push_back(
-          regionSpread(inspector.views().image(id, lane, region), {}, intermediate(id), region));
-    nlohmann::ordered_json laneOut = laneJson(inspector, choice, lane);
-    for (std::size_t index = 0; index < rows.size(); ++index)
-      laneOut["rows"][std::string(intermediate(rows[index]).name)] =
-          spreadJson(spreads[index], intermediate(rows[index]), space);
-    json["lanes"].push_back(std::move(laneOut));
-    if (arguments.json) continue;
-    if (lane > 0) out << '\n';
-    if (!choice.name.empty()) out << "LANE " << choice.name << ": " << choice.preset << '\n';
-    out << "region " << regionPlaceText(region) << " of frame " << shot.frame() << '\n';
-    printSpreads(out, spreads, rows, space);
+    nlohmann::ordered_json ofLane = laneJson(inspector, plan, lane);
+    for (const IntermediateId id : asked.rows) {
+      const Intermediate& row = intermediate(id);
+      spreads.push_back(regionSpread(inspector.views().image(id, lane, inside), {}, row, inside));
+      ofLane["rows"][std::string(row.name)] = spreadJson(spreads.back(), row, space);
+    }
+    result["lanes"].push_back(std::move(ofLane));
+    if (json) continue;
+    out << laneHeading(plan, lane) << "region " << regionPlaceText(inside) << " of frame " << opened.frame()
+        << '\n';
+    printSpreads(out, spreads, asked.rows, space);
   }
-  if (arguments.json) out << json.dump(2) << '\n';
+  if (json) print(out, result);
+}
+
+int ProbeCommand::run(std::ostream& out, const Progress& progress) const {
+  ShotPlan plan = planShot(shot);
+  const Comparison other = comparison(plan);
+  const auto laneCount = static_cast<int>(plan.lanes.size());
+  if (other.kind == OtherKind::Preset) plan.lanes.push_back(laneOfPreset("other", other.preset));
+  checkPlace();
+  std::optional<glm::ivec2> place;
+  if (!pixel.empty()) place = parsePixel(pixel);
+  std::optional<AskedRegion> area;
+  if (!region.empty()) area = {regionOf(region), rows()};
+  checkReferenceSamples(referenceSamples);
+  const int shown = frameOf(plan, frame);
+  Inspector inspector;
+  openShot(inspector, plan, progress);
+  requireFrame(inspector, plan, shown);
+  if (place) requirePixel(inspector, *place);
+  if (area) {
+    requirePixel(inspector, {area->rect.x, area->rect.y});
+    std::vector<IntermediateId> resolved = area->rows;
+    std::erase_if(resolved, isOfReference);
+    inspector.views().watch(resolved); // exposed in one run
+  }
+  inspector.shot().seek(shown, progress);
+  if (area) {
+    printRegion(*area, plan, inspector, out, progress);
+    return kDone;
+  }
+  const glm::ivec2 at = place ? *place : foundPixel(inspector, find);
+
+  ProbeReport report{shotFacts(inspector), at, {}, other};
+  for (int lane = 0; lane < laneCount; ++lane) {
+    ProbedLane probed{laneFacts(inspector, plan, lane), inspector.probes().probe(at.x, at.y, lane)};
+    probed.details = std::make_shared<twin::Details>(inspector.probes().details(at.x, at.y, lane));
+    if (whatIf) probed.whatIf = inspector.probes().whatIf(at.x, at.y, lane);
+    addOtherSide(inspector, other, at, lane, probed, progress);
+    report.lanes.push_back(std::move(probed));
+  }
+  if (json) {
+    print(out, probeJson(report));
+    return kDone;
+  }
+  for (int lane = 0; lane < laneCount; ++lane) {
+    const ProbedLane& probed = report.lanes[static_cast<std::size_t>(lane)];
+    out << laneHeading(plan, lane);
+    if (probed.compared) out << comparedText(other, *probed.compared) << '\n';
+    out << probeTable(probed, at);
+    if (!probed.whatIf.empty()) printWhatIf(out, probed.whatIf);
+  }
+  return kDone;
 }
 
 } // namespace
 
-void runProbe(const ProbeArguments& arguments, std::ostream& out, const Progress& progress) {
-  ShotPlan plan = planShot(arguments.shot);
-  const Comparison comparison = comparisonOf(arguments, plan);
-  const auto laneCount = static_cast<int>(plan.lanes.size());
-  if (comparison.kind == OtherKind::Preset) plan.lanes.push_back(laneOfPreset("other", comparison.preset));
-  checkPlace(arguments);
-  if (!arguments.pixel.empty())
-    parsePixel(arguments.pixel); // what is wrong is said before anything is opened
-  if (!arguments.region.empty()) regionOf(arguments);
-  parseEmit(arguments.emit);
-  checkReferenceSamples(arguments.referenceSamples);
-  const int frame = arguments.frame >= 0 ? arguments.frame : plan.frame;
-  if (frame < 0) throw UsageError("--frame is required: the number of a frame, from 0");
-  Inspector inspector;
-  openShot(inspector, arguments.shot, plan, progress);
-  requireFrame(inspector, plan, frame);
-  if (!arguments.pixel.empty()) requirePixel(inspector, parsePixel(arguments.pixel));
-  if (!arguments.region.empty()) inspector.views().watch(resolvedRows(arguments)); // exposed in one run
-  inspector.shot().seek(frame, progress);
-  if (!arguments.region.empty()) return runRegion(arguments, plan, inspector, out, progress);
-  const glm::ivec2 pixel =
-      arguments.find.empty() ? parsePixel(arguments.pixel) : foundPixel(inspector, arguments.find);
-
-  ProbeReport report{shotFacts(inspector), pixel, {}, comparison};
-  for (int lane = 0; lane < laneCount; ++lane) {
-    const LaneChoice& choice = plan.lanes.at(static_cast<std::size_t>(lane));
-    ProbedLane probed{laneFacts(inspector, choice, lane), inspector.probes().probe(pixel.x, pixel.y, lane)};
-    probed.details = std::make_shared<twin::Details>(inspector.probes().details(pixel.x, pixel.y, lane));
-    if (arguments.whatIf) probed.whatIf = inspector.probes().whatIf(pixel.x, pixel.y, lane);
-    addOtherSide(inspector, comparison, pixel, lane, probed, progress);
-    report.lanes.push_back(std::move(probed));
-  }
-  if (arguments.json) {
-    out << probeJson(report).dump(2) << '\n';
-    return;
-  }
-  for (const ProbedLane& lane : report.lanes) {
-    if (!lane.lane.name.empty())
-      out << (&lane == report.lanes.data() ? "" : "\n") << "LANE " << lane.lane.name << ": "
-          << lane.lane.preset << '\n';
-    if (lane.compared) out << comparedText(comparison, *lane.compared) << '\n';
-    out << probeTable(lane, pixel);
-    if (!lane.whatIf.empty()) printWhatIf(out, lane.whatIf);
-  }
+std::shared_ptr<Command> probeCommand() {
+  return std::make_shared<ProbeCommand>();
 }
 
 } // namespace taa::cli

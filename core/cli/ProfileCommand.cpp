@@ -1,14 +1,13 @@
 // taa-batch profile: where the time of frames goes, pass by pass and stage by stage.
-#include "core/cli/Commands.h"
-
-#include "core/base/Error.h"
 #include "core/base/Median.h"
+#include "core/cli/Command.h"
 #include "core/cli/Shot.h"
 #include "core/cli/Table.h"
 #include "core/io/FrameJson.h"
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -19,6 +18,20 @@ namespace taa::cli {
 using nlohmann::ordered_json;
 
 namespace {
+
+struct ProfileCommand final : Command {
+  ShotOptions shot;
+  std::string frames = "1..30";
+  bool json = false;
+
+  ProfileCommand() : Command("profile") {
+    description("Print the time of each pass and of each stage of the resolve, and the memory in use");
+    addShotOptions(*this, shot);
+    add_option("--frames", frames, "A..B, both included, from 1")->capture_default_str();
+    addJson(*this, json);
+  }
+  int run(std::ostream& out, const Progress& progress) const override;
+};
 
 /// Over all frames of the range.
 struct PassRow {
@@ -106,36 +119,33 @@ void printMemory(std::ostream& out, const FrameProfile& profile) {
   printTable(out, table);
 }
 
-} // namespace
-
-void runProfile(const ProfileArguments& arguments, std::ostream& out, const Progress& progress) {
-  const ShotPlan plan = planShot(arguments.shot);
+int ProfileCommand::run(std::ostream& out, const Progress& progress) const {
+  const ShotPlan plan = planShot(shot);
   if (plan.lanes.size() != 1) throw UsageError("profile takes one lane: use --preset instead of --lane");
-  const FrameRange frames = parseFrames(arguments.frames);
-  if (frames.first < 1)
-    throw UsageError("--frames " + arguments.frames + ": frame 0 has no history; start from 1");
+  const FrameRange range = parseFrames(frames);
+  if (range.first < 1) throw UsageError("--frames " + frames + ": frame 0 has no history; start from 1");
   Inspector inspector;
-  openShot(inspector, arguments.shot, plan, progress);
-  requireFrame(inspector, plan, frames.last);
-  inspector.shot().seek(frames.first, progress); // compiles: nothing of that is measured
-  inspector.shot().seek(frames.first - 1, progress);
+  openShot(inspector, plan, progress);
+  requireFrame(inspector, plan, range.last);
+  inspector.shot().seek(range.first, progress); // compiles: nothing of that is measured
+  inspector.shot().seek(range.first - 1, progress);
   inspector.profiler().setProfiling(true);
   std::vector<PassRow> passes;
   FrameProfile last;
-  for (int frame = frames.first; frame <= frames.last; ++frame) {
-    report(progress, "Profiling frames", frame - frames.first, frames.count());
+  for (int frame = range.first; frame <= range.last; ++frame) {
+    report(progress, "Profiling frames", frame - range.first, range.count());
     inspector.shot().advance();
     last = inspector.profiler().takeProfile().value();
     add(passes, last);
   }
   inspector.profiler().setProfiling(false);
   const StageCosts costs = inspector.profiler().measureStages(progress);
-  if (arguments.json) {
-    ordered_json json = shotJson(inspector);
-    json["frames"] = {frames.first, frames.last};
-    json.update(profileJson(passes, last, costs));
-    out << json.dump(2) << '\n';
-    return;
+  if (json) {
+    ordered_json result = shotJson(inspector);
+    result["frames"] = {range.first, range.last};
+    result.update(profileJson(passes, last, costs));
+    print(out, result);
+    return kDone;
   }
   out << inspector.shot().driver().renderer << ", " << inspector.shot().width() << " × "
       << inspector.shot().height() << ": " << timingWords(last.method) << "\n\n";
@@ -144,6 +154,13 @@ void runProfile(const ProfileArguments& arguments, std::ostream& out, const Prog
   printStages(out, costs);
   out << '\n';
   printMemory(out, last);
+  return kDone;
+}
+
+} // namespace
+
+std::shared_ptr<Command> profileCommand() {
+  return std::make_shared<ProfileCommand>();
 }
 
 } // namespace taa::cli

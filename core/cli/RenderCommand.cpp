@@ -1,16 +1,15 @@
 // taa-batch render: frames into files.
-#include "core/cli/Commands.h"
-#include "core/cli/Terminal.h"
-
-#include "core/base/Error.h"
 #include "core/base/ExistingFiles.h"
 #include "core/base/Files.h"
 #include "core/capture/format/Manifest.h"
+#include "core/cli/Command.h"
 #include "core/cli/Pictures.h"
+#include "core/cli/Terminal.h"
 #include "core/inspect/MemoryNeed.h"
 #include "core/io/FrameJson.h"
 #include "core/io/GifFile.h"
 #include "core/io/PictureFile.h"
+#include "core/measure/Metrics.h"
 #include "core/report/FrameExport.h"
 #include "core/report/SequenceExport.h"
 #include "core/scene/SceneCost.h"
@@ -35,6 +34,97 @@ using nlohmann::ordered_json;
 
 namespace {
 
+constexpr const char* kDefaultRow = "resolved";
+
+struct RenderCommand final : Command {
+  ShotOptions shot;
+  std::string frames, folder;                    ///< frames empty: that of the session
+  std::vector<std::string> emit = {kDefaultRow}; ///< ids, or "all"
+  std::string format = "exr";
+  int referenceSamples = kReferenceSamples; ///< of frames whose reference is looked at
+  std::string like;                         ///< starting point of a capture; empty: this program's own
+  std::vector<std::string> conventions;     ///< of a capture, "path=value" on top of it
+  PictureOptions pictures;
+  double framesPerSecond = 0.0; ///< of a GIF; 0: the scene's
+  bool force = false, json = false, verbose = false;
+
+  RenderCommand() : Command("render") {
+    description("Render frames and write their intermediates to files");
+    addShotOptions(*this, shot);
+    add_option("--frames", frames, "A..B, both included, or one frame; else the session's");
+    add_option("--out", folder, "Folder of the files; made where it is missing")->required();
+    add_option("--emit", emit, "Intermediates, with commas between (see list intermediates), or all")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->capture_default_str();
+    add_option("--format", format,
+               "exr: frame.0007.exr with a part for each intermediate; png: what a view shows, a file for "
+               "each; gif: the same as one animation for each; capture: capture.json and raw planes, which "
+               "every command takes as a source")
+        ->check(CLI::IsMember({"exr", "png", "gif", "capture"}))
+        ->capture_default_str();
+    addReferenceSamples(
+        *this, referenceSamples,
+        "of references that are emitted, 4 to 1024; a capture has one only where this is said");
+    add_option("--like", like,
+               "Of a capture: the engine whose conventions and formats it is written in, which are this "
+               "program's without it: " +
+                   startingPointIds());
+    add_option("--set-convention", conventions,
+               "Of a capture: key=value on top of --like, for example motion.unit=ndc; repeat it for more")
+        ->allow_extra_args(false);
+    addPictureOptions(*this, pictures);
+    add_option("--fps", framesPerSecond, "Frames a second of a gif; else the scene's")
+        ->check(numberFrom(0.1, 1000.0));
+    addForce(*this, force);
+    add_flag("--json", json, "Print JSON instead of the names of the files");
+    add_flag("--verbose", verbose,
+             "Say on standard error what the scene draws and how much memory it takes, before the frames are "
+             "rendered");
+  }
+
+  int run(std::ostream& out, const Progress& progress) const override;
+  FrameRange range(const ShotPlan& plan) const;
+  SequenceRequest captureRequest(const ShotPlan& plan, const FrameRange& written) const;
+};
+
+FrameRange RenderCommand::range(const ShotPlan& plan) const {
+  if (!frames.empty()) return parseFrames(frames);
+  if (plan.sessionFrame < 0) throw UsageError("--frames is required: A..B, for example 0..31, or one frame");
+  return {plan.sessionFrame, plan.sessionFrame};
+}
+
+/// Throws UsageError where it is said what has no effect on a capture, or makes none.
+SequenceRequest RenderCommand::captureRequest(const ShotPlan& plan, const FrameRange& written) const {
+  if (plan.lanes.size() > 1)
+    throw UsageError("--format capture is of one lane: leave --lane out, and say --preset");
+  if (emit != std::vector<std::string>{kDefaultRow})
+    throw UsageError("--emit: a capture has what the resolve is given and the resolved picture");
+  if (!pictures.compare.empty() || !pictures.style.empty())
+    throw UsageError("--compare and --style: a capture has neither differences nor pictures");
+  SequenceRequest request;
+  request.kind = SequenceKind::Capture;
+  request.target = fs::path(folder) / capture::kManifestName;
+  request.first = written.first;
+  request.last = written.last;
+  if (!like.empty()) request.capture.like = like;
+  request.capture.conventions = conventions;
+  if (count("--reference-samples") > 0) {
+    checkReferenceSamples(referenceSamples);
+    request.capture.referenceSamples = referenceSamples;
+  }
+  readOption("--like, --set-convention", [&] { return conventionsOf(request.capture); });
+  return request;
+}
+
+/// What is rendered, read once.
+struct RenderPlan {
+  ShotPlan shot;
+  FrameRange range;
+  std::vector<IntermediateId> ids;
+  Pictures pictures;
+};
+
 /// "frame.0007" in the folder.
 std::string frameName(int frame) {
   std::ostringstream name;
@@ -48,32 +138,29 @@ std::string rowName(const LaneChoice& lane, IntermediateId id) {
 }
 
 // Where the files are
-fs::path exrPath(const RenderArguments& arguments, int frame) {
-  return fs::path(arguments.folder) / (frameName(frame) + ".exr");
+fs::path exrPath(const RenderCommand& command, int frame) {
+  return fs::path(command.folder) / (frameName(frame) + ".exr");
 }
-fs::path pngPath(const RenderArguments& arguments, int frame, const LaneChoice& lane, IntermediateId id) {
-  return fs::path(arguments.folder) / (frameName(frame) + "." + rowName(lane, id) + ".png");
+fs::path pngPath(const RenderCommand& command, int frame, const LaneChoice& lane, IntermediateId id) {
+  return fs::path(command.folder) / (frameName(frame) + "." + rowName(lane, id) + ".png");
 }
-fs::path gifPath(const RenderArguments& arguments, const LaneChoice& lane, IntermediateId id) {
-  return fs::path(arguments.folder) / (rowName(lane, id) + ".gif");
+fs::path gifPath(const RenderCommand& command, const LaneChoice& lane, IntermediateId id) {
+  return fs::path(command.folder) / (rowName(lane, id) + ".gif");
 }
 
 /// All files that the command writes, in the order in which they appear.
-std::vector<fs::path> plannedFiles(const RenderArguments& arguments, const ShotPlan& plan,
-                                   const FrameRange& range, const std::vector<IntermediateId>& ids,
-                                   const Pictures& pictures) {
+std::vector<fs::path> plannedFiles(const RenderCommand& command, const RenderPlan& plan) {
   std::vector<fs::path> paths;
   const auto ofRows = [&](auto path) {
-    for (int lane = 0; lane < pictures.laneCount(plan); ++lane)
-      for (const IntermediateId id : ids)
-        paths.push_back(path(plan.lanes.at(static_cast<std::size_t>(lane)), id));
+    for (int lane = 0; lane < plan.pictures.laneCount(plan.shot); ++lane)
+      for (const IntermediateId id : plan.ids) paths.push_back(path(plan.shot.lane(lane), id));
   };
-  if (arguments.format == "gif")
-    ofRows([&](const LaneChoice& lane, IntermediateId id) { return gifPath(arguments, lane, id); });
-  for (int frame = range.first; frame <= range.last; ++frame) {
-    if (arguments.format == "exr") paths.push_back(exrPath(arguments, frame));
-    if (arguments.format == "png")
-      ofRows([&](const LaneChoice& lane, IntermediateId id) { return pngPath(arguments, frame, lane, id); });
+  if (command.format == "gif")
+    ofRows([&](const LaneChoice& lane, IntermediateId id) { return gifPath(command, lane, id); });
+  for (int frame = plan.range.first; frame <= plan.range.last; ++frame) {
+    if (command.format == "exr") paths.push_back(exrPath(command, frame));
+    if (command.format == "png")
+      ofRows([&](const LaneChoice& lane, IntermediateId id) { return pngPath(command, frame, lane, id); });
   }
   return paths;
 }
@@ -87,41 +174,39 @@ void makeFolder(const fs::path& folder) {
 std::vector<FrameLane> laneHeaders(const Inspector& inspector, const ShotPlan& plan) {
   std::vector<FrameLane> lanes;
   for (int lane = 0; lane < inspector.shot().laneCount(); ++lane)
-    lanes.push_back({plan.lanes.at(static_cast<std::size_t>(lane)).name, inspector.shot().usedSettings(lane),
-                     inspector.shot().info(lane), inspector.views().inputs(lane).block});
+    lanes.push_back({plan.lane(lane).name, inspector.shot().usedSettings(lane), inspector.shot().info(lane),
+                     inspector.views().inputs(lane).block});
   return lanes;
 }
 
-fs::path writeExr(Inspector& inspector, const ShotPlan& plan, const RenderArguments& arguments,
-                  const std::vector<IntermediateId>& ids, const Pictures& pictures,
+fs::path writeExr(Inspector& inspector, const RenderCommand& command, const RenderPlan& plan,
                   const Progress& progress) {
-  fs::path path = exrPath(arguments, inspector.shot().frame());
+  fs::path path = exrPath(command, inspector.shot().frame());
   FrameFile frame{inspector.shot().source(),
                   inspector.shot().camera(),
                   inspector.shot().driver().renderer,
-                  laneHeaders(inspector, plan),
+                  laneHeaders(inspector, plan.shot),
                   {}};
-  if (pictures.compares()) {
-    exportDifferences(inspector, std::move(frame), ids, pictures.request(inspector, ids.front(), 0),
-                      arguments.compare, path, progress);
+  if (plan.pictures.compares()) {
+    exportDifferences(inspector, std::move(frame), plan.ids,
+                      plan.pictures.request(inspector, plan.ids.front(), 0), command.pictures.compare, path,
+                      progress);
     return path;
   }
   for (int lane = 0; lane < inspector.shot().laneCount(); ++lane)
-    inspector.reference().makeRows(ids, arguments.referenceSamples, progress, lane);
-  exportFrame(inspector, std::move(frame), ids, path);
+    inspector.reference().makeRows(plan.ids, command.referenceSamples, progress, lane);
+  exportFrame(inspector, std::move(frame), plan.ids, path);
   return path;
 }
 
 /// One file for each intermediate.
-std::vector<fs::path> writePngs(Inspector& inspector, const ShotPlan& plan, const RenderArguments& arguments,
-                                const std::vector<IntermediateId>& ids, const Pictures& pictures,
+std::vector<fs::path> writePngs(Inspector& inspector, const RenderCommand& command, const RenderPlan& plan,
                                 const Progress& progress) {
   std::vector<fs::path> paths;
-  for (int lane = 0; lane < pictures.laneCount(plan); ++lane)
-    for (const IntermediateId id : ids) {
-      const Picture picture = pictures.draw(inspector, id, lane, progress);
-      paths.push_back(
-          pngPath(arguments, inspector.shot().frame(), plan.lanes.at(static_cast<std::size_t>(lane)), id));
+  for (int lane = 0; lane < plan.pictures.laneCount(plan.shot); ++lane)
+    for (const IntermediateId id : plan.ids) {
+      const Picture picture = plan.pictures.draw(inspector, id, lane, progress);
+      paths.push_back(pngPath(command, inspector.shot().frame(), plan.shot.lane(lane), id));
       writePng(paths.back(), picture.width, picture.height, picture.rgba);
     }
   return paths;
@@ -130,14 +215,13 @@ std::vector<fs::path> writePngs(Inspector& inspector, const ShotPlan& plan, cons
 /// "resolved.gif", or "A.resolved.gif": an animation for each intermediate of each lane.
 class Animations {
  public:
-  Animations(const Inspector& inspector, const ShotPlan& plan, const RenderArguments& arguments,
-             const std::vector<IntermediateId>& ids, const Pictures& pictures)
-      : pictures_(pictures) {
-    const double rate = arguments.framesPerSecond > 0.0 ? arguments.framesPerSecond
-                                                        : inspector.shot().scene().shot.framesPerSecond;
-    for (int lane = 0; lane < pictures.laneCount(plan); ++lane)
-      for (const IntermediateId id : ids) {
-        const fs::path path = gifPath(arguments, plan.lanes.at(static_cast<std::size_t>(lane)), id);
+  Animations(const Inspector& inspector, const RenderCommand& command, const RenderPlan& plan)
+      : pictures_(plan.pictures) {
+    const double rate = command.framesPerSecond > 0.0 ? command.framesPerSecond
+                                                      : inspector.shot().scene().shot.framesPerSecond;
+    for (int lane = 0; lane < pictures_.laneCount(plan.shot); ++lane)
+      for (const IntermediateId id : plan.ids) {
+        const fs::path path = gifPath(command, plan.shot.lane(lane), id);
         const fs::path temporary = temporaryBeside(path);
         rows_.push_back({lane, id, path, temporary,
                          std::make_unique<GifWriter>(temporary, path, inspector.shot().width(),
@@ -207,113 +291,81 @@ void sayScene(const Scene& scene) {
 }
 
 /// All frames; `written` is told of each file as soon as it is there.
-void renderFrames(Inspector& inspector, const RenderArguments& arguments, const ShotPlan& plan,
-                  const FrameRange& range, const Pictures& pictures, const Progress& progress,
-                  const std::function<void(const fs::path&)>& written) {
-  const std::vector<IntermediateId> ids = parseEmit(arguments.emit);
-  const bool isExr = arguments.format == "exr";
+void renderFrames(Inspector& inspector, const RenderCommand& command, const RenderPlan& plan,
+                  const Progress& progress, const std::function<void(const fs::path&)>& written) {
+  const FrameRange& range = plan.range;
   std::optional<Animations> animations;
-  if (arguments.format == "gif") animations.emplace(inspector, plan, arguments, ids, pictures);
+  if (command.format == "gif") animations.emplace(inspector, command, plan);
   for (int frame = range.first; frame <= range.last; ++frame) {
     report(progress, "Rendering", frame - range.first, range.count());
     // Only the way to the first frame is long enough to tell of.
     inspector.shot().seek(frame, frame == range.first ? progress : Progress());
-    if (isExr) {
-      written(writeExr(inspector, plan, arguments, ids, pictures, progress));
+    if (command.format == "exr") {
+      written(writeExr(inspector, command, plan, progress));
       continue;
     }
-    inspector.views().watch(ids);
+    inspector.views().watch(plan.ids);
     if (animations)
       animations->add(inspector, progress);
     else
-      for (const fs::path& path : writePngs(inspector, plan, arguments, ids, pictures, progress))
-        written(path);
+      std::ranges::for_each(writePngs(inspector, command, plan, progress), written);
   }
-  if (animations)
-    for (const fs::path& path : animations->finish()) written(path);
+  if (animations) std::ranges::for_each(animations->finish(), written);
 }
 
-FrameRange rangeOf(const RenderArguments& arguments, const ShotPlan& plan) {
-  if (!arguments.frames.empty()) return parseFrames(arguments.frames);
-  if (plan.frame < 0) throw UsageError("--frames is required: A..B, for example 0..31, or one frame");
-  return {plan.frame, plan.frame};
-}
-
-/// Throws UsageError where it is said what has no effect on a capture, or makes none.
-SequenceRequest captureRequest(const RenderArguments& arguments, const ShotPlan& plan,
-                               const FrameRange& range) {
-  if (plan.lanes.size() > 1)
-    throw UsageError("--format capture is of one lane: leave --lane out, and say --preset");
-  if (arguments.emit != RenderArguments().emit)
-    throw UsageError("--emit: a capture has what the resolve is given and the resolved picture");
-  if (!arguments.compare.empty() || !arguments.style.empty())
-    throw UsageError("--compare and --style: a capture has neither differences nor pictures");
-  if (arguments.isReferenceAsked) checkReferenceSamples(arguments.referenceSamples);
-  SequenceRequest request;
-  request.kind = SequenceKind::Capture;
-  request.target = fs::path(arguments.folder) / capture::kManifestName;
-  request.first = range.first;
-  request.last = range.last;
-  if (!arguments.like.empty()) request.capture.like = arguments.like;
-  request.capture.conventions = arguments.conventions;
-  if (arguments.isReferenceAsked) request.capture.referenceSamples = arguments.referenceSamples;
-  try {
-    conventionsOf(request.capture);
-  } catch (const Error& error) {
-    throw UsageError(std::string("--like, --set-convention: ") + error.what());
-  }
-  return request;
-}
-
-void printRenderJson(const RenderArguments& arguments, const ShotPlan& plan, const FrameRange& range,
-                     const Pictures& pictures, const Inspector& inspector, const ordered_json& files,
-                     std::ostream& out) {
+ordered_json renderJson(const Inspector& inspector, const RenderCommand& command, const RenderPlan& plan) {
   ordered_json json = shotJson(inspector);
-  json["frames"] = {range.first, range.last};
-  if (pictures.showsReference()) json["referenceSamples"] = arguments.referenceSamples;
-  if (pictures.compares()) json["compare"] = arguments.compare;
+  json["frames"] = {plan.range.first, plan.range.last};
+  if (plan.pictures.showsReference()) json["referenceSamples"] = command.referenceSamples;
+  if (plan.pictures.compares()) json["compare"] = command.pictures.compare;
   for (int lane = 0; lane < inspector.shot().laneCount(); ++lane)
-    json["lanes"].push_back(laneJson(inspector, plan.lanes.at(static_cast<std::size_t>(lane)), lane));
-  json["files"] = files;
-  out << json.dump(2) << '\n';
+    json["lanes"].push_back(laneJson(inspector, plan.shot, lane));
+  return json;
+}
+
+int RenderCommand::run(std::ostream& out, const Progress& progress) const {
+  ShotPlan planned = planShot(shot);
+  const FrameRange written = range(planned);
+  const std::vector<IntermediateId> ids = parseEmit(emit);
+  RenderPlan plan{std::move(planned), written, ids,
+                  Pictures(pictures, ids, format == "exr", referenceSamples)};
+  plan.pictures.addLane(plan.shot);
+  if (plan.pictures.showsReference()) checkReferenceSamples(referenceSamples);
+  std::optional<SequenceRequest> captured;
+  if (format == "capture")
+    captured = captureRequest(plan.shot, plan.range);
+  else if (!like.empty() || !conventions.empty())
+    throw UsageError("--like and --set-convention are of captures: they need --format capture");
+  Inspector inspector;
+  openShot(inspector, plan.shot, progress);
+  if (verbose) {
+    sayScene(inspector.shot().scene());
+    sayMemory(inspector, plan.ids); // what is open says its size, and whether it has fog
+  }
+  requireFrame(inspector, plan.shot, plan.range.last);
+  if (!force) refuseToReplace(captured ? sequenceFiles(*captured) : plannedFiles(*this, plan));
+  if (!captured) makeFolder(folder);
+
+  ordered_json files = ordered_json::array();
+  const auto add = [&](const fs::path& path) {
+    files.push_back(path.string());
+    if (!json) out << path.string() << '\n' << std::flush;
+  };
+  if (captured)
+    std::ranges::for_each(exportSequence(inspector, *captured, progress), add);
+  else
+    renderFrames(inspector, *this, plan, progress, add);
+  if (!json) return kDone;
+  ordered_json result = renderJson(inspector, *this, plan);
+  result["files"] = files;
+  print(out, result);
+  return kDone;
 }
 
 } // namespace
 
-void runRender(const RenderArguments& arguments, std::ostream& out, const Progress& progress) {
-  ShotPlan plan = planShot(arguments.shot);
-  const FrameRange range = rangeOf(arguments, plan);
-  const std::vector<IntermediateId> ids = parseEmit(arguments.emit);
-  const Pictures pictures(arguments, ids);
-  pictures.addLane(plan);
-  if (pictures.showsReference()) checkReferenceSamples(arguments.referenceSamples);
-  std::optional<SequenceRequest> captured;
-  if (arguments.format == "capture")
-    captured = captureRequest(arguments, plan, range);
-  else if (!arguments.like.empty() || !arguments.conventions.empty())
-    throw UsageError("--like and --set-convention are of captures: they need --format capture");
-  Inspector inspector;
-  openShot(inspector, arguments.shot, plan, progress);
-  if (arguments.verbose) {
-    sayScene(inspector.shot().scene());
-    sayMemory(inspector, ids); // what is open says its size, and whether it has fog
-  }
-  requireFrame(inspector, plan, range.last);
-  if (!arguments.force)
-    refuseToReplace(captured ? sequenceFiles(*captured)
-                             : plannedFiles(arguments, plan, range, ids, pictures));
-  if (!captured) makeFolder(arguments.folder);
-
-  ordered_json files = ordered_json::array();
-  const auto written = [&](const fs::path& path) {
-    files.push_back(path.string());
-    if (!arguments.json) out << path.string() << '\n' << std::flush;
-  };
-  if (captured)
-    std::ranges::for_each(exportSequence(inspector, *captured, progress), written);
-  else
-    renderFrames(inspector, arguments, plan, range, pictures, progress, written);
-  if (arguments.json) printRenderJson(arguments, plan, range, pictures, inspector, files, out);
+std::shared_ptr<Command> renderCommand() {
+  return std::make_shared<RenderCommand>();
 }
 
 } // namespace taa::cli

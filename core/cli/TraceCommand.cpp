@@ -1,6 +1,5 @@
 // taa-batch trace: intermediates at pixels over frames.
-#include "core/base/Error.h"
-#include "core/cli/Commands.h"
+#include "core/cli/Command.h"
 #include "core/cli/Shot.h"
 #include "core/report/TraceText.h"
 
@@ -8,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -15,6 +15,37 @@
 namespace taa::cli {
 
 namespace {
+
+struct TraceCommand final : Command {
+  ShotOptions shot;
+  std::string frames;
+  std::vector<std::string> pixels;
+  std::vector<std::string> emit = {"alpha", "historyLength"}; ///< ids, or "all"
+  int referenceSamples = kVerdictSamples;                     ///< of rows of the reference that are named
+  bool followsSurfaces = false;   ///< that are seen at the pixels in the first frame
+  bool json = false, csv = false; ///< CSV is also what neither asks for
+
+  TraceCommand() : Command("trace") {
+    description("Print intermediates at pixels over frames, as CSV");
+    addShotOptions(*this, shot);
+    add_option("--pixel", pixels, "X,Y; 0,0 is the top left; repeat it for more")
+        ->required()
+        ->allow_extra_args(false);
+    add_option("--frames", frames, "A..B, both included, or one frame")->required();
+    add_option("--emit", emit,
+               "Intermediates, with commas between (see list intermediates), or all of the resolve's; those "
+               "of the reference are drawn where they are named")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->capture_default_str();
+    addReferenceSamples(*this, referenceSamples, "of rows of the reference that are named, 4 to 1024");
+    add_flag("--surface", followsSurfaces, "Follow the surfaces seen at the pixels in the first frame");
+    CLI::Option* asJson = add_flag("--json", json, "Print JSON");
+    add_flag("--csv", csv, "Print CSV, as without it")->excludes(asJson);
+  }
+
+  int run(std::ostream& out, const Progress& progress) const override;
+};
 
 /// Without a name those that a resolve gives: others are drawn anew in each frame.
 std::vector<IntermediateId> tracedRows(const std::vector<std::string>& emit) {
@@ -32,30 +63,28 @@ void addReference(Inspector& inspector, const std::vector<IntermediateId>& rows,
   }
 }
 
-} // namespace
-
-void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress& progress) {
-  const ShotPlan plan = planShot(arguments.shot);
+int TraceCommand::run(std::ostream& out, const Progress& progress) const {
+  const ShotPlan plan = planShot(shot);
   if (plan.lanes.size() > 1) throw UsageError("trace follows one lane; give one preset");
-  const FrameRange range = parseFrames(arguments.frames);
-  const std::vector<IntermediateId> rows = tracedRows(arguments.emit);
+  const FrameRange range = parseFrames(frames);
+  const std::vector<IntermediateId> rows = tracedRows(emit);
+  const Follow follow = followsSurfaces ? Follow::Surface : Follow::Screen;
   std::vector<ProbeTrace> traces;
-  for (const std::string& pixel : arguments.pixels)
-    traces.push_back(
-        {{parsePixel(pixel), arguments.surface ? Follow::Surface : Follow::Screen, range.first, {}}, {}});
+  for (const std::string& pixel : pixels)
+    traces.push_back({{parsePixel(pixel), follow, range.first, {}}, {}});
   std::vector<IntermediateId> ofReference = rows;
   std::erase_if(ofReference, [](IntermediateId id) { return !isOfReference(id); });
-  checkReferenceSamples(arguments.referenceSamples);
+  checkReferenceSamples(referenceSamples);
   Inspector inspector;
-  openShot(inspector, arguments.shot, plan, progress);
+  openShot(inspector, plan, progress);
   requireFrame(inspector, plan, range.last);
-  for (const std::string& pixel : arguments.pixels) requirePixel(inspector, parsePixel(pixel));
-  if (arguments.surface && inspector.shot().capture())
+  for (const ProbeTrace& traced : traces) requirePixel(inspector, traced.probe.pixel);
+  if (followsSurfaces && inspector.shot().capture())
     throw UsageError("--surface: a capture has no surfaces to follow, only pictures of them; leave it out");
   for (int frame = range.first; frame <= range.last; ++frame) {
     report(progress, "Tracing", frame - range.first, range.count());
     inspector.shot().seek(frame, progress);
-    inspector.reference().makeRows(ofReference, arguments.referenceSamples, progress);
+    inspector.reference().makeRows(ofReference, referenceSamples, progress);
     for (ProbeTrace& traced : traces) {
       traced.probe = inspector.probes().anchored(traced.probe);
       const ProbeSpot spot = inspector.probes().spot(traced.probe);
@@ -69,14 +98,22 @@ void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress
       traced.trace.add(frame, sample);
     }
   }
-  if (!arguments.json) {
-    out << traceCsv(traces, rows, inspector.shot().settings().space);
-    return;
+  const SpaceSettings& space = inspector.shot().settings().space;
+  if (!json) {
+    out << traceCsv(traces, rows, space);
+    return kDone;
   }
-  nlohmann::ordered_json json = shotJson(inspector);
-  json["lane"] = laneJson(inspector, plan.lanes[0], 0);
-  json["probes"] = traceJson(traces, rows, inspector.shot().settings().space);
-  out << json.dump(2) << '\n';
+  nlohmann::ordered_json result = shotJson(inspector);
+  result["lane"] = laneJson(inspector, plan, 0);
+  result["probes"] = traceJson(traces, rows, space);
+  print(out, result);
+  return kDone;
+}
+
+} // namespace
+
+std::shared_ptr<Command> traceCommand() {
+  return std::make_shared<TraceCommand>();
 }
 
 } // namespace taa::cli

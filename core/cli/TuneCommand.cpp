@@ -1,10 +1,10 @@
 // taa-batch tune: settings that serve a goal better on some frames, as a preset and as GLSL.
-#include "core/base/Error.h"
 #include "core/base/ExistingFiles.h"
 #include "core/base/Files.h"
-#include "core/cli/Commands.h"
+#include "core/cli/Command.h"
 #include "core/cli/Shot.h"
 #include "core/cli/Table.h"
+#include "core/measure/Flicker.h"
 #include "core/render/CaptureFacts.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -28,62 +29,94 @@ using nlohmann::ordered_json;
 
 namespace {
 
-TuneGoal parseGoal(const std::string& text) {
-  try {
-    return TuneGoal(text);
-  } catch (const Error& error) {
-    throw UsageError(std::string("--goal: ") + error.what());
-  }
-}
+struct TuneCommand final : Command {
+  ShotOptions shot;
+  std::string goal = kDefaultGoal; ///< "METRIC=WEIGHT,…"
+  std::string frames;              ///< empty: that of the session
+  std::string preset, glsl;        ///< files; glsl empty: none
+  std::vector<std::string> varied; ///< paths or groups; empty: all of the resolve
+  int referenceSamples = kReferenceSamples, flickerFrames = 16;
+  int evaluations = 200;
+  int seconds = 0; ///< instead of evaluations; 0: those
+  unsigned seed = 1;
+  bool trades = false; ///< RMSE and flicker may become worse
+  bool force = false, json = false;
 
-std::vector<const Parameter*> parseVaried(const std::vector<std::string>& names) {
-  try {
-    return tunableRows(names);
-  } catch (const Error& error) {
-    throw UsageError(std::string("--vary: ") + error.what());
+  TuneCommand() : Command("tune") {
+    description(
+        "Find settings of the resolve that serve a goal better than those it is given, on some frames");
+    addShotOptions(*this, shot);
+    add_option("--goal", goal,
+               "METRIC=WEIGHT with commas between, of the metrics that metrics --json names, and cost, the "
+               "time of the resolve; each counts relative to what it is at the start")
+        ->capture_default_str();
+    add_flag("--trade", trades,
+             "RMSE and flicker may become worse where the goal gains by it; else nothing is kept that raises "
+             "one of them by more than 1 %");
+    add_option("--frames", frames, "A..B, both included: what is measured; else the session's frame");
+    addReferenceSamples(*this, referenceSamples, "of the reference, 4 to 1024");
+    add_option("--flicker-frames", flickerFrames, "Frames that flicker is taken over, 2 to 64")
+        ->check(CLI::Range(kMinFlickerFrames, kMaxFlickerFrames))
+        ->capture_default_str();
+    CLI::Option* budget = add_option("--budget", evaluations, "Settings that are measured at most")
+                              ->check(CLI::Range(1, 1'000'000))
+                              ->capture_default_str();
+    add_option("--seconds", seconds, "How long to look, instead of --budget")
+        ->check(CLI::Range(1, 1'000'000))
+        ->excludes(budget);
+    add_option("--vary", varied,
+               "A parameter, or a group of them such as rectify, that may change; repeat it for more. "
+               "Without it all numbers, switches and choices of the resolve may")
+        ->allow_extra_args(false);
+    add_option("--seed", seed, "Another order of trying")->capture_default_str();
+    add_option("--out", preset, "The preset that is written, a .json file")->required();
+    add_option("--glsl", glsl, "Also write its resolve as one GLSL file");
+    addForce(*this, force);
+    addJson(*this, json);
   }
-}
 
-FrameRange tunedFrames(const TuneArguments& arguments, const ShotPlan& plan) {
-  if (!arguments.frames.empty()) return parseFrames(arguments.frames);
-  if (plan.frame < 0) throw UsageError("--frames is required: A..B, for example 8..31, or one frame");
-  return {plan.frame, plan.frame};
+  int run(std::ostream& out, const Progress& progress) const override;
+};
+
+FrameRange tunedFrames(const TuneCommand& command, const ShotPlan& plan) {
+  if (!command.frames.empty()) return parseFrames(command.frames);
+  if (plan.sessionFrame < 0) throw UsageError("--frames is required: A..B, for example 8..31, or one frame");
+  return {plan.sessionFrame, plan.sessionFrame};
 }
 
 /// What can be wrong before anything is opened.
-void checkTuning(const TuneArguments& arguments) {
-  parseVaried(arguments.varied);
-  checkReferenceSamples(arguments.referenceSamples);
-  if (!arguments.preset.ends_with(".json"))
-    throw UsageError("--out " + arguments.preset + ": expected a .json file");
-  std::vector<std::filesystem::path> files{arguments.preset};
-  if (!arguments.glsl.empty()) files.emplace_back(arguments.glsl);
-  if (!arguments.force) refuseToReplace(files);
+void checkTuning(const TuneCommand& command) {
+  readOption("--vary", [&] { return tunableRows(command.varied); });
+  checkReferenceSamples(command.referenceSamples);
+  if (!command.preset.ends_with(".json"))
+    throw UsageError("--out " + command.preset + ": expected a .json file");
+  std::vector<std::filesystem::path> files{command.preset};
+  if (!command.glsl.empty()) files.emplace_back(command.glsl);
+  if (!command.force) refuseToReplace(files);
 }
 
 /// Without a reference what needs none is tuned, and RMSE is not looked at.
-TuneRequest tuneRequestOf(const TuneArguments& arguments, const FrameRange& frames,
-                          const Inspector& inspector) {
+TuneRequest tuneRequestOf(const TuneCommand& command, const FrameRange& frames, const Inspector& inspector) {
   const auto captured = inspector.shot().capture();
-  const int samples = captured && !captured->hasReference ? 0 : arguments.referenceSamples;
-  return {.goal = arguments.goal,
-          .varied = arguments.varied,
+  const int samples = captured && !captured->hasReference ? 0 : command.referenceSamples;
+  return {.goal = command.goal,
+          .varied = command.varied,
           .metrics = {frames.first, frames.last, {}, samples},
-          .seed = arguments.seed,
-          .evaluations = arguments.evaluations,
-          .seconds = arguments.seconds,
-          .trades = arguments.trades};
+          .seed = command.seed,
+          .evaluations = command.evaluations,
+          .seconds = command.seconds,
+          .trades = command.trades};
 }
 
-std::vector<std::filesystem::path> writeTuned(const TuneArguments& arguments, const LaneChoice& choice,
-                                              const std::string& source, const Settings& settings) {
-  const std::string name = std::filesystem::path(arguments.preset).stem().string();
+std::vector<std::filesystem::path> writeTuned(const TuneCommand& command, const ShotPlan& plan,
+                                              const Settings& settings) {
+  const std::string name = std::filesystem::path(command.preset).stem().string();
   const std::string description =
-      "Tuned from " + choice.preset + " on " + source + " for " + arguments.goal + ".";
-  writeFile(arguments.preset, presetToText({name, name, "", 0, description, settings}));
-  if (arguments.glsl.empty()) return {arguments.preset};
-  writeFile(arguments.glsl, exportedGlsl(settings, settingsTitle(name, settings, settings)));
-  return {arguments.preset, arguments.glsl};
+      "Tuned from " + plan.lanes.front().preset + " on " + plan.source + " for " + command.goal + ".";
+  writeFile(command.preset, presetToText({name, name, "", 0, description, settings}));
+  if (command.glsl.empty()) return {command.preset};
+  writeFile(command.glsl, exportedGlsl(settings, settingsTitle(name, settings, settings)));
+  return {command.preset, command.glsl};
 }
 
 std::optional<double> guardedMean(Metric metric, const TuneNumbers& numbers) {
@@ -149,34 +182,38 @@ ordered_json tunedJson(const Inspector& inspector, const Tuning& tuning, const F
   return json;
 }
 
-} // namespace
-
-void runTune(const TuneArguments& arguments, std::ostream& out, const Progress& progress) {
-  const ShotPlan plan = planShot(arguments.shot);
+int TuneCommand::run(std::ostream& out, const Progress& progress) const {
+  const ShotPlan plan = planShot(shot);
   if (plan.lanes.size() != 1) throw UsageError("tune takes one lane: use --preset instead of --lane");
-  const TuneGoal goal = parseGoal(arguments.goal);
-  const FrameRange frames = tunedFrames(arguments, plan);
-  checkTuning(arguments);
+  const TuneGoal parsed = readOption("--goal", [&] { return TuneGoal(goal); });
+  const FrameRange range = tunedFrames(*this, plan);
+  checkTuning(*this);
   Inspector inspector;
-  inspector.overTime().setFrames(arguments.flickerFrames);
-  openShot(inspector, arguments.shot, plan, progress);
-  requireFrame(inspector, plan, frames.last);
-  for (const Metric metric : goal.metrics())
-    if (metricInfo(metric).needsReference) requireMeasurable(inspector, arguments.referenceSamples);
-  Tuning tuning(inspector, tuneRequestOf(arguments, frames, inspector), progress);
+  inspector.overTime().setFrames(flickerFrames);
+  openShot(inspector, plan, progress);
+  requireFrame(inspector, plan, range.last);
+  for (const Metric metric : parsed.metrics())
+    if (metricInfo(metric).needsReference) requireMeasurable(inspector, referenceSamples);
+  Tuning tuning(inspector, tuneRequestOf(*this, range, inspector), progress);
   const std::exception_ptr ended = tuning.run();
   if (!tuning.hasStart()) std::rethrow_exception(ended);
-  const std::vector<std::filesystem::path> files =
-      writeTuned(arguments, plan.lanes.front(), plan.source, tuning.result().settings);
-  if (arguments.json) {
-    ordered_json json = tunedJson(inspector, tuning, frames);
-    for (const std::filesystem::path& file : files) json["files"].push_back(file.string());
-    out << json.dump(2) << '\n';
+  const std::vector<std::filesystem::path> files = writeTuned(*this, plan, tuning.result().settings);
+  if (json) {
+    ordered_json result = tunedJson(inspector, tuning, range);
+    for (const std::filesystem::path& file : files) result["files"].push_back(file.string());
+    print(out, result);
   } else {
     printTuned(out, tuning);
     for (const std::filesystem::path& file : files) out << file.string() << '\n';
   }
   if (ended) std::rethrow_exception(ended);
+  return kDone;
+}
+
+} // namespace
+
+std::shared_ptr<Command> tuneCommand() {
+  return std::make_shared<TuneCommand>();
 }
 
 } // namespace taa::cli

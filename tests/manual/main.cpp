@@ -5,7 +5,8 @@
 //   taa_manual confusions tests/manual/doctor.csv   injects faults, and adds what the doctor says of each
 #include "core/base/Error.h"
 #include "core/base/Files.h"
-#include "core/cli/Arguments.h"
+#include "core/cli/Options.h"
+#include "core/doctor/Diagnosis.h"
 #include "core/gl/Context.h"
 #include "core/inspect/UsedShaders.h"
 #include "core/scene/builtin/SceneSource.h"

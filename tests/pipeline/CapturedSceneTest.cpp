@@ -1,9 +1,9 @@
 // A shot that is written as a capture in this program's own conventions and opened again: everything after
 // the inputs works the same, bit for bit.
 #include "core/base/Error.h"
-#include "core/cli/Commands.h"
 #include "core/render/CaptureFacts.h"
 #include "core/settings/Presets.h"
+#include "tests/support/Batch.h"
 #include "tests/support/Paths.h"
 #include "tests/support/SmallInspector.h"
 #include "tests/support/capture/CapturedShot.h"
@@ -15,7 +15,6 @@
 #include <filesystem>
 #include <future>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -184,33 +183,18 @@ TEST_F(CapturedSceneTest, ASceneThatIsOpenedAfterItHasTheSizeOfBefore) {
 
 // The command line takes a capture as it takes a scene, and says what would have no effect.
 TEST_F(CapturedSceneTest, IsProbedFromTheCommandLine) {
-  cli::ProbeArguments probe;
-  probe.shot.source = written("batch", Settings{});
-  probe.pixel = "7,9";
-  probe.frame = 4;
-  probe.json = true;
-  const auto printed = [](const cli::ProbeArguments& arguments) {
-    std::ostringstream out;
-    cli::runProbe(arguments, out, {});
-    return out.str();
+  const std::vector<std::string> probe = {
+      "probe", written("batch", Settings{}), "--pixel", "7,9", "--frame", "4", "--json"};
+  const auto expectProbed = [&](const std::vector<std::string>& more) {
+    const test::ProcessResult result = test::batch(test::joined(probe, more));
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_NE(result.out.find("\"resolved\""), std::string::npos);
   };
-  // It makes an inspector of its own, so the one context of this thread is not in its way there.
-  const auto aside = [&](const cli::ProbeArguments& arguments) {
-    return std::async(std::launch::async, [&] { return printed(arguments); }).get();
-  };
-  EXPECT_NE(aside(probe).find("\"resolved\""), std::string::npos);
-  probe.shot.size = "48x27";
-  EXPECT_NO_THROW(aside(probe)) << "its own";
-  probe.shot.size = "64x36";
-  EXPECT_THROW(aside(probe), cli::UsageError);
-  probe.shot.size.clear();
-  probe.shot.assignments = {"rectify.method=clamp", "inputs.precision=full"};
-  EXPECT_NO_THROW(aside(probe));
-  for (const char* fixed : {"jitter.sequence=r2", "inputs.renderScale=0.5", "inputs.noise=blue"}) {
-    probe.shot.assignments = {fixed};
-    EXPECT_THROW(aside(probe), cli::UsageError) << fixed;
-  }
-  probe.shot.assignments.clear();
-  probe.shot.camera = "orbit";
-  EXPECT_THROW(aside(probe), cli::UsageError);
+  expectProbed({});
+  expectProbed({"--size", "48x27"}); // its own
+  test::expectUsageError(test::joined(probe, {"--size", "64x36"}), {"--size 64x36"});
+  expectProbed({"--set", "rectify.method=clamp", "--set", "inputs.precision=full"});
+  for (const std::string fixed : {"jitter.sequence=r2", "inputs.renderScale=0.5", "inputs.noise=blue"})
+    test::expectUsageError(test::joined(probe, {"--set", fixed}), {"--set " + fixed});
+  test::expectUsageError(test::joined(probe, {"--camera", "orbit"}), {"--camera"});
 }
