@@ -33,8 +33,8 @@ bool runDoctor(const DoctorArguments& arguments, std::ostream& out, const Progre
 /// Prints intermediates at pixels over a range of frames. Throws UsageError, Error, Cancelled.
 void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress& progress);
 
-/// Prints what the passes of frames, the stages of the resolve and the memory come to. Throws UsageError,
-/// Error, Cancelled.
+/// Prints what the passes of frames take, what the settings of each stage of the resolve cost more than the
+/// cheapest ones, and the memory. Throws UsageError, Error, Cancelled.
 void runProfile(const ProfileArguments& arguments, std::ostream& out, const Progress& progress);
 
 /// Prints metrics of a range of frames: RMSE and PSNR against the reference, and what the resolve did.

@@ -266,8 +266,9 @@ void addTrace(CLI::App& app, TraceArguments& trace, const taa::Progress& progres
 }
 
 void addProfile(CLI::App& app, ProfileArguments& profile, const taa::Progress& progress) {
-  CLI::App* command = app.add_subcommand(
-      "profile", "Print the time of each pass and of each stage of the resolve, and the memory in use");
+  CLI::App* command =
+      app.add_subcommand("profile", "Print the time of each pass, what the settings of each stage of the "
+                                    "resolve cost more than the cheapest ones, and the memory in use");
   addShotOptions(*command, profile.shot);
   command->add_option("--frames", profile.frames, "A..B, both included, from 1")->capture_default_str();
   command->add_flag("--json", profile.json, "Print JSON");
