@@ -102,9 +102,10 @@ QWidget* ProfilerPanel::makeTop() {
   method_->setWordWrap(true);
   measure_ = new QPushButton(tr("Measure stages"));
   measure_->setObjectName(QStringLiteral("measureStages"));
-  measure_->setToolTip(
-      tr("Resolves the frame on show again and again with programs that end after each stage "
-         "(Shift+F11). The stop button ends it."));
+  measure_->setToolTip(tr(
+      "What each stage's settings cost more than the cheapest ones: draws the resolve of the frame on show "
+      "in turns with one where that stage has the settings of Minimal (Shift+F11). The costs do not add up "
+      "to that of all. The stop button ends it."));
   auto* copy = new IconButton(QStringLiteral("copy"), tr("Copy all figures"));
   copy->setObjectName(QStringLiteral("copyProfile"));
   auto* menu = new QMenu(copy);
@@ -174,17 +175,18 @@ void ProfilerPanel::setStageCosts(const StageCosts& costs) {
   };
   for (const StageCost& cost : costs.stages) {
     const bool isClear = cost.verdict() == CostVerdict::Clear, isNoise = cost.verdict() == CostVerdict::Noise;
-    rows.push_back({{qtext(stageInfo(cost.stage).label), isNoise ? tr("in the noise") : ms(cost.ms.median),
-                     ms(cost.ms.spread()), isClear ? share(cost.ms.median) : QString()},
-                    {},
-                    false,
-                    QString::fromStdString(verdictWords(cost))});
+    rows.push_back(
+        {{qtext(stageInfo(cost.stage).label), isNoise ? tr("in the noise") : ms(cost.ms.median),
+          cost.isCheapest ? QString() : ms(cost.ms.spread()), isClear ? share(cost.ms.median) : QString()},
+         {},
+         false,
+         QString::fromStdString(verdictWords(cost))});
   }
-  rows.push_back(
-      {{tr("Draw and stores"), ms(costs.store.median), ms(costs.store.spread()), share(costs.store.median)}});
+  rows.push_back({{tr("All cheapest"), ms(costs.cheapest.median), ms(costs.cheapest.spread()),
+                   share(costs.cheapest.median)}});
   rows.push_back({{tr("All"), ms(costs.whole.median), ms(costs.whole.spread()), {}}, {}, true});
   stages_->setRows(rows);
-  stagesTitle_->setText(tr("Stages at frame %1, %2×%3, ± of %4 rounds")
+  stagesTitle_->setText(tr("Above the cheapest, frame %1, %2×%3, ± of %4 rounds")
                             .arg(costs.frame)
                             .arg(costs.width)
                             .arg(costs.height)

@@ -1,4 +1,5 @@
-// Where time and memory go: passes now and over time, the stages of the resolve, resources.
+// Where time and memory go: passes now and over time, what the settings of each stage of the
+// resolve cost, resources.
 #pragma once
 
 #include "app/models/ProfileSeries.h"

@@ -1,4 +1,4 @@
-// taa-batch profile: where the time of frames goes, pass by pass and stage by stage.
+// taa-batch profile: where the time of frames goes, pass by pass, and what the settings of each stage cost.
 #include "core/base/Median.h"
 #include "core/cli/Command.h"
 #include "core/cli/Shot.h"
@@ -25,7 +25,9 @@ struct ProfileCommand final : Command {
   bool json = false;
 
   ProfileCommand() : Command("profile") {
-    description("Print the time of each pass and of each stage of the resolve, and the memory in use");
+    description(
+        "Print the time of each pass, what the settings of each stage of the resolve cost more than the "
+        "cheapest ones, and the memory in use");
     addShotOptions(*this, shot);
     add_option("--frames", frames, "A..B, both included, from 1")->capture_default_str();
     addJson(*this, json);
@@ -66,8 +68,8 @@ ordered_json profileJson(const std::vector<PassRow>& passes, const FrameProfile&
         {{"name", row.name}, {"medianMs", median(row.milliseconds)}, {"ms", row.milliseconds}});
   json["stages"] = {{"wholeMs", costs.whole.median},
                     {"wholeRangeMs", {costs.whole.low, costs.whole.high}},
-                    {"storeMs", costs.store.median},
-                    {"storeRangeMs", {costs.store.low, costs.store.high}},
+                    {"cheapestMs", costs.cheapest.median},
+                    {"cheapestRangeMs", {costs.cheapest.low, costs.cheapest.high}},
                     {"rounds", costs.rounds}};
   for (const StageCost& cost : costs.stages)
     json["stages"]["stages"].push_back({{"stage", stageInfo(cost.stage).id},
@@ -92,8 +94,8 @@ void printPasses(std::ostream& out, const std::vector<PassRow>& passes) {
 }
 
 void printStages(std::ostream& out, const StageCosts& costs) {
-  std::vector<std::vector<std::string>> table{{"STAGE OF THE RESOLVE", "MS", "±", "SHARE", ""}};
-  const auto add = [&](std::string name, const MeasuredMs& ms, const std::string& part) {
+  std::vector<std::vector<std::string>> table{{"STAGE, ABOVE THE CHEAPEST", "MS", "±", "SHARE", ""}};
+  const auto add = [&](std::string name, const Measured& ms, const std::string& part) {
     table.push_back({std::move(name), fixed(ms.median, 3), fixed(ms.spread(), 3), part, ""});
   };
   for (const StageCost& cost : costs.stages) {
@@ -101,9 +103,10 @@ void printStages(std::ostream& out, const StageCosts& costs) {
     add(std::string(stageInfo(cost.stage).label), cost.ms,
         isClear ? share(cost.ms.median, costs.whole.median) : "");
     if (cost.verdict() == CostVerdict::Noise) table.back()[1] = "";
+    if (cost.isCheapest) table.back()[2] = "";
     table.back().back() = verdictWords(cost);
   }
-  add("Draw and stores", costs.store, share(costs.store.median, costs.whole.median));
+  add("All cheapest", costs.cheapest, share(costs.cheapest.median, costs.whole.median));
   add("All", costs.whole, "");
   printTable(out, table);
 }

@@ -4,10 +4,11 @@
 #include "core/base/Progress.h"
 #include "core/gl/PassTimer.h"
 #include "core/measure/Profiler.h"
-#include "core/measure/ResolveRatio.h"
-#include "core/measure/StageMeter.h"
+#include "core/measure/StageCosts.h"
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 namespace taa {
 
@@ -23,18 +24,20 @@ class ShotProfiler {
   /// The frame made last, with what was looked at of it since; nothing when none was made since the last
   /// call.
   std::optional<FrameProfile> takeProfile();
-  /// What each stage costs on the frame on show. Cancelled: keeps what it has and goes on from there when it
-  /// is asked again for the same frame.
+  /// What each stage's settings cost more than the cheapest ones on the frame on show. Cancelled: keeps what
+  /// it has and goes on from there when it is asked again for the same frame.
   StageCosts measureStages(const Progress& progress = {}, int lane = 0);
   /// How much longer the resolve of a lane takes on the frame on show than that of another.
-  CostRatio measureRatio(int lane, int base, const Progress& progress = {});
+  Measured measureRatio(int lane, int base, const Progress& progress = {});
 
  private:
   ShotPlayer& player_;
   gl::TimingMethod method_;
-  std::optional<gl::PassTimer> timer_; // while profiling
-  int profiled_ = 0;                   // frames that the timer had seen at the last profile
-  StageMeter stages_;
+  std::optional<gl::PassTimer> timer_;    // while profiling
+  int profiled_ = 0;                      // frames that the timer had seen at the last profile
+  std::weak_ptr<const History> measured_; // of the frame whose stages are measured; it may end meanwhile
+  std::vector<PairedTimes> pairs_;        // of it, as far as they are measured
+  PairedMeter meter_;
 };
 
 } // namespace taa

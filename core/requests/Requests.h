@@ -235,7 +235,7 @@ struct SetProfiling {
   static constexpr RequestRule kRule{.kind = RequestKind::Profile};
 };
 
-/// Measures what each stage costs on the frame on show; playing waits for it.
+/// Measures what each stage's settings cost on the frame on show; playing waits for it.
 struct MeasureStages {
   static constexpr RequestRule kRule{.kind = RequestKind::Profile};
 };

@@ -262,7 +262,6 @@ gl::ShaderSource resolveSource(const Settings& settings) {
   relevant.output = {}; // what is shown is another program's business
   return gl::ShaderSource("taa/resolve.frag", glslPrelude(relevant) + historyPrelude(relevant) +
                                                   sparsePrelude(false) +
-                                                  "#define stage_ends(stage, value)\n" +
                                                   exposeAsTargets({}, historyTargets(relevant)));
 }
 

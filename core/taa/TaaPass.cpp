@@ -25,36 +25,19 @@ gl::TextureSize outputSize(const FrameInputs& inputs) {
   return {inputs.outputWidth(), inputs.outputHeight()};
 }
 
-// What `stage_ends` is: nothing, or, for the profiler only, what makes a program end after a stage, each of
-// them a little dearer than that of the stage before. What a stage computed is summed up and written, so that
-// no compiler leaves it out; what only a later stage reads of it counts there.
-std::string stageEndsPrelude(std::optional<Stage> last) {
-  if (!last || *last == Stage::Blend) return "#define stage_ends(stage, value)\n";
-  std::string text;
-  for (const StageInfo& stage : kResolveStages)
-    text += "const int kStage_" + std::string(stage.id) + " = " +
-            std::to_string(static_cast<int>(stage.stage)) + ";\n";
-  return text + "const int kLastStage = kStage_" + std::string(stageInfo(*last).id) +
-         ";\nvec4 keptAlive = vec4(0.0);\n"
-         "#define stage_ends(stage, value) keptAlive += value; if (kLastStage == stage) "
-         "{ o_color = keptAlive; o_surface = keptAlive.xy; return; }\n";
-}
-
-/// One run of the resolve: whether it writes the history, which slots how, and where it ends.
+/// One run of the resolve: whether it writes the history, and which slots how.
 struct Run {
   bool keepsHistory = false, stores = false, isSparse = false;
   std::span<const ExposedSlot> slots;
-  std::optional<Stage> last;         ///< none: the whole resolve
   std::optional<gl::Rect> part = {}; ///< none: the whole target
 
   std::string prelude(const Settings& settings) const {
-    return historyPrelude(settings, keepsHistory) + sparsePrelude(isSparse) + stageEndsPrelude(last) +
+    return historyPrelude(settings, keepsHistory) + sparsePrelude(isSparse) +
            (stores ? exposeAsStores(slots) : exposeAsTargets(slots, taken(settings)));
   }
   std::string key() const {
     return std::string(keepsHistory ? "history " : "") + (stores ? "stores " : "") +
-           (isSparse ? "sparse " : "") + (last ? std::string(stageInfo(*last).id) + " " : "") +
-           slotsKey(slots);
+           (isSparse ? "sparse " : "") + slotsKey(slots);
   }
   std::size_t taken(const Settings& settings) const { return keepsHistory ? historyTargets(settings) : 0; }
 };
@@ -77,7 +60,7 @@ std::vector<Run> exposingRuns(const Settings& settings, const ExposedRows& expos
   const glm::ivec2& texels = exposedRows.texels();
   std::vector<Run> runs = runsFor(settings, false, exposedRows.layout().ofResolve());
   if (runs.size() > 1 && texels.x * texels.y <= kFewTexels)
-    runs = {{.stores = true, .slots = exposedRows.layout().ofResolve(), .last = {}}};
+    runs = {{.stores = true, .slots = exposedRows.layout().ofResolve()}};
   for (Run& run : runs) run.isSparse = exposedRows.isSparse();
   return runs;
 }
@@ -119,7 +102,6 @@ void keepStale(const FrameInputs& inputs, const History* previous, History& out)
 
 struct TaaPass::Impl {
   ProgramCache programs{"taa/resolve.frag", "resolve"};
-  ProgramCache stageEnds{"taa/resolve.frag", "resolve until"};
   PassInputs passInputs;
   OutputPass output;
 
@@ -150,8 +132,7 @@ void TaaPass::Impl::draw(const Run& run, const gl::Framebuffer& target, const Fr
   assert(!previous || previous->color.size() == outputSize(inputs));
   assert(isUpsampled(settings) || outputSize(inputs) == inputs.color.size());
   const Settings relevant = relevantSettings(settings);
-  const gl::Program& resolve =
-      (run.last ? stageEnds : programs).program(relevant, run.key(), [&] { return run.prelude(relevant); });
+  const gl::Program& resolve = programs.program(relevant, run.key(), [&] { return run.prelude(relevant); });
   passInputs.update(inputs, settings, historyState(previous, settings),
                     exposedRows ? TargetPixels{exposedRows->region(), exposedRows->texels()}
                                 : TargetPixels{});
@@ -191,7 +172,7 @@ void TaaPass::resolvePart(const FrameInputs& inputs, const History* previous, co
                           History& out, const gl::Rect& part) {
   assert(&out != previous);
   fitHistory(out, outputSize(inputs).width, outputSize(inputs).height, settings);
-  const Run run{.keepsHistory = true, .slots = {}, .last = {}, .part = part};
+  const Run run{.keepsHistory = true, .slots = {}, .part = part};
   const gl::Framebuffer target(attachments(run, &out, nullptr, settings), nullptr, "resolved part");
   impl_->draw(run, target, inputs, previous, settings, nullptr);
   keepStale(inputs, previous, out);
@@ -209,20 +190,6 @@ void TaaPass::expose(const FrameInputs& inputs, const History* previous, const H
   }
   impl_->output.fill(inputs, resolved.color, settings, exposedRows);
   exposedRows.readFrom(&inputs, resolved);
-}
-
-void TaaPass::resolveUntil(Stage last, const FrameInputs& inputs, const History* previous,
-                           const Settings& settings, History& out) {
-  assert(&out != previous);
-  const gl::TextureSize size = outputSize(inputs);
-  fitHistory(out, size.width, size.height, settings);
-  const Run run{.keepsHistory = true, .slots = {}, .last = last};
-  const gl::Framebuffer target(attachments(run, &out, nullptr, settings), nullptr, "resolved until");
-  impl_->draw(run, target, inputs, previous, settings, nullptr);
-}
-
-void TaaPass::forgetStageEnds() {
-  impl_->stageEnds = ProgramCache("taa/resolve.frag", "resolve until");
 }
 
 void TaaPass::prepare(const Settings& settings, const std::vector<IntermediateId>& watched) {

@@ -89,13 +89,6 @@ class TaaPass {
   void expose(const FrameInputs& inputs, const History* previous, const History& resolved,
               const Settings& settings, ExposedRows& exposedRows);
 
-  /// As resolve(), but ends after `last` (shaders/taa/resolve.frag) and leaves nothing of use in `out`:
-  /// for the profiler. Stage::Jitter only stores; Blend, the last, is resolve() itself. Keeps the programs
-  /// until forgetStageEnds().
-  void resolveUntil(Stage last, const FrameInputs& inputs, const History* previous, const Settings& settings,
-                    History& out);
-  void forgetStageEnds();
-
   /// Compiles the program for `settings` now, so that the next resolve does not wait. `watched`: of the whole
   /// picture, where rows are written only if they must be.
   void prepare(const Settings& settings, const std::vector<IntermediateId>& watched);

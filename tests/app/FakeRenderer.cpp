@@ -298,10 +298,11 @@ void FakeRenderer::take(const request::MeasureStages&) {
   costs.height = status.height;
   costs.rounds = 15;
   costs.whole = {4.0, 3.9, 4.2};
-  costs.store = {1.0, 0.9, 1.1};
+  costs.cheapest = {1.0, 0.9, 1.1};
   costs.stages = {{Stage::Neighborhood, {2.0, 1.75, 2.125}},
                   {Stage::BlendWeight, {0.25, -0.5, 0.5}},
-                  {Stage::Blend, {-1.0, -1.5, -0.75}}};
+                  {Stage::Blend, {-1.0, -1.5, -0.75}},
+                  {.stage = Stage::Reproject, .ms = {}, .isCheapest = true}};
   tell(costs);
 }
 

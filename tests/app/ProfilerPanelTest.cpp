@@ -168,7 +168,7 @@ TEST_F(Profiler, MeasuresStagesByKeyAndByButton) {
   EXPECT_TRUE(panel->isVisible());
   ASSERT_TRUE(panel->hasStageCosts());
   const ValueTable* stages = panel->stages();
-  ASSERT_EQ(stages->topLevelItemCount(), 5);
+  ASSERT_EQ(stages->topLevelItemCount(), 6);
   EXPECT_EQ(cell(stages, 0, 0), "Neighborhood");
   EXPECT_EQ(cell(stages, 0, 1), "2.000");
   EXPECT_EQ(cell(stages, 0, 2), "0.250");
@@ -181,11 +181,15 @@ TEST_F(Profiler, MeasuresStagesByKeyAndByButton) {
   EXPECT_EQ(cell(stages, 2, 1), "-1.000");
   EXPECT_EQ(cell(stages, 2, 3), "");
   EXPECT_TRUE(panel->stages()->rows()[2].tip.startsWith("below 0"));
+  EXPECT_EQ(cell(stages, 3, 1), "0.000") << "has the cheapest settings";
+  EXPECT_EQ(cell(stages, 3, 2), "") << "not measured";
   session.seek(5);
   settle();
   QTest::mouseClick(panel->measureButton(), Qt::LeftButton);
   settle();
-  EXPECT_EQ(cell(stages, 4, 0), "All");
+  EXPECT_EQ(cell(stages, 4, 0), "All cheapest");
+  EXPECT_EQ(cell(stages, 4, 3), "25.0");
+  EXPECT_EQ(cell(stages, 5, 0), "All");
   renderer->tell(Work{WorkKind::Stages, "Measuring stages", 1, 99});
   settle();
   EXPECT_FALSE(panel->measureButton()->isEnabled());

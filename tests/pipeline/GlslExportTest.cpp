@@ -245,15 +245,14 @@ TEST_F(GlslExportTest, TellsOfTheSecondShaderAndItsInputs) {
   for (const char* words : {"#define TAA_OUTPUT", "u_resolved (8)", "u_color (0): the same as the resolve's.",
                             "o_output (0)", "output.sharpen=inResolve output.amount=0.5"})
     EXPECT_NE(text.find(words), std::string::npos) << words;
-  for (const char* word : {"expose", "stage_ends", "settings.", "SettingsBlock", "#line", "kIsSparse"})
+  for (const char* word : {"expose", "settings.", "SettingsBlock", "#line", "kIsSparse"})
     EXPECT_EQ(text.find(word), std::string::npos) << word;
   EXPECT_EQ(text.find("u_overlay"), std::string::npos) << "an input that is not needed";
 }
 
 TEST_F(GlslExportTest, LeavesNothingOfTheInspectorInTheText) {
   const std::string text = exportedGlsl(preset("balanced").settings, "balanced");
-  for (const char* word :
-       {"expose", "stage_ends", "settings.", "SettingsBlock", "#line", "#include", "kIsSparse"})
+  for (const char* word : {"expose", "settings.", "SettingsBlock", "#line", "#include", "kIsSparse"})
     EXPECT_EQ(text.find(word), std::string::npos) << word;
   EXPECT_EQ(text.find("#version 450 core\n"), 0u);
   for (const char* words : {"balanced", "Permission is hereby granted", "u_color (0)", "o_surface (1)",

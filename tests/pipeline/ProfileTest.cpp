@@ -1,5 +1,6 @@
 // Profiles, the cost of stages and thumbnails, on real frames.
 #include "core/inspect/Inspector.h"
+#include "core/settings/Presets.h"
 #include "tests/support/CompareImages.h"
 #include "tests/support/GlTest.h"
 
@@ -101,9 +102,29 @@ TEST_F(ProfileTest, EveryStageIsMeasuredAndNothingIsChangedByIt) {
     EXPECT_GE(cost.ms.high, cost.ms.median);
     EXPECT_LT(cost.ms.spread(), 1e9) << "enough rounds for a range";
   }
-  EXPECT_EQ(stages.size(), 10u) << "all but jitter and output";
+  EXPECT_EQ(stages.size(), taa::kCostStages.size());
   EXPECT_GT(costs.whole.median, 0.0);
+  EXPECT_GT(costs.cheapest.median, 0.0);
   EXPECT_EQ(taa::test::difference(inspector->views().image(IntermediateId::resolved), before), "");
+}
+
+TEST_F(ProfileTest, StagesWithTheCheapestSettingsCostNothingAndTheRestIsMeasured) {
+  taa::Settings settings = taa::preset("minimal").settings;
+  settings.history.filter = taa::HistoryFilter::CatmullRom16;
+  inspector->shot().setSettings(settings);
+  std::set<int> totals;
+  const taa::StageCosts costs = inspector->profiler().measureStages([&](std::string_view, int, int total) {
+    totals.insert(total);
+    return true;
+  });
+  EXPECT_EQ(totals, std::set{2 * costs.rounds}) << "all stages at once, and the history's filter";
+  for (const taa::StageCost& cost : costs.stages) {
+    EXPECT_EQ(cost.isCheapest, cost.stage != Stage::SampleHistory);
+    if (cost.isCheapest) {
+      EXPECT_EQ(cost.ms.median, 0.0);
+      EXPECT_EQ(cost.ms.spread(), 0.0);
+    }
+  }
 }
 
 TEST_F(ProfileTest, AMeasurementThatWasStoppedGoesOn) {

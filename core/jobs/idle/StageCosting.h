@@ -1,4 +1,4 @@
-// Times passes as they are drawn, and measures what each stage costs on the frame on show.
+// Times passes as they are drawn, and measures what each stage's settings cost on the frame on show.
 #pragma once
 
 #include "core/jobs/desk/Desk.h"

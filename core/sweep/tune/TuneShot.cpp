@@ -1,6 +1,7 @@
 #include "core/sweep/tune/TuneShot.h"
 
 #include "core/inspect/Inspector.h"
+#include "core/measure/PairedTimes.h"
 #include "core/settings/Parameters.h"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ double TuneShot::costOf(const Settings& settings, const Progress& progress) {
   if (const auto known = costs_.find(program); known != costs_.end()) return known->second;
   inspector_.shot().changeLanes({settings, start_});
   inspector_.shot().refine(progress);
-  const double cost = inspector_.profiler().measureRatio(0, 1, progress).known();
+  const double cost = knownRatio(inspector_.profiler().measureRatio(0, 1, progress));
   inspector_.shot().changeLanes({settings});
   return costs_.emplace(program, cost).first->second;
 }
