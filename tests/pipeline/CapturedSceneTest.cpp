@@ -194,7 +194,7 @@ TEST_F(CapturedSceneTest, IsProbedFromTheCommandLine) {
   expectProbed({"--size", "48x27"}); // its own
   test::expectUsageError(test::joined(probe, {"--size", "64x36"}), {"--size 64x36"});
   expectProbed({"--set", "rectify.method=clamp", "--set", "inputs.precision=full"});
-  for (const std::string fixed : {"jitter.sequence=r2", "inputs.renderScale=0.5", "inputs.noise=blue"})
+  for (const std::string fixed : {"jitter.sequence=r2", "inputs.renderScale=0.5", "inputs.noise=blueNoise"})
     test::expectUsageError(test::joined(probe, {"--set", fixed}), {"--set " + fixed});
   test::expectUsageError(test::joined(probe, {"--camera", "orbit"}), {"--camera"});
 }

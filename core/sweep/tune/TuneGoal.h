@@ -22,7 +22,7 @@ inline constexpr std::array kGuardedMetrics{Metric::Rmse, Metric::Flicker};
 /// What is known of some settings.
 struct TuneNumbers {
   std::array<std::optional<double>, kMetrics.size()> means; ///< over the frames
-  double cost = 1.0; ///< of the resolve, against that of the settings at the start (CostRatio::known())
+  double cost = 1.0; ///< of the resolve, against that of the settings at the start (knownRatio())
 };
 
 /// A guarded metric that has become worse.
