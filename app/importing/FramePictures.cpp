@@ -1,6 +1,7 @@
 #include "app/importing/FramePictures.h"
 
 #include "core/base/Light.h"
+#include "core/base/Median.h"
 #include "core/picture/ColorMap.h"
 #include "core/render/FrameInputs.h"
 
@@ -41,10 +42,7 @@ float highValue(const Image& image, double share, Of of) {
       values.push_back(value);
   }
   if (values.empty()) return 0.0f;
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+  return valueOfRank(values, static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
 }
 
 int shrinkingOf(const Image& image, int maxSide) {

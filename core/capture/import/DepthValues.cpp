@@ -1,5 +1,6 @@
 #include "core/capture/import/DepthValues.h"
 
+#include "core/base/Median.h"
 #include "core/base/Say.h"
 #include "core/capture/format/ConventionText.h"
 #include "core/capture/import/Comparison.h"
@@ -60,12 +61,6 @@ float mostCommon(std::vector<float> values) {
   return best;
 }
 
-double medianOf(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 /// Four significant digits.
 std::string fourDigits(double value) {
   char text[32];
@@ -122,7 +117,7 @@ std::vector<double> measure(FrameSamples& samples, std::vector<DepthTrial>& tria
     }
   }
   for (DepthTrial& trial : trials)
-    if (trial.misses.size() >= kEnoughPixels) trial.median = medianOf(trial.misses);
+    if (trial.misses.size() >= kEnoughPixels) trial.median = upperMedian(trial.misses);
   return lengths;
 }
 
@@ -212,7 +207,7 @@ std::optional<Finding> askDepth(FrameSamples& samples, TestState& state, const D
   double second = std::numeric_limits<double>::infinity();
   for (auto at = trials.begin(); at != trials.end(); ++at)
     if (at != best) second = std::min(second, at->median);
-  const bool isMoving = lengths.size() >= kEnoughPixels && medianOf(lengths) >= kMovesEnough;
+  const bool isMoving = lengths.size() >= kEnoughPixels && upperMedian(lengths) >= kMovesEnough;
   const bool fits = best->median <= kFits;
   finding.isSure = isMoving && fits && second >= kClearDepthFactor * std::max(best->median, kRoundingPx);
   if (!std::isfinite(best->median))
@@ -259,7 +254,7 @@ std::optional<Finding> askSky(FrameSamples& samples, TestState& state, bool isFi
   if (lengths.size() < kEnoughSky ||
       static_cast<double>(resting) < kNearlyAll * static_cast<double>(lengths.size()))
     return {};
-  const double median = medianOf(lengths);
+  const double median = upperMedian(lengths);
   if (median < kMovesEnough) return {};
   MotionConventions& stated = state.conventions.motion;
   if (!isFixed) stated.whereNothing = MotionFallback::Camera;
