@@ -2,7 +2,6 @@
 
 #include "core/base/Error.h"
 #include "core/base/OldNames.h"
-#include "core/base/Text.h"
 #include "core/capture/source/Capture.h"
 #include "core/cli/PlanChecks.h"
 #include "core/cli/Terminal.h"

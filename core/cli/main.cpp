@@ -1,7 +1,7 @@
 // taa-batch: the core without a window. The command line, and how the program ends.
 #include "core/base/Error.h"
+#include "core/base/NumberText.h"
 #include "core/base/ShownText.h"
-#include "core/base/Text.h"
 #include "core/cli/Commands.h"
 #include "core/cli/EmptyValues.h"
 #include "core/cli/LessonsOptions.h"

@@ -1,13 +1,13 @@
 #include "core/measure/StageCosts.h"
 
 #include "core/base/Median.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -30,12 +30,6 @@ std::size_t rankOfRange(std::size_t count) {
     coins *= static_cast<double>(count - rank) / static_cast<double>(rank + 1);
   }
   return rank;
-}
-
-std::string milliseconds(double value) {
-  char text[48];
-  std::snprintf(text, sizeof(text), "%.3f", value);
-  return text;
 }
 
 } // namespace
@@ -64,7 +58,7 @@ std::string verdictWords(const StageCost& cost) {
   case CostVerdict::Clear:
     break;
   case CostVerdict::Noise:
-    return say<"not above the noise, ± %1 ms">(milliseconds(cost.ms.spread()));
+    return say<"not above the noise, ± %1 ms">(fixedText(cost.ms.spread(), 3));
   case CostVerdict::Negative:
     return say<"below 0: the compiler leaves out of the longer program what the shorter one has to keep">();
   }

@@ -1,6 +1,7 @@
 #include "core/capture/import/DepthValues.h"
 
 #include "core/base/Median.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/capture/format/ConventionText.h"
 #include "core/capture/import/Comparison.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -59,13 +59,6 @@ float mostCommon(std::vector<float> values) {
     at = end;
   }
   return best;
-}
-
-/// Four significant digits.
-std::string fourDigits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
 }
 
 struct DepthTrial {
@@ -171,7 +164,8 @@ std::string depthGuess(const DepthValues& values) {
   if (guessed.kind == DepthKind::Window)
     name = guessed.reversed ? say<"Depth buffer, reversed">() : say<"Depth buffer">();
   return say<"Kind of depth: %1 (by its values alone: they are from %2 to %3, half of them below %4)">(
-      name, fourDigits(values.lowest), fourDigits(values.highest), fourDigits(values.median));
+      name, significantText(values.lowest, 4), significantText(values.highest, 4),
+      significantText(values.median, 4));
 }
 
 MotionValues motionValuesOf(const Image& motion) {
@@ -215,8 +209,8 @@ std::optional<Finding> askDepth(FrameSamples& samples, TestState& state, const D
   else if (!isMoving)
     finding.reason = say<"the camera moves too little to tell; the values themselves say which is likely">();
   else if (finding.isSure)
-    finding.reason = say<"with it, the camera's motion is the one stored, to %1 px">(
-        numberText(std::round(best->median * 1e4) / 1e4));
+    finding.reason =
+        say<"with it, the camera's motion is the one stored, to %1 px">(roundedText(best->median, 4));
   else
     finding.reason = fits ? say<"another one fits as well">()
                           : say<"none makes the camera's motion that is stored: much moves by itself, or "
