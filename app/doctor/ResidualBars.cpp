@@ -2,7 +2,7 @@
 
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
-#include "core/doctor/NumberText.h"
+#include "core/base/NumberText.h"
 
 #include <QHelpEvent>
 #include <QPainter>
@@ -42,8 +42,8 @@ void ResidualBars::setResiduals(const std::vector<doctor::Residual>& residuals) 
   for (const doctor::Residual& residual : residuals) {
     const QString mark = residual.isBest ? tr("fits") : residual.isGiven ? tr("what is stored") : QString();
     const double share = largest > 0.0 ? std::clamp(residual.value / largest, 0.0, 1.0) : 0.0;
-    bars_.push_back({qtext(residual.text), mark, qtext(doctor::shortNumber(residual.value)), share,
-                     residual.isGiven, residual.isBest});
+    bars_.push_back({qtext(residual.text), mark, qtext(shortNumber(residual.value)), share, residual.isGiven,
+                     residual.isBest});
     said << bars_.back().label + QLatin1Char(' ') + bars_.back().number +
                 (mark.isEmpty() ? QString() : QStringLiteral(", ") + mark);
   }

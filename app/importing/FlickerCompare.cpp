@@ -84,13 +84,13 @@ void FlickerCompare::swap() {
 }
 
 bool FlickerCompare::hasTwo() const {
-  return !pictures_.warped.isNull();
+  return !pictures_.warped.rgba.empty();
 }
 
 void FlickerCompare::refresh() {
   for (QPushButton* button : {alternate_, other_, difference_}) button->setEnabled(hasTwo());
   const QString nothing = tr("No picture");
-  if (pictures_.color.isNull()) {
+  if (pictures_.color.rgba.empty()) {
     picture_->setPicture({}, nothing);
     picture_->setCaption({});
     return;

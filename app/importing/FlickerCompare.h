@@ -1,7 +1,7 @@
 // A frame and the frame before it, brought along its motion, in turns at one place: what jumps does not fit.
 #pragma once
 
-#include "app/importing/FramePictures.h"
+#include "core/picture/FramePictures.h"
 
 #include <QString>
 #include <QTimer>

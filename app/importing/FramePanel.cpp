@@ -82,7 +82,7 @@ void FramePanel::step(int frames) {
 
 void FramePanel::setPictures(const FramePictures& pictures) {
   // Every frame has color: without it nothing was drawn, and nothing is known of the other planes.
-  const bool isDrawn = !pictures.color.isNull();
+  const bool isDrawn = !pictures.color.rgba.empty();
   const QString nothing = tr("No picture");
   color_->setPicture(pictures.color, nothing);
   motion_->setPicture(pictures.motion, isDrawn ? tr("There is no motion.") : nothing);

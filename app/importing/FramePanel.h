@@ -2,8 +2,8 @@
 // frame before it.
 #pragma once
 
-#include "app/importing/FramePictures.h"
 #include "core/capture/format/Manifest.h"
+#include "core/picture/FramePictures.h"
 
 #include <QWidget>
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "app/background/LatestWork.h"
-#include "app/importing/FramePictures.h"
 #include "core/base/Progress.h"
 #include "core/capture/import/Guess.h"
+#include "core/picture/FramePictures.h"
 
 #include <QObject>
 #include <QString>

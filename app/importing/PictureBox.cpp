@@ -1,10 +1,9 @@
 #include "app/importing/PictureBox.h"
 
+#include "app/style/PictureImage.h"
 #include "app/style/Theme.h"
 
 #include <QPainter>
-
-#include <algorithm>
 
 namespace taa::app {
 
@@ -13,10 +12,10 @@ PictureBox::PictureBox(const QString& name, QWidget* parent) : QWidget(parent), 
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
-void PictureBox::setPicture(const QImage& picture, const QString& missing) {
-  picture_ = picture;
+void PictureBox::setPicture(const Picture& picture, const QString& missing) {
+  picture_ = imageOver(picture).convertToFormat(QImage::Format_ARGB32);
   missing_ = missing;
-  setAccessibleDescription(picture.isNull() ? missing : QString());
+  setAccessibleDescription(picture_.isNull() ? missing : QString());
   update();
 }
 

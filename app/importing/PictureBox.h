@@ -1,6 +1,8 @@
 // A picture of a frame as large as there is room, with a line below it that says what it is.
 #pragma once
 
+#include "core/picture/Visualizer.h"
+
 #include <QImage>
 #include <QString>
 #include <QWidget>
@@ -12,8 +14,8 @@ class PictureBox : public QWidget {
  public:
   explicit PictureBox(const QString& name, QWidget* parent = nullptr);
 
-  /// `missing` is said where the picture is null.
-  void setPicture(const QImage& picture, const QString& missing);
+  /// `missing` is said where the picture has no pixels.
+  void setPicture(const Picture& picture, const QString& missing);
   const QImage& picture() const { return picture_; }
   /// The line below it.
   void setCaption(const QString& caption);

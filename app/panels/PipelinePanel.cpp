@@ -1,6 +1,7 @@
 #include "app/panels/PipelinePanel.h"
 
 #include "app/style/Numbers.h"
+#include "app/style/PictureImage.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/widgets/IconButton.h"
@@ -313,9 +314,7 @@ void PipelinePanel::setThumbnail(const Thumbnail& thumbnail) {
   for (Section& section : sections_) {
     if (section.main != thumbnail.id) continue;
     section.frame = thumbnail.frame;
-    const QImage image(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,
-                       QImage::Format_RGBA8888);
-    section.header->setThumbnail(image.copy()); // of its own: the picture ends
+    section.header->setThumbnail(imageOver(picture).copy()); // of its own: the picture ends
   }
 }
 

@@ -1,11 +1,12 @@
 #include "app/style/Numbers.h"
 
+#include "core/base/NumberText.h"
+
 #include <QObject>
 #include <QRegularExpression>
 #include <QStringList>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace taa::app {
@@ -25,9 +26,7 @@ qsizetype wholeLength(const QString& text) {
 } // namespace
 
 QString exactText(float value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-  return QString::fromLatin1(buffer, end - buffer);
+  return QString::fromStdString(shortestText(value));
 }
 
 QString shownText(float value) {

@@ -1,5 +1,6 @@
 #include "app/views/ViewSides.h"
 
+#include "app/style/PictureImage.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/views/legend/ReferenceNote.h"
@@ -14,9 +15,7 @@ namespace taa::app {
 namespace {
 
 QImage imageOf(const Picture& picture) {
-  const QImage raw(picture.rgba.data(), picture.width, picture.height, picture.width * 4,
-                   QImage::Format_RGBA8888);
-  return raw.convertToFormat(QImage::Format_ARGB32_Premultiplied);
+  return imageOver(picture).convertToFormat(QImage::Format_ARGB32_Premultiplied);
 }
 
 std::optional<std::vector<float>> valueOf(const Image& values, const gl::Rect& region, glm::ivec2 pixel) {

@@ -1,5 +1,6 @@
 #include "app/views/Viewport.h"
 
+#include "app/style/PictureImage.h"
 #include "app/style/TextSize.h"
 #include "app/style/Theme.h"
 #include "app/views/PixelOverlay.h"
@@ -432,9 +433,7 @@ QImage Viewport::picture(bool withLegend) const {
   const Picture sides = sides_.picture(dividerColumn());
   if (sides.width == 0) return {};
   const QRect part = shownPart();
-  const QImage shown =
-      QImage(sides.rgba.data(), sides.width, sides.height, 4 * sides.width, QImage::Format_RGBA8888)
-          .copy(part);
+  const QImage shown = imageOver(sides).copy(part);
   if (!withLegend) return shown;
   const double ratio = devicePixelRatioF();
   const Showing now = sides_.showing();

@@ -12,7 +12,6 @@
 #include <QToolTip>
 
 #include <algorithm>
-#include <cmath>
 
 namespace taa::app {
 
@@ -28,12 +27,9 @@ Swatches::Swatches(const QString& caption, QWidget* parent) : QWidget(parent), c
 }
 
 void Swatches::setColors(const std::optional<Colors>& linear) {
-  const auto byte = [](float value) {
-    return static_cast<int>(std::lround(255.0f * srgbEncoded(value > 0 ? std::min(value, 1.0f) : 0.0f)));
-  };
   values_ = linear;
   for (std::size_t i = 0; linear && i < colors_.size(); ++i)
-    colors_[i] = QColor(byte((*linear)[i][0]), byte((*linear)[i][1]), byte((*linear)[i][2]));
+    colors_[i] = QColor(srgbByte((*linear)[i][0]), srgbByte((*linear)[i][1]), srgbByte((*linear)[i][2]));
   QStringList texts;
   for (int cell = 0; linear && cell < 9; ++cell) texts << cellText(cell);
   if (!linear) texts << tr("no color");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 
 namespace taa {
 
@@ -30,6 +31,12 @@ T srgbDecoded(T encoded) {
   constexpr T kScale = static_cast<T>(1.055), kOffset = static_cast<T>(0.055);
   return encoded <= kStraight ? encoded / kSlope
                               : std::pow((encoded + kOffset) / kScale, static_cast<T>(2.4));
+}
+
+/// What a screen of 8 bits is sent of a linear value; what is below 0, and NaN, is 0.
+inline std::uint8_t srgbByte(float linear) {
+  const float shown = linear > 0.0f ? std::min(linear, 1.0f) : 0.0f;
+  return static_cast<std::uint8_t>(std::lround(255.0f * srgbEncoded(shown)));
 }
 
 /// What a screen is sent of a linear value, 0 to 1.

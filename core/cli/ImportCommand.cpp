@@ -1,4 +1,5 @@
 // taa-batch import: what a folder of somebody's frames is, and how sure that is, as a capture.
+#include "core/base/NumberText.h"
 #include "core/base/ShownText.h"
 #include "core/capture/import/Guess.h"
 #include "core/capture/import/SavedImport.h"
@@ -9,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -49,12 +49,6 @@ struct ImportCommand final : Command {
   int run(std::ostream& output, const Progress& progress) const override;
 };
 
-std::string residualText(double residual) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", residual);
-  return text;
-}
-
 std::string spaced(const std::vector<std::string>& parts) {
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : " ") + part;
@@ -65,7 +59,7 @@ void printFinding(std::ostream& out, const capture::Finding& finding) {
   out << finding.question << ": " << (finding.isSure ? "sure" : "not sure") << ", " << finding.reason << '\n';
   std::vector<std::vector<std::string>> rows = {{finding.measure + ":"}};
   for (const capture::Hypothesis& hypothesis : finding.hypotheses)
-    rows.push_back({hypothesis.isChosen ? "*" : " ", hypothesis.text, residualText(hypothesis.residual),
+    rows.push_back({hypothesis.isChosen ? "*" : " ", hypothesis.text, significantText(hypothesis.residual, 4),
                     finding.path == "like" ? "" : spaced(hypothesis.assignments)});
   printTable(out, rows, "  ");
 }

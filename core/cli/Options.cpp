@@ -1,6 +1,6 @@
 #include "core/cli/Options.h"
 
-#include "core/base/Text.h"
+#include "core/base/NumberText.h"
 #include "core/capture/format/Conventions.h"
 #include "core/measure/Metrics.h"
 #include "core/scene/ShotChoice.h"

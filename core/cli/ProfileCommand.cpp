@@ -1,12 +1,12 @@
 // taa-batch profile: where the time of frames goes, pass by pass, and what the settings of each stage cost.
 #include "core/base/Median.h"
+#include "core/base/NumberText.h"
 #include "core/cli/Command.h"
 #include "core/cli/Shot.h"
 #include "core/cli/Table.h"
 #include "core/io/FrameJson.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -41,14 +41,8 @@ struct PassRow {
   std::vector<double> milliseconds; // one a frame
 };
 
-std::string fixed(double value, int digits) {
-  char text[48];
-  std::snprintf(text, sizeof(text), "%.*f", digits, value);
-  return text;
-}
-
 std::string share(double part, double whole) {
-  return whole > 0.0 ? fixed(100.0 * part / whole, 1) + " %" : "";
+  return whole > 0.0 ? fixedText(100.0 * part / whole, 1) + " %" : "";
 }
 
 void add(std::vector<PassRow>& rows, const FrameProfile& profile) {
@@ -89,14 +83,14 @@ void printPasses(std::ostream& out, const std::vector<PassRow>& passes) {
   for (const PassRow& row : passes) sum += median(row.milliseconds);
   std::vector<std::vector<std::string>> table{{"PASS", "MS, MEDIAN", "SHARE"}};
   for (const PassRow& row : passes)
-    table.push_back({row.name, fixed(median(row.milliseconds), 3), share(median(row.milliseconds), sum)});
+    table.push_back({row.name, fixedText(median(row.milliseconds), 3), share(median(row.milliseconds), sum)});
   printTable(out, table);
 }
 
 void printStages(std::ostream& out, const StageCosts& costs) {
   std::vector<std::vector<std::string>> table{{"STAGE, ABOVE THE CHEAPEST", "MS", "±", "SHARE", ""}};
   const auto add = [&](std::string name, const Measured& ms, const std::string& part) {
-    table.push_back({std::move(name), fixed(ms.median, 3), fixed(ms.spread(), 3), part, ""});
+    table.push_back({std::move(name), fixedText(ms.median, 3), fixedText(ms.spread(), 3), part, ""});
   };
   for (const StageCost& cost : costs.stages) {
     const bool isClear = cost.verdict() == CostVerdict::Clear;
@@ -116,9 +110,10 @@ void printMemory(std::ostream& out, const FrameProfile& profile) {
   std::vector<std::vector<std::string>> table{{"RESOURCE", "MIB", "OBJECTS"}};
   for (const MemoryCost& cost : profile.memory)
     table.push_back(
-        {cost.name, fixed(static_cast<double>(cost.bytes) / kMiB, 2), std::to_string(cost.objects)});
-  table.push_back({"All", fixed(static_cast<double>(profile.memoryBytes) / kMiB, 2), ""});
-  table.push_back({"of it checkpoints", fixed(static_cast<double>(profile.checkpointBytes) / kMiB, 2), ""});
+        {cost.name, fixedText(static_cast<double>(cost.bytes) / kMiB, 2), std::to_string(cost.objects)});
+  table.push_back({"All", fixedText(static_cast<double>(profile.memoryBytes) / kMiB, 2), ""});
+  table.push_back(
+      {"of it checkpoints", fixedText(static_cast<double>(profile.checkpointBytes) / kMiB, 2), ""});
   printTable(out, table);
 }
 

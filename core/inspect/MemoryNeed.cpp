@@ -1,6 +1,7 @@
 #include "core/inspect/MemoryNeed.h"
 
 #include "core/base/Error.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/inspect/FrameWindow.h"
 #include "core/measure/References.h"
@@ -9,9 +10,7 @@
 #include "core/taa/TaaPass.h"
 
 #include <algorithm>
-#include <iomanip>
 #include <optional>
-#include <sstream>
 #include <string>
 
 namespace taa {
@@ -76,13 +75,7 @@ MemoryNeed memoryNeed(const std::vector<Settings>& lanes, const glm::ivec2& pict
 std::string bytesText(std::size_t bytes) {
   constexpr double kMebi = 1024.0 * 1024.0, kGibi = 1024.0 * kMebi;
   const auto value = static_cast<double>(bytes);
-  std::ostringstream text;
-  text << std::fixed;
-  if (value >= kGibi)
-    text << std::setprecision(1) << value / kGibi << " GiB";
-  else
-    text << std::setprecision(0) << value / kMebi << " MiB";
-  return text.str();
+  return value >= kGibi ? fixedText(value / kGibi, 1) + " GiB" : fixedText(value / kMebi, 0) + " MiB";
 }
 
 std::string memoryRefusal(const MemoryNeed& need, const glm::ivec2& picturePx, std::size_t available) {

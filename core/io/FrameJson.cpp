@@ -1,5 +1,6 @@
 #include "core/io/FrameJson.h"
 
+#include "core/base/NumberText.h"
 #include "core/taa/ChannelNames.h"
 #include "core/taa/twin/Known.h"
 
@@ -41,10 +42,7 @@ ordered_json channelsBySpace(const Intermediate& row) {
 } // namespace
 
 std::string floatText(float value) {
-  if (std::isnan(value)) return "nan";
-  if (std::isinf(value)) return value > 0.0f ? "inf" : "-inf";
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+  return std::isnan(value) ? "nan" : shortestText(value);
 }
 
 ordered_json floatJson(float value) {

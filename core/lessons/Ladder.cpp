@@ -1,5 +1,6 @@
 #include "core/lessons/Ladder.h"
 
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/inspect/Inspector.h"
 #include "core/lessons/LessonCheck.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
 
 namespace taa {
 
@@ -23,12 +23,6 @@ std::string rungLabel(const Preset& rung) {
   const std::size_t colon = label.find(": ");
   if (rung.step == 0 || colon == std::string::npos) return label;
   return std::to_string(rung.step) + ". " + label.substr(colon + 2);
-}
-
-std::string cellOf(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), format, value);
-  return std::string(text) + " | ";
 }
 
 } // namespace
@@ -47,9 +41,9 @@ std::string ladderMarkdown(const std::vector<Rung>& ladder, const LadderColumns&
     text +=
         "| " +
         (columns.isLinked ? "[" + label + "](" + std::string(kRungScheme) + ":" + rung.preset + ")" : label) +
-        " | " + cellOf("%.1f", rung.psnr) + cellOf("%.4f", rung.flicker) +
+        " | " + fixedText(rung.psnr, 1) + " | " + fixedText(rung.flicker, 4) + " | " +
         std::to_string(textureFetches(shown.settings).sum()) + " |";
-    if (isTimed) text += " " + cellOf("%.2f", columns.times.at(index));
+    if (isTimed) text += " " + fixedText(columns.times.at(index), 2) + " | ";
     text += "\n";
   }
   text += "\n" + say<"*Fetches*: texture reads of the resolve for a pixel, a tap of a filter as one.">();

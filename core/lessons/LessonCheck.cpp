@@ -1,6 +1,7 @@
 #include "core/lessons/LessonCheck.h"
 
 #include "core/base/Error.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
 #include "core/inspect/Inspector.h"
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <limits>
 #include <span>
 #include <utility>
@@ -95,8 +95,8 @@ class LessonChecker {
     // Not a number is none of both.
     const bool holds = std::abs(psnr - rung.psnr) <= kRungPsnrTolerance &&
                        std::abs(flicker - rung.flicker) <= kRungFlickerTolerance * rung.flicker;
-    char line[128];
-    std::snprintf(line, sizeof(line), "rung: %s psnr=%.2f flicker=%.5f", rung.preset.c_str(), psnr, flicker);
+    const std::string line =
+        "rung: " + rung.preset + " psnr=" + fixedText(psnr, 2) + " flicker=" + fixedText(flicker, 5);
     tell(rung.line,
          holds ? say<"the rung holds; measured: %1">(line)
                : say<"the rung does not hold; measured: %1">(line),
@@ -126,12 +126,6 @@ class LessonChecker {
   std::vector<LessonFinding> findings_;
 };
 
-std::string measuredText(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.5g", value);
-  return text;
-}
-
 } // namespace
 
 LessonState openState(Inspector& inspector, const LessonState& asked, const Progress& progress) {
@@ -153,8 +147,8 @@ LessonState openState(Inspector& inspector, const LessonState& asked, const Prog
 }
 
 std::string checkedText(const CheckedCondition& checked) {
-  return say<"%1, measured %2 and %3">(checked.condition.text, measuredText(checked.left),
-                                       measuredText(checked.right));
+  return say<"%1, measured %2 and %3">(checked.condition.text, significantText(checked.left, 5),
+                                       significantText(checked.right, 5));
 }
 
 std::vector<CheckedCondition> checkConditions(Inspector& inspector, const LessonState& state,

@@ -80,9 +80,8 @@ std::string labelInFrame(const Quantity& quantity, const SpaceSettings& space) {
     return withUnit(say<"%1 at %2, difference">(rowText(quantity, space), probedText(quantity)), unit);
   case QuantityKind::Share:
     return quantity.isBelow
-               ? say<"%1 below %2, % of pixels">(rowText(quantity, space), story::numberText(quantity.number))
-               : say<"%1 above %2, % of pixels">(rowText(quantity, space),
-                                                 story::numberText(quantity.number));
+               ? say<"%1 below %2, % of pixels">(rowText(quantity, space), numberText(quantity.number))
+               : say<"%1 above %2, % of pixels">(rowText(quantity, space), numberText(quantity.number));
   case QuantityKind::Lineage:
     return say<"Lineage of %1, %2">(probedText(quantity), lineageText(quantity.figure));
   case QuantityKind::Volume:
@@ -206,8 +205,7 @@ std::string numbersMarkdown(const std::vector<LessonNumber>& numbers, const Less
   std::string text = tableRow(cells) + tableRow(std::vector<std::string>(cells.size(), "---"));
   for (const LessonNumber& number : numbers) {
     cells.assign(1, number.label);
-    for (const double value : number.values)
-      cells.push_back(std::isnan(value) ? "–" : story::numberText(value));
+    for (const double value : number.values) cells.push_back(std::isnan(value) ? "–" : numberText(value));
     text += tableRow(cells);
   }
   for (const LessonLane& lane : step.lanes)
@@ -221,8 +219,8 @@ std::string lackText(const CheckedCondition& checked, const SpaceSettings& space
   if (!isNumber(condition.left))
     return say<"%1: %2, asked for: %3">(label, yesOrNo(checked.left), yesOrNo(checked.right));
   if (std::isnan(checked.left)) return say<"%1: not known in this frame">(label);
-  return say<"%1: %2, asked for: %3">(label, story::numberText(checked.left),
-                                      askedText(condition.relation, story::numberText(checked.right)));
+  return say<"%1: %2, asked for: %3">(label, numberText(checked.left),
+                                      askedText(condition.relation, numberText(checked.right)));
 }
 
 } // namespace taa

@@ -1,11 +1,11 @@
 #include "core/measure/StageCosts.h"
 
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace taa {
 
@@ -29,11 +29,8 @@ std::string verdictWords(const StageCost& cost) {
     return say<"has the cheapest settings, those of Minimal">();
   case CostVerdict::Clear:
     break;
-  case CostVerdict::Noise: {
-    char spread[48];
-    std::snprintf(spread, sizeof(spread), "%.3f", cost.ms.spread());
-    return say<"not above the noise, ± %1 ms">(std::string(spread));
-  }
+  case CostVerdict::Noise:
+    return say<"not above the noise, ± %1 ms">(fixedText(cost.ms.spread(), 3));
   case CostVerdict::Negative:
     return say<"below 0: these settings are cheaper than those of Minimal">();
   }

@@ -147,4 +147,12 @@ std::string_view colorMapName(ColorMap map) {
   return kNames[static_cast<std::size_t>(map)];
 }
 
+std::array<float, 3> vectorColor(const glm::vec2& direction, float saturation) {
+  constexpr float kGray = kCyclicLightness * kCyclicLightness * kCyclicLightness;
+  const float turn = std::atan2(direction.y, direction.x) / (2.0f * std::numbers::pi_v<float>);
+  std::array<float, 3> color = mapColor(ColorMap::Cyclic, turn - std::floor(turn));
+  for (float& channel : color) channel = kGray + saturation * (channel - kGray);
+  return color;
+}
+
 } // namespace taa

@@ -4,6 +4,8 @@
 #include "core/base/Image.h"
 #include "core/picture/Visualizer.h"
 
+#include <glm/vec2.hpp>
+
 #include <array>
 
 namespace taa {
@@ -21,6 +23,10 @@ inline constexpr float kCyclicLightness = 0.72f;
 /// RGBA, linear Rec. 709, one row a map in the order of ColorMap. Values between two entries are
 /// a + f·(b − a); categories are not interpolated.
 const Image& colorMapTable();
+
+/// The color of a vector, linear: its direction as hue of ColorMap::Cyclic, and `saturation`, 0 to 1, from
+/// gray as light as that to the hue. As shaders/inspect/visual_color.glsl.
+std::array<float, 3> vectorColor(const glm::vec2& direction, float saturation);
 
 /// The color of integer `number` in the categorical palette, linear: 0 has one of its own.
 std::array<float, 3> categoryColor(int number);

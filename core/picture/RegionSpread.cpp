@@ -1,9 +1,9 @@
 #include "core/picture/RegionSpread.h"
 
+#include "core/base/Median.h"
 #include "core/render/FrameInputs.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -49,14 +49,6 @@ HistogramAxis logarithmicAxis(const std::vector<float>& above, float high) {
 }
 
 } // namespace
-
-float percentile(std::vector<float>& values, int percent) {
-  assert(!values.empty() && percent > 0 && percent <= 100);
-  const std::size_t rank = (values.size() * static_cast<std::size_t>(percent) + 99) / 100;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank - 1);
-  std::ranges::nth_element(values, at);
-  return *at;
-}
 
 double HistogramAxis::placeOf(double value) const {
   const auto from = static_cast<double>(low), to = static_cast<double>(high);

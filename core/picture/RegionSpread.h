@@ -16,10 +16,6 @@ namespace taa {
 /// Shares of the values, in percent, that a spread has percentiles of.
 inline constexpr std::array<int, 7> kPercentiles{1, 5, 25, 50, 75, 95, 99};
 
-/// The smallest of the values that at least `percent` of them do not exceed: a value that is there (nearest
-/// rank). Expects finite numbers, at least one, and 0 < percent ≤ 100; their order changes.
-float percentile(std::vector<float>& values, int percent);
-
 /// Of the values of one channel.
 struct ChannelSpread {
   int count = 0;    ///< finite values: what follows means something where there is one

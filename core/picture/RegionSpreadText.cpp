@@ -1,7 +1,7 @@
 #include "core/picture/RegionSpreadText.h"
 
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
-#include "core/base/Text.h"
 #include "core/io/FrameJson.h"
 #include "core/taa/ChannelNames.h"
 
@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -21,15 +20,11 @@ namespace taa {
 namespace {
 
 std::string spreadShareText(int count, int total) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g %%", 100.0 * count / std::max(1, total));
-  return text.data();
+  return significantText(100.0 * count / std::max(1, total), 3) + " %";
 }
 
 std::string spreadNumber(double value) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
+  return significantText(value, 6);
 }
 
 int pixelsOf(const std::vector<std::pair<int, int>>& categories) {

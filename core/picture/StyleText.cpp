@@ -2,8 +2,8 @@
 #include "core/picture/StyleText.h"
 
 #include "core/base/Error.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
-#include "core/base/Text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // What is shown, said in flags.
 #include "core/report/CommandLine.h"
 
-#include "core/base/Text.h"
+#include "core/base/NumberText.h"
 #include "core/io/CameraTrackJson.h"
 #include "core/picture/StyleText.h"
 #include "core/render/CaptureFacts.h"

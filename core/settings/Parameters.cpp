@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/NearestNames.h"
+#include "core/base/NumberText.h"
 #include "core/base/OldNames.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
@@ -196,9 +197,7 @@ std::string valueText(const Parameter& row, double value) {
   case ParameterKind::Number:
     break;
   }
-  char text[64];
-  const auto result = std::to_chars(text, text + sizeof(text), static_cast<float>(value));
-  return {text, result.ptr};
+  return shortestText(static_cast<float>(value));
 }
 
 double parseValue(const Parameter& row, std::string_view text) {

@@ -23,7 +23,6 @@ namespace {
 
 using story::countsLess;
 using story::Id;
-using story::numberText;
 using story::percentText;
 using story::tupleText;
 using story::Values;

@@ -6,8 +6,6 @@
 #include "core/taa/ChannelNames.h"
 #include "core/taa/twin/Color.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -15,15 +13,6 @@
 namespace taa {
 
 namespace story {
-
-std::string numberText(double x, int digits) {
-  if (std::isnan(x)) return "nan";
-  if (std::isinf(x)) return x < 0 ? "−inf" : "inf";
-  std::array<char, 40> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), std::fabs(x) + 0.0,
-                                 std::chars_format::general, digits);
-  return (x < 0 ? "−" : "") + std::string(text.data(), end.ptr);
-}
 
 std::string tupleText(const glm::vec2& v, int digits) {
   const auto number = [digits](float x) { return numberText(static_cast<double>(x), digits); };

@@ -2,6 +2,7 @@
 // sentences.
 #pragma once
 
+#include "core/base/NumberText.h"
 #include "core/story/ProbeStory.h"
 
 #include <glm/vec2.hpp>
@@ -16,8 +17,7 @@ namespace taa::story {
 
 using Id = IntermediateId;
 
-/// `digits` significant ones, "−0.25".
-std::string numberText(double x, int digits = 4);
+/// Of `digits` significant ones each.
 std::string tupleText(const glm::vec2& v, int digits = 4);
 std::string tupleText(const glm::vec3& v, int digits = 4);
 /// "31.4 %"

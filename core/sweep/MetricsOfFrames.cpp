@@ -1,18 +1,16 @@
 #include "core/sweep/MetricsOfFrames.h"
 
 #include "core/base/FreeMemory.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
-#include "core/base/Text.h"
 #include "core/inspect/Inspector.h"
 #include "core/render/CaptureFacts.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 
 namespace taa {
 
@@ -81,16 +79,11 @@ std::string metricHeading(Metric metric) {
 
 std::string exactMetricText(const std::optional<double>& value) {
   if (!value) return "";
-  if (std::isnan(*value)) return "nan";
-  if (std::isinf(*value)) return *value > 0.0 ? "inf" : "-inf";
-  return shortestText(*value);
+  return std::isnan(*value) ? "nan" : shortestText(*value);
 }
 
 std::string shortMetricText(const std::optional<double>& value) {
-  if (!value) return "-";
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.5g", *value);
-  return text.data();
+  return value ? significantText(*value, 5) : "-";
 }
 
 ordered_json metricJson(const std::optional<double>& value) {

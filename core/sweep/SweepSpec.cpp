@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Files.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
 #include "core/base/Text.h"

@@ -1,6 +1,7 @@
 // The text of the resolve and of the pass after it without what the inspector adds to them.
 #include "core/taa/GlslExport.h"
 
+#include "core/base/NumberText.h"
 #include "core/gl/ShaderTokens.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/ExposedLayout.h"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -143,9 +143,7 @@ std::vector<std::string> withoutUnusedInputs(const std::vector<std::string>& lin
 
 /// A number as GLSL writes a float: the shortest decimal that reads back.
 std::string literal(float value) {
-  char text[64];
-  const auto end = std::to_chars(text, text + sizeof(text), value).ptr;
-  const std::string number(text, end);
+  const std::string number = shortestText(value);
   return number.find_first_of(".e") == number.npos ? number + ".0" : number;
 }
 

@@ -12,6 +12,8 @@
 namespace taa {
 namespace {
 
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
 /// All halves from 0 to 65504 in order, from exponent and fraction.
 std::vector<float> allHalves() {
   std::vector<float> halves;
@@ -23,6 +25,43 @@ std::vector<float> allHalves() {
     }
   }
   return halves;
+}
+
+TEST(Halves, HaveTheValuesOfIeee754) {
+  EXPECT_EQ(floatOfHalf(0x3c00), 1.0f);
+  EXPECT_EQ(floatOfHalf(0xc000), -2.0f);
+  EXPECT_EQ(floatOfHalf(0x3555), 0.333251953125f);        // (1 + 0x155 / 1024) / 4
+  EXPECT_EQ(floatOfHalf(0x7bff), 65504.0f);               // the largest
+  EXPECT_EQ(floatOfHalf(0x0400), 6.103515625e-5f);        // the smallest normal one, 2⁻¹⁴
+  EXPECT_EQ(floatOfHalf(0x0001), 5.9604644775390625e-8f); // the smallest of all, 2⁻²⁴
+  EXPECT_EQ(floatOfHalf(0x83ff), -1023.0f * 5.9604644775390625e-8f);
+  EXPECT_EQ(floatOfHalf(0x7c00), kInfinity);
+  EXPECT_EQ(floatOfHalf(0xfc00), -kInfinity);
+  EXPECT_TRUE(std::isnan(floatOfHalf(0x7e00)) && std::isnan(floatOfHalf(0xfc01)));
+  EXPECT_TRUE(std::signbit(floatOfHalf(0x8000)));
+}
+
+TEST(Halves, EveryOneIsItsFormula) {
+  for (unsigned bits = 0; bits < 0x7c00; ++bits) {
+    const int exponent = static_cast<int>(bits >> 10u), fraction = static_cast<int>(bits & 0x3ffu);
+    const double value =
+        exponent > 0 ? std::ldexp(1024 + fraction, exponent - 25) : std::ldexp(fraction, -24);
+    ASSERT_EQ(floatOfHalf(static_cast<std::uint16_t>(bits)), static_cast<float>(value)) << bits;
+    ASSERT_EQ(floatOfHalf(static_cast<std::uint16_t>(bits | 0x8000u)), static_cast<float>(-value)) << bits;
+    ASSERT_EQ(halfOf(static_cast<float>(value)), bits);
+    ASSERT_EQ(halfOf(static_cast<float>(-value)), bits | 0x8000u);
+  }
+}
+
+TEST(Halves, AreRoundedToTheNearestEven) {
+  EXPECT_EQ(halfOf(1.0f + 1.0f / 2048.0f), 0x3c00); // halfway, to the even one below
+  EXPECT_EQ(halfOf(1.0f + 3.0f / 2048.0f), 0x3c02); // halfway, to the even one above
+  EXPECT_EQ(halfOf(1.0f + 1.1f / 2048.0f), 0x3c01);
+  EXPECT_EQ(halfOf(65519.0f), 0x7bff);
+  EXPECT_EQ(halfOf(65520.0f), 0x7c00);
+  EXPECT_EQ(halfOf(-kInfinity), 0xfc00);
+  EXPECT_TRUE(std::isnan(floatOfHalf(halfOf(std::nanf("")))));
+  EXPECT_EQ(halfOf(6.1e-5f), 0x03ff); // 1023.41 steps of 2⁻²⁴
 }
 
 TEST(RoundedToHalf, KeepsEveryHalfAndSendsWhatLiesBetweenToTheNearest) {
@@ -42,24 +81,14 @@ TEST(RoundedToHalf, KeepsEveryHalfAndSendsWhatLiesBetweenToTheNearest) {
 
 TEST(RoundedToHalf, OverflowsHalfwayToTheNextPowerOfTwo) {
   EXPECT_EQ(roundedToHalf(std::nextafter(65520.0f, 0.0f)), 65504.0f);
-  EXPECT_EQ(roundedToHalf(65520.0f), std::numeric_limits<float>::infinity());
-  EXPECT_EQ(roundedToHalf(-1e30f), -std::numeric_limits<float>::infinity());
+  EXPECT_EQ(roundedToHalf(65520.0f), kInfinity);
+  EXPECT_EQ(roundedToHalf(-1e30f), -kInfinity);
   EXPECT_TRUE(std::isnan(roundedToHalf(std::nanf(""))));
   EXPECT_TRUE(std::signbit(roundedToHalf(-0.0f)));
 }
 
-/// The value of a half's bits, by its definition.
-float valueOfHalf(std::uint16_t half) {
-  const int exponent = (half >> 10) & 31, fraction = half & 1023;
-  const float sign = half & 0x8000 ? -1.0f : 1.0f;
-  if (exponent == 31) return fraction ? std::nanf("") : sign * std::numeric_limits<float>::infinity();
-  if (exponent == 0) return sign * std::ldexp(static_cast<float>(fraction), -24);
-  return sign * std::ldexp(static_cast<float>(1024 + fraction), exponent - 25);
-}
-
 TEST(ToHalves, GivesTheBitsOfTheRoundedValue) {
-  std::vector<float> values{
-      0.0f, -0.0f, 65519.99f, 65520.0f, -1e30f, 1e-9f, std::numeric_limits<float>::infinity()};
+  std::vector<float> values{0.0f, -0.0f, 65519.99f, 65520.0f, -1e30f, 1e-9f, kInfinity};
   const std::vector<float> known = allHalves();
   for (std::size_t i = 0; i + 1 < known.size(); ++i) {
     const float middle = 0.5f * (known[i] + known[i + 1]);
@@ -70,8 +99,8 @@ TEST(ToHalves, GivesTheBitsOfTheRoundedValue) {
   std::vector<std::uint16_t> halves(values.size());
   toHalves(values, halves);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    ASSERT_EQ(valueOfHalf(halves[i]), roundedToHalf(values[i])) << values[i];
-    ASSERT_EQ(std::signbit(valueOfHalf(halves[i])), std::signbit(values[i])) << values[i];
+    ASSERT_EQ(floatOfHalf(halves[i]), roundedToHalf(values[i])) << values[i];
+    ASSERT_EQ(std::signbit(floatOfHalf(halves[i])), std::signbit(values[i])) << values[i];
   }
 }
 
@@ -79,7 +108,7 @@ TEST(ToHalves, KeepsWhatIsNoNumber) {
   const float values[] = {std::nanf("")};
   std::uint16_t halves[] = {0};
   toHalves(values, halves);
-  EXPECT_TRUE(std::isnan(valueOfHalf(halves[0])));
+  EXPECT_TRUE(std::isnan(floatOfHalf(halves[0])));
 }
 
 } // namespace

@@ -8,6 +8,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <cmath>
+
 using namespace taa;
 
 TEST(Light, OfWhiteIsOneAndOfAPrimaryItsShare) {
@@ -27,6 +29,10 @@ TEST(Light, FollowsTheCurveOfSrgb) {
     EXPECT_NEAR(srgbEncoded(srgbDecoded(code / 255.0)), code / 255.0, 1e-7);
   EXPECT_EQ(shownLight(-2.0), 0.0);
   EXPECT_NEAR(shownLight(20.0), 1.0, 1e-15);
+  EXPECT_EQ(srgbByte(0.5f), 188);
+  EXPECT_EQ(srgbByte(20.0f), 255);
+  EXPECT_EQ(srgbByte(-1.0f), 0);
+  EXPECT_EQ(srgbByte(std::nanf("")), 0);
 }
 
 TEST(Image, IsReadBetweenPixelsAndBeyondItsBorder) {

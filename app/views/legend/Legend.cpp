@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,12 +28,9 @@ namespace taa::app {
 namespace {
 
 constexpr int kBarWidth = 96, kShortBarWidth = 40, kBarHeight = 8;
-// Gray as light as the cyclic map, as in shaders/inspect/visual_color.glsl.
-constexpr float kNeutral = kCyclicLightness * kCyclicLightness * kCyclicLightness;
 
 QRgb rgbOf(const std::array<float, 3>& linear) {
-  const auto byte = [](float value) { return static_cast<int>(std::lround(255.0f * srgbEncoded(value))); };
-  return qRgb(byte(linear[0]), byte(linear[1]), byte(linear[2]));
+  return qRgb(srgbByte(linear[0]), srgbByte(linear[1]), srgbByte(linear[2]));
 }
 
 QImage mapBar(ColorMap map) {
@@ -56,10 +52,7 @@ QImage hueDisk(int size) {
                   dy = (static_cast<float>(y) + 0.5f) / radius - 1;
       const float length = std::hypot(dx, dy);
       if (length > 1) continue;
-      const float turn = std::atan2(dy, dx) / (2 * std::numbers::pi_v<float>);
-      std::array<float, 3> color = mapColor(ColorMap::Cyclic, turn - std::floor(turn));
-      for (float& channel : color) channel = kNeutral + length * (channel - kNeutral);
-      disk.setPixel(x, y, rgbOf(color));
+      disk.setPixel(x, y, rgbOf(vectorColor({dx, dy}, length)));
     }
   return disk;
 }

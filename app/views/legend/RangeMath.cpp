@@ -1,5 +1,6 @@
 #include "app/views/legend/RangeMath.h"
 
+#include "core/base/Median.h"
 #include "core/render/FrameInputs.h"
 
 #include <algorithm>

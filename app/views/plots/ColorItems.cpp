@@ -4,10 +4,6 @@
 
 #include <QObject>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <utility>
 
 namespace taa::app {
@@ -16,12 +12,7 @@ namespace {
 
 /// As a screen shows it; what is brighter than white, or negative, at its end.
 QColor shownColor(const glm::vec3& linear) {
-  std::array<int, 3> bytes{};
-  for (int channel = 0; channel < 3; ++channel) {
-    const float value = linear[channel] > 0.0f ? std::min(linear[channel], 1.0f) : 0.0f; // NaN too
-    bytes[static_cast<std::size_t>(channel)] = static_cast<int>(std::lround(255.0f * srgbEncoded(value)));
-  }
-  return QColor(bytes[0], bytes[1], bytes[2]);
+  return {srgbByte(linear.x), srgbByte(linear.y), srgbByte(linear.z)};
 }
 
 template <class Colors>

@@ -37,10 +37,7 @@ constexpr int kCellMargins = 3 * kUnit; ///< both sides
 constexpr int kPictureFrames = 8;       ///< up to the probed one
 
 QColor shownSwatch(const glm::vec3& linear) {
-  const auto byte = [](float value) {
-    return static_cast<int>(std::lround(255.0f * srgbEncoded(value > 0 ? std::min(value, 1.0f) : 0.0f)));
-  };
-  return {byte(linear.x), byte(linear.y), byte(linear.z)};
+  return {srgbByte(linear.x), srgbByte(linear.y), srgbByte(linear.z)};
 }
 
 /// Three decimals a channel: what a narrow table has room for.

@@ -1,6 +1,7 @@
 // Values of conventions as texts and back, by the row of the table.
 #pragma once
 
+#include "core/base/NumberText.h"
 #include "core/capture/format/Conventions.h"
 
 #include <concepts>
@@ -20,8 +21,6 @@ std::size_t choiceIndex(const Convention& row, std::string_view text);
 bool parseToggle(const Convention& row, std::string_view text);
 /// Finite, within the row's limits, whole where the row wants it. Throws Error.
 double parseNumber(const Convention& row, std::string_view text);
-/// The shortest text that reads back as the same.
-std::string numberText(double value);
 
 template <typename Value>
 std::string valueText(const Convention& row, const Value& value) {
@@ -30,7 +29,7 @@ std::string valueText(const Convention& row, const Value& value) {
   else if constexpr (std::same_as<Value, bool>)
     return value ? "on" : "off";
   else
-    return numberText(static_cast<double>(value));
+    return decimalText(static_cast<double>(value));
 }
 template <typename Value>
 std::string valueText(const Convention& row, const std::optional<Value>& value) {

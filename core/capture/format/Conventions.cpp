@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/NearestNames.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
 #include "core/capture/format/ConventionText.h"
@@ -23,7 +24,7 @@ std::string idsOf(const Convention& row) {
 }
 
 [[noreturn]] void refuseNumber(const Convention& row, const std::string& shown) {
-  const std::string least = numberText(row.minimum), most = numberText(row.maximum);
+  const std::string least = decimalText(row.minimum), most = decimalText(row.maximum);
   if (row.kind == ConventionKind::Integer)
     throw Error(
         say<"cannot set %1 to \"%2\": give a whole number from %3 to %4">(row.path, shown, least, most));
@@ -62,7 +63,7 @@ std::string depthContradiction(const DepthConventions& depth) {
     return say<"%1 is not farther than %2">("depth.farPlane", "depth.nearPlane");
   if (depth.nothing == windowNear(depth))
     return say<"%1 is %2, which with %3=%4 is the near plane">(
-        "depth.nothing", numberText(*depth.nothing), "depth.reversed", depth.reversed ? "on" : "off");
+        "depth.nothing", decimalText(*depth.nothing), "depth.reversed", depth.reversed ? "on" : "off");
   return "";
 }
 
@@ -104,15 +105,6 @@ double parseNumber(const Convention& row, std::string_view text) {
   if (!(value >= row.minimum && value <= row.maximum)) refuseValue(row, text);
   if (row.kind == ConventionKind::Integer && value != std::floor(value)) refuseValue(row, text);
   return value;
-}
-
-std::string numberText(double value) {
-  char text[64];
-  const double size = std::abs(value);
-  const bool isReadable = size == 0.0 || (size >= 1e-4 && size <= 1e9); // 100000, not 1e+05
-  const auto result = isReadable ? std::to_chars(text, text + sizeof(text), value, std::chars_format::fixed)
-                                 : std::to_chars(text, text + sizeof(text), value);
-  return {text, result.ptr};
 }
 
 const Convention& convention(std::string_view path) {

@@ -1,6 +1,7 @@
 #include "core/capture/format/ManifestChecks.h"
 
 #include "core/base/Error.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
 #include "core/base/json/JsonFields.h"
@@ -31,8 +32,8 @@ void requireText(const std::string& text, const std::string& path) {
 /// Written so that NaN is refused.
 void requireWithin(double value, double least, double most, const std::string& path) {
   if (!(value >= least && value <= most))
-    throw Error(
-        say<"\"%1\" is %2, not from %3 to %4">(path, numberText(value), numberText(least), numberText(most)));
+    throw Error(say<"\"%1\" is %2, not from %3 to %4">(path, decimalText(value), decimalText(least),
+                                                       decimalText(most)));
 }
 
 /// Whether every "{" begins "{frame}" or "{frame:4}", and every "}" ends one.
@@ -173,7 +174,7 @@ void requireNumbers(const CapturedFrame& frame, const Manifest& manifest, std::s
   requireWithin(frame.preExposure, kMinPreExposure, kMaxPreExposure, framePath(i, "preExposure"));
   if (frame.preExposure != 1.0 && !manifest.conventions.color.preExposed)
     throw Error(say<"\"%1\" is %2, but \"%3\" is off">(
-        framePath(i, "preExposure"), numberText(frame.preExposure), "conventions.color.preExposed"));
+        framePath(i, "preExposure"), decimalText(frame.preExposure), "conventions.color.preExposed"));
   if (frame.seconds) requireWithin(*frame.seconds, -kMaxSeconds, kMaxSeconds, framePath(i, "seconds"));
 }
 

@@ -1,7 +1,7 @@
 #include "core/capture/import/Comparison.h"
 
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
-#include "core/capture/format/ConventionText.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -98,11 +98,6 @@ void compareRegions(const Outcome& best, const Outcome& second, const std::vecto
   if (out.regions > 0) out.share = static_cast<double>(won) / static_cast<double>(out.regions);
 }
 
-/// Two decimals.
-std::string shortText(double value) {
-  return numberText(std::round(std::min(value, 1e6) * 100.0) / 100.0);
-}
-
 } // namespace
 
 bool Comparison::hasRegions() const {
@@ -173,7 +168,7 @@ std::string reasonOf(const Comparison& comparison) {
   if (comparison.gain < kSameResidual)
     return say<"the pictures have too little detail to tell: the best two answers leave the same">();
   const int percent = static_cast<int>(std::lround(100.0 * comparison.share));
-  const std::string factor = shortText(comparison.factor);
+  const std::string factor = roundedText(std::min(comparison.factor, 1e6), 2);
   if (comparison.isClear())
     return say<"the next one leaves %1 times as much, and more in %2 % of %3 regions">(factor, percent,
                                                                                        comparison.regions);

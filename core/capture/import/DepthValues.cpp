@@ -1,5 +1,7 @@
 #include "core/capture/import/DepthValues.h"
 
+#include "core/base/Median.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/capture/format/ConventionText.h"
 #include "core/capture/import/Comparison.h"
@@ -9,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -58,19 +59,6 @@ float mostCommon(std::vector<float> values) {
     at = end;
   }
   return best;
-}
-
-double medianOf(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
-/// Four significant digits.
-std::string fourDigits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
 }
 
 struct DepthTrial {
@@ -122,7 +110,7 @@ std::vector<double> measure(FrameSamples& samples, std::vector<DepthTrial>& tria
     }
   }
   for (DepthTrial& trial : trials)
-    if (trial.misses.size() >= kEnoughPixels) trial.median = medianOf(trial.misses);
+    if (trial.misses.size() >= kEnoughPixels) trial.median = upperMedian(trial.misses);
   return lengths;
 }
 
@@ -176,7 +164,8 @@ std::string depthGuess(const DepthValues& values) {
   if (guessed.kind == DepthKind::Window)
     name = guessed.reversed ? say<"Depth buffer, reversed">() : say<"Depth buffer">();
   return say<"Kind of depth: %1 (by its values alone: they are from %2 to %3, half of them below %4)">(
-      name, fourDigits(values.lowest), fourDigits(values.highest), fourDigits(values.median));
+      name, significantText(values.lowest, 4), significantText(values.highest, 4),
+      significantText(values.median, 4));
 }
 
 MotionValues motionValuesOf(const Image& motion) {
@@ -212,7 +201,7 @@ std::optional<Finding> askDepth(FrameSamples& samples, TestState& state, const D
   double second = std::numeric_limits<double>::infinity();
   for (auto at = trials.begin(); at != trials.end(); ++at)
     if (at != best) second = std::min(second, at->median);
-  const bool isMoving = lengths.size() >= kEnoughPixels && medianOf(lengths) >= kMovesEnough;
+  const bool isMoving = lengths.size() >= kEnoughPixels && upperMedian(lengths) >= kMovesEnough;
   const bool fits = best->median <= kFits;
   finding.isSure = isMoving && fits && second >= kClearDepthFactor * std::max(best->median, kRoundingPx);
   if (!std::isfinite(best->median))
@@ -220,8 +209,8 @@ std::optional<Finding> askDepth(FrameSamples& samples, TestState& state, const D
   else if (!isMoving)
     finding.reason = say<"the camera moves too little to tell; the values themselves say which is likely">();
   else if (finding.isSure)
-    finding.reason = say<"with it, the camera's motion is the one stored, to %1 px">(
-        numberText(std::round(best->median * 1e4) / 1e4));
+    finding.reason =
+        say<"with it, the camera's motion is the one stored, to %1 px">(roundedText(best->median, 4));
   else
     finding.reason = fits ? say<"another one fits as well">()
                           : say<"none makes the camera's motion that is stored: much moves by itself, or "
@@ -259,7 +248,7 @@ std::optional<Finding> askSky(FrameSamples& samples, TestState& state, bool isFi
   if (lengths.size() < kEnoughSky ||
       static_cast<double>(resting) < kNearlyAll * static_cast<double>(lengths.size()))
     return {};
-  const double median = medianOf(lengths);
+  const double median = upperMedian(lengths);
   if (median < kMovesEnough) return {};
   MotionConventions& stated = state.conventions.motion;
   if (!isFixed) stated.whereNothing = MotionFallback::Camera;

@@ -128,14 +128,9 @@ Image comparedLuma(const Image& color) {
 }
 
 float betweenPixels(const Image& plane, const glm::vec2& place) {
-  const glm::vec2 last(static_cast<float>(plane.width - 1), static_cast<float>(plane.height - 1));
-  const glm::vec2 at = glm::clamp(place - 0.5f, glm::vec2(0.0f), last);
-  const int x = static_cast<int>(at.x), y = static_cast<int>(at.y);
-  const int x1 = std::min(x + 1, plane.width - 1), y1 = std::min(y + 1, plane.height - 1);
-  const float u = at.x - static_cast<float>(x), v = at.y - static_cast<float>(y);
-  const float top = (1.0f - u) * *plane.at(x, y) + u * *plane.at(x1, y);
-  const float bottom = (1.0f - u) * *plane.at(x, y1) + u * *plane.at(x1, y1);
-  return (1.0f - v) * top + v * bottom;
+  const glm::vec2 first(0.5f),
+      last(static_cast<float>(plane.width) - 0.5f, static_cast<float>(plane.height) - 0.5f);
+  return bilinear(glm::clamp(place, first, last), [&](int x, int y) { return *plane.nearest(x, y); });
 }
 
 FrameSamples::FrameSamples(const std::filesystem::path& folder, Manifest manifest, int maxPairs,

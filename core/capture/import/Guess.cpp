@@ -1,6 +1,7 @@
 #include "core/capture/import/Guess.h"
 
 #include "core/base/Error.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/capture/decode/Color.h"
 #include "core/capture/decode/DecodedFrame.h"
@@ -145,7 +146,7 @@ void Guesser::takeMatrices() {
   out_.unsure.push_back(
       plan_.nearPlane > 0.0
           ? say<"whether z of clip space begins at 0 or at −1 is not known: the projections do not have the "
-                "near plane that is stated, %1">(numberText(plan_.nearPlane))
+                "near plane that is stated, %1">(decimalText(plan_.nearPlane))
           : say<"whether z of clip space begins at 0 or at −1 is not known: no near plane is stated">());
 }
 

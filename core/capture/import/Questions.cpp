@@ -1,6 +1,7 @@
 #include "core/capture/import/Questions.h"
 
 #include "core/base/Error.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/capture/format/ConventionText.h"
 #include "core/capture/import/Comparison.h"
@@ -85,7 +86,7 @@ std::vector<Trial> motionAxes(const TestState& state) {
 }
 
 std::string scaleText(std::string_view path, double scale) {
-  return std::string(path) + "=" + numberText(scale);
+  return std::string(path) + "=" + decimalText(scale);
 }
 
 std::vector<Trial> mirrors(const TestState& state) {

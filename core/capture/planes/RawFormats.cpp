@@ -1,5 +1,6 @@
 #include "core/capture/planes/RawFormats.h"
 
+#include "core/base/Half.h"
 #include "core/base/Light.h"
 #include "core/capture/planes/Planes.h"
 #include "core/capture/planes/SmallFloats.h"

@@ -1,23 +1,9 @@
 #include "core/capture/planes/SmallFloats.h"
 
-#include "core/base/Half.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace taa::capture {
-
-std::uint16_t halfOf(float value) {
-  const std::uint32_t sign = (std::bit_cast<std::uint32_t>(value) >> 16u) & 0x8000u;
-  if (std::isnan(value)) return static_cast<std::uint16_t>(sign | 0x7e00u);
-  const float magnitude = std::fabs(roundedToHalf(value)); // a half's value: what follows is exact
-  if (std::isinf(magnitude)) return static_cast<std::uint16_t>(sign | 0x7c00u);
-  constexpr float kSmallestNormal = 6.103515625e-5f; // 2⁻¹⁴
-  const std::uint32_t bits = magnitude < kSmallestNormal
-                                 ? static_cast<std::uint32_t>(magnitude * 16777216.0f)
-                                 : (std::bit_cast<std::uint32_t>(magnitude) - ((127u - 15u) << 23u)) >> 13u;
-  return static_cast<std::uint16_t>(sign | bits);
-}
 
 std::uint32_t unsignedFloatOf(float value, int fractionBits) {
   const std::uint32_t infinity = 31u << static_cast<unsigned>(fractionBits);

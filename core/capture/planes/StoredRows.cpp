@@ -1,7 +1,7 @@
 #include "core/capture/planes/StoredRows.h"
 
+#include "core/base/Half.h"
 #include "core/capture/planes/PlaneFiles.h"
-#include "core/capture/planes/SmallFloats.h"
 
 #include <cstdint>
 #include <cstring>

@@ -1,8 +1,8 @@
 #include "core/doctor/color/BlendedSurfaces.h"
 
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/capture/import/FrameSamples.h"
-#include "core/doctor/NumberText.h"
 #include "core/doctor/Outline.h"
 #include "core/doctor/frames/Detail.h"
 #include "core/doctor/frames/Regions.h"

@@ -1,9 +1,9 @@
 #include "core/doctor/color/BrightnessSteps.h"
 
 #include "core/base/Median.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/capture/import/FrameSamples.h"
-#include "core/doctor/NumberText.h"
 
 #include <algorithm>
 #include <cmath>

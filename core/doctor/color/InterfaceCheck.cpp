@@ -1,7 +1,7 @@
 #include "core/doctor/color/InterfaceCheck.h"
 
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
-#include "core/doctor/NumberText.h"
 #include "core/doctor/Outline.h"
 
 #include <glm/common.hpp>

@@ -1,7 +1,7 @@
 #include "core/doctor/color/ScreenEncoding.h"
 
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
-#include "core/doctor/NumberText.h"
 
 #include <algorithm>
 

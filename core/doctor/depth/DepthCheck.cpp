@@ -1,9 +1,9 @@
 #include "core/doctor/depth/DepthCheck.h"
 
 #include "core/base/Median.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/doctor/Mending.h"
-#include "core/doctor/NumberText.h"
 #include "core/settings/Faults.h"
 #include "core/taa/twin/SampleStages.h"
 

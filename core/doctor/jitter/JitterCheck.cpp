@@ -1,10 +1,10 @@
 #include "core/doctor/jitter/JitterCheck.h"
 
 #include "core/base/Median.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/capture/decode/ScreenUnits.h"
 #include "core/doctor/Mending.h"
-#include "core/doctor/NumberText.h"
 #include "core/doctor/jitter/JitterFit.h"
 #include "core/doctor/jitter/JitterSequence.h"
 #include "core/doctor/jitter/JitterSky.h"

@@ -1,7 +1,7 @@
 #include "core/doctor/jitter/JitterSequence.h"
 
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
-#include "core/doctor/NumberText.h"
 #include "core/settings/Faults.h"
 
 #include <glm/common.hpp>

@@ -1,5 +1,6 @@
 #include "core/doctor/jitter/JitterShift.h"
 
+#include "core/base/Median.h"
 #include "core/capture/import/FrameSamples.h"
 #include "core/doctor/frames/Detail.h"
 
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace taa::doctor {
@@ -39,9 +41,7 @@ double medianDifference(const std::vector<SearchedPixel>& samples, const Image& 
   for (const SearchedPixel& sample : samples)
     differences.push_back(
         std::abs(static_cast<double>(sample.luma - capture::betweenPixels(luma, sample.place + shift))));
-  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-  std::ranges::nth_element(differences, middle);
-  return *middle;
+  return upperMedian(std::move(differences));
 }
 
 /// Sums of weighted least squares for the step that the shift lacks: A · step = b.

@@ -1,7 +1,7 @@
 #include "core/doctor/jitter/JitterSky.h"
 
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
-#include "core/doctor/NumberText.h"
 #include "core/doctor/jitter/JitterFit.h"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "core/doctor/jitter/JitterTrials.h"
 
 #include "core/base/Median.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
-#include "core/doctor/NumberText.h"
 
 #include <glm/geometric.hpp>
 

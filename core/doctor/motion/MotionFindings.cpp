@@ -1,8 +1,8 @@
 #include "core/doctor/motion/MotionFindings.h"
 
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/doctor/Mending.h"
-#include "core/doctor/NumberText.h"
 #include "core/doctor/motion/MotionGroups.h"
 #include "core/doctor/motion/MotionJudgement.h"
 #include "core/doctor/motion/MotionJumps.h"

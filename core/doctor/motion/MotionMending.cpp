@@ -1,6 +1,6 @@
 #include "core/doctor/motion/MotionMending.h"
 
-#include "core/capture/format/ConventionText.h"
+#include "core/base/NumberText.h"
 
 #include <cmath>
 
@@ -12,7 +12,7 @@ using MendingSettings = std::vector<std::string>;
 
 /// A third is told by six digits.
 std::string factorText(float factor) {
-  return capture::numberText(std::round(1e6 * static_cast<double>(factor)) / 1e6);
+  return roundedText(static_cast<double>(factor), 6);
 }
 
 /// Device coordinates point up, texture coordinates down: an axis that points the other way is negated first.

@@ -1,7 +1,7 @@
 #include "core/doctor/motion/MotionTrials.h"
 
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
-#include "core/doctor/NumberText.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

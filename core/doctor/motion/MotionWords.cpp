@@ -1,8 +1,8 @@
 #include "core/doctor/motion/MotionWords.h"
 
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/capture/decode/ScreenUnits.h"
-#include "core/doctor/NumberText.h"
 #include "core/settings/Faults.h"
 
 #include <cmath>

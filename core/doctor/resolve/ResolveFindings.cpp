@@ -1,7 +1,7 @@
 #include "core/doctor/resolve/ResolveFindings.h"
 
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
-#include "core/doctor/NumberText.h"
 #include "core/settings/Faults.h"
 
 #include <algorithm>

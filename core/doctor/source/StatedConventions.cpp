@@ -1,12 +1,12 @@
 #include "core/doctor/source/StatedConventions.h"
 
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/capture/decode/Cameras.h"
 #include "core/capture/decode/DecodedFrame.h"
 #include "core/capture/decode/ScreenUnits.h"
 #include "core/capture/import/DepthValues.h"
 #include "core/capture/planes/Planes.h"
-#include "core/doctor/NumberText.h"
 #include "core/doctor/depth/DepthCheck.h"
 #include "core/doctor/jitter/JitterCheck.h"
 #include "core/settings/Faults.h"

@@ -1,5 +1,6 @@
 #include "core/measure/compare/HdrFlip.h"
 
+#include "core/base/Median.h"
 #include "core/base/Say.h"
 #include "core/measure/compare/Flip.h"
 #include "core/taa/twin/Color.h"
@@ -7,7 +8,6 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -24,12 +24,6 @@ constexpr double kBright = 0.85; ///< where the brightest and the median pixel a
 double linearOfBright() {
   const double a = kAcesA - kBright * kAcesC, b = kAcesB - kBright * kAcesD, c = -kBright * kAcesE;
   return (-b + std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
-}
-
-/// Of values that rise; of an even number the mean of both in the middle.
-double medianOfRising(const std::vector<float>& values, std::size_t first) {
-  const std::size_t count = values.size() - first;
-  return 0.5 * (double(values[first + (count - 1) / 2]) + double(values[first + count / 2]));
 }
 
 std::vector<float> risingLuminances(const Image& linear) {
@@ -62,13 +56,12 @@ float acesToneMapped(float linear) {
 
 std::vector<double> flipExposures(const Image& reference) {
   const std::vector<float> luminances = risingLuminances(reference);
-  const auto black =
-      static_cast<std::size_t>(std::ranges::upper_bound(luminances, 0.0f) - luminances.begin());
-  if (black == luminances.size()) return {0.0};
-  const double median = medianOfRising(luminances, 0);
+  const auto bright = std::ranges::upper_bound(luminances, 0.0f);
+  if (bright == luminances.end()) return {0.0};
+  const double middle = median({luminances.begin(), luminances.end()});
   const double first = std::log2(linearOfBright() / double(luminances.back()));
   const double last =
-      std::log2(linearOfBright() / (median > 0.0 ? median : medianOfRising(luminances, black)));
+      std::log2(linearOfBright() / (middle > 0.0 ? middle : median({bright, luminances.end()})));
   const int count = std::max(2, static_cast<int>(std::ceil(last - first)));
   std::vector<double> exposures;
   for (int step = 0; step < count; ++step) exposures.push_back(first + step * (last - first) / (count - 1));

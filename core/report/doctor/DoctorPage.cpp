@@ -1,8 +1,8 @@
 #include "core/report/doctor/DoctorPage.h"
 
 #include "core/base/HtmlText.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
-#include "core/doctor/NumberText.h"
 #include "core/doctor/Outline.h"
 #include "core/report/doctor/DoctorReport.h"
 #include "core/report/doctor/ShownPng.h"
@@ -56,7 +56,7 @@ std::string barRow(const Residual& residual, double largest) {
   const std::string look = residual.isBest ? " class=\"fits\"" : residual.isGiven ? " class=\"stored\"" : "";
   const long percent = std::lround(100.0 * std::max(0.0, residual.value) / largest);
   return "<tr" + look + "><td>" + htmlText(residual.text) + "</td><td>" + htmlText(mark) +
-         "</td><td class=\"number\">" + doctor::shortNumber(residual.value) +
+         "</td><td class=\"number\">" + shortNumber(residual.value) +
          "</td><td class=\"bar\"><div class=\"bar\" style=\"width:" + std::to_string(percent) +
          "%\"></div></td></tr>\n";
 }
@@ -141,8 +141,7 @@ std::string mendedHtml(const doctor::MendedLook& look, const Diagnosis& diagnosi
     text += htmlTag("p", say<"Nothing wrong is found then.">());
   if (look.givenPsnr && look.mendedPsnr)
     text += htmlTag("p", say<"PSNR of frame %1: %2 dB as it is, %3 dB mended">(
-                             look.lastFrame, doctor::shortNumber(*look.givenPsnr),
-                             doctor::shortNumber(*look.mendedPsnr)));
+                             look.lastFrame, shortNumber(*look.givenPsnr), shortNumber(*look.mendedPsnr)));
   return text;
 }
 

@@ -1,8 +1,8 @@
 #include "core/report/doctor/DoctorReport.h"
 
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/capture/source/Capture.h"
-#include "core/doctor/NumberText.h"
 #include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Parameters.h"
 
@@ -34,7 +34,7 @@ std::string regionsText(const doctor::Finding& finding) {
 }
 
 std::string residualLine(const Residual& residual, std::size_t width) {
-  const std::string value = doctor::shortNumber(residual.value);
+  const std::string value = shortNumber(residual.value);
   std::string line = "      " + value + std::string(width - value.size() + 2, ' ') + residual.text;
   if (residual.isBest) line += "  " + say<"← fits">();
   if (residual.isGiven) line += "  " + say<"← what is stored">();
@@ -57,7 +57,7 @@ std::string findingText(const doctor::Finding& finding) {
   if (!finding.residuals.empty()) line(finding.measure + ":");
   std::size_t width = 0;
   for (const Residual& residual : finding.residuals)
-    width = std::max(width, doctor::shortNumber(residual.value).size());
+    width = std::max(width, shortNumber(residual.value).size());
   for (const Residual& residual : finding.residuals) text += residualLine(residual, width);
   return text;
 }
@@ -176,7 +176,7 @@ std::string mendedText(const doctor::MendedLook& look, const Diagnosis& diagnosi
   if (look.givenPsnr && look.mendedPsnr)
     text += "  " +
             say<"PSNR of frame %1: %2 dB as it is, %3 dB mended">(
-                look.lastFrame, doctor::shortNumber(*look.givenPsnr), doctor::shortNumber(*look.mendedPsnr)) +
+                look.lastFrame, shortNumber(*look.givenPsnr), shortNumber(*look.mendedPsnr)) +
             "\n";
   return text;
 }

@@ -29,7 +29,7 @@ ordered_json decibelJson(double value) {
   return std::isinf(value) ? ordered_json("inf") : numberJson(value);
 }
 
-std::string shortNumber(double value) {
+std::string partText(double value) {
   return floatText(static_cast<float>(value));
 }
 
@@ -140,14 +140,14 @@ std::string changesText(const std::vector<std::string>& changes) {
 }
 
 std::string stepsChange(double before, double after) {
-  return story::numberText(255.0 * before, 3) + " → " + story::numberText(255.0 * after, 3);
+  return numberText(255.0 * before, 3) + " → " + numberText(255.0 * after, 3);
 }
 
 std::string pictureChange(const RemedyMeasure& before, const RemedyMeasure& after) {
-  return "picture: PSNR " + story::numberText(psnrOf(before), 4) + " → " +
-         story::numberText(psnrOf(after), 4) + " dB, flicker " + stepsChange(before.flicker, after.flicker) +
-         ", ghost " + stepsChange(before.ghost, after.ghost) + ", sharpness " +
-         story::percentText(before.sharpness) + " → " + story::percentText(after.sharpness);
+  return "picture: PSNR " + numberText(psnrOf(before), 4) + " → " + numberText(psnrOf(after), 4) +
+         " dB, flicker " + stepsChange(before.flicker, after.flicker) + ", ghost " +
+         stepsChange(before.ghost, after.ghost) + ", sharpness " + story::percentText(before.sharpness) +
+         " → " + story::percentText(after.sharpness);
 }
 
 /// Before → after, of 255 steps where nothing else is said.
@@ -177,23 +177,23 @@ std::string remediesText(const RemedyAnswer& remedies) {
 std::string referenceText(const VerdictAnswer& answer) {
   if (!answer.referenceError) return "Reference: it came with the capture.\n";
   return "Reference: " + std::to_string(answer.samples) + " samples, ± " +
-         story::numberText(255.0 * *answer.referenceError, 2) + "/255 here.\n";
+         numberText(255.0 * *answer.referenceError, 2) + "/255 here.\n";
 }
 
 /// "dilatedMotion (-18.2, 0) px in frame 30 at 591,240; the limit is 3"
 std::string evidenceText(const VerdictRow& row) {
   const Intermediate& of = intermediate(row.id);
-  std::string values = story::numberText(row.value);
+  std::string values = numberText(row.value);
   if (of.channels > 1) {
     for (int channel = 1; channel < of.channels; ++channel)
-      values += ", " + story::numberText(static_cast<double>(row.channels[channel]));
+      values += ", " + numberText(static_cast<double>(row.channels[channel]));
     values = "(" + values + ")";
   }
   std::string text = std::string(of.name) + " " + values;
   if (!of.unit.empty()) text += " " + std::string(of.unit);
   text += " in frame " + std::to_string(row.frame) + " at " + std::to_string(row.pixel.x) + "," +
           std::to_string(row.pixel.y);
-  if (row.limit) text += "; the limit is " + story::numberText(*row.limit);
+  if (row.limit) text += "; the limit is " + numberText(*row.limit);
   return text;
 }
 
@@ -224,8 +224,8 @@ std::string verdictText(const VerdictOfLane& lane) {
   text += "Parts of the error (red, green, blue)\n";
   for (std::size_t part = 0; part < kErrorParts; ++part) {
     const glm::dvec3& value = lane.answer.error.sum[part];
-    text += "  " + std::string(rowNameOf(static_cast<ErrorPart>(part))) + " " + shortNumber(value.x) + " " +
-            shortNumber(value.y) + " " + shortNumber(value.z) + '\n';
+    text += "  " + std::string(rowNameOf(static_cast<ErrorPart>(part))) + " " + partText(value.x) + " " +
+            partText(value.y) + " " + partText(value.z) + '\n';
   }
   if (!lane.remedies) return text;
   return text + remediesText(*lane.remedies);

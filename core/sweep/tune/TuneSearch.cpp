@@ -1,15 +1,14 @@
 #include "core/sweep/tune/TuneSearch.h"
 
 #include "core/base/Error.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/base/Text.h"
 
 #include <algorithm>
-#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
-#include <cstdlib>
 #include <utility>
 
 namespace taa {
@@ -36,10 +35,11 @@ double valueAt(const Parameter& row, double place) {
   const double share = row.minimum >= 0.0 ? place * place * place : place;
   const double value = row.minimum + share * (row.maximum - row.minimum);
   if (row.kind == ParameterKind::Integer) return std::round(value);
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  const double rounded = std::clamp(std::strtod(text.data(), nullptr), row.minimum, row.maximum);
-  return parseValue(row, shortestText(rounded)); // what the row holds of it
+  const std::string text = significantText(value, 3);
+  double rounded = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), rounded);
+  // What the row holds of it.
+  return parseValue(row, shortestText(std::clamp(rounded, row.minimum, row.maximum)));
 }
 
 } // namespace

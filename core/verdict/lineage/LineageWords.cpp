@@ -16,7 +16,7 @@ constexpr double kWorthSaying = 5e-4;
 std::string worthSentence(const Lineage& lineage) {
   const std::string text =
       say<"worth %1 equal frames, N says %2; noise of single samples keeps %3 of its variance">(
-          story::numberText(lineage.effectiveFrames, 3), story::numberText(lineage.historyLength, 3),
+          numberText(lineage.effectiveFrames, 3), numberText(lineage.historyLength, 3),
           story::percentText(lineage.variance));
   return lineage.rectified < kWorthSaying ? text : say<"%1, besides what rectification brings in">(text);
 }
@@ -39,8 +39,8 @@ std::string partsSentence(const Lineage& lineage) {
 std::string placeSentence(const Lineage& lineage) {
   const LineageFrame& first = lineage.frames.back();
   return say<"its samples lie %1 px around its center; in frame %2 they were read around %3, over %4 px">(
-      story::numberText(lineage.radiusPx, 3), first.frame, story::tupleText(glm::vec2(first.place)),
-      story::numberText(first.spreadPx, 3));
+      numberText(lineage.radiusPx, 3), first.frame, story::tupleText(glm::vec2(first.place)),
+      numberText(first.spreadPx, 3));
 }
 
 } // namespace

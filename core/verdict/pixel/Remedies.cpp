@@ -233,7 +233,7 @@ std::string remedyNote(const TriedRemedy& tried, const RemedyMeasure& pixel,
                  : say<"The verdict names this setting; changing it does not mend the pixel.">());
   if (!picture || !tried.picture || !costsPicture(*picture, *tried.picture)) return note;
   const double lost = psnrOf(*picture) - psnrOf(*tried.picture);
-  if (lost > kPictureCost) add(say<"It costs the picture %1 dB of PSNR.">(story::numberText(lost, 2)));
+  if (lost > kPictureCost) add(say<"It costs the picture %1 dB of PSNR.">(numberText(lost, 2)));
   if (const double rise = tried.picture->flicker / picture->flicker - 1.0; rise > kFlickerCost)
     add(say<"The picture flickers more: by %1.">(story::percentText(rise)));
   return note;

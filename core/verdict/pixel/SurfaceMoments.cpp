@@ -1,5 +1,6 @@
 #include "core/verdict/pixel/SurfaceMoments.h"
 
+#include "core/base/Median.h"
 #include "core/verdict/pixel/PixelVerdict.h"
 
 #include <glm/common.hpp>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace taa {
 
@@ -91,9 +93,7 @@ double usualWeight(const std::vector<SurfaceMoment>& moments) {
     if (rejectReasonOf(moment.record) == twin::RejectReason::Kept)
       weights.push_back(recordValue(moment.record, IntermediateId::alpha));
   if (2 * weights.size() <= moments.size()) return 0.0;
-  const auto middle = weights.begin() + static_cast<std::ptrdiff_t>(weights.size() / 2);
-  std::ranges::nth_element(weights, middle);
-  return *middle;
+  return upperMedian(std::move(weights));
 }
 
 bool areWeighedUnevenly(const std::vector<SurfaceMoment>& moments) {

@@ -19,7 +19,7 @@ std::string kindLabel(VerdictKind kind) {
 
 /// Two digits, three from 100 on: finer is noise.
 std::string stepsText(double shown) {
-  return story::numberText(255.0 * shown, 255.0 * shown < 99.5 ? 2 : 3);
+  return numberText(255.0 * shown, 255.0 * shown < 99.5 ? 2 : 3);
 }
 
 std::string agoText(int frames) {
@@ -96,7 +96,7 @@ std::string ghostReason(const PixelVerdict& verdict, const Settings& settings) {
 }
 
 std::string averagedText(const PixelVerdict& verdict) {
-  const std::string samples = story::numberText(decidingValue(verdict, IntermediateId::historyLength), 2);
+  const std::string samples = numberText(decidingValue(verdict, IntermediateId::historyLength), 2);
   return samples == "1" ? say<"only 1 sample is shown">() : say<"only %1 samples are averaged">(samples);
 }
 

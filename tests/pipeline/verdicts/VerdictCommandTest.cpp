@@ -115,9 +115,9 @@ TEST_F(VerdictCommandTest, PrintsTheSameToPeople) {
   ASSERT_FALSE(remedies_.best.empty());
   const RemedyMeasure &before = remedies_.pixel, &after = remedies_.best[0].pixel;
   const auto change = [](double from, double to) {
-    return taa::story::numberText(255.0 * from, 3) + " → " + taa::story::numberText(255.0 * to, 3);
+    return taa::numberText(255.0 * from, 3) + " → " + taa::numberText(255.0 * to, 3);
   };
-  const auto psnr = [](const RemedyMeasure& picture) { return taa::story::numberText(psnrOf(picture), 4); };
+  const auto psnr = [](const RemedyMeasure& picture) { return taa::numberText(psnrOf(picture), 4); };
   for (const std::string& words :
        {answer_.sentence, remedies_.best[0].remedy.changes[0],
         "pixel: error " + change(before.error, after.error) + ", in this frame " +

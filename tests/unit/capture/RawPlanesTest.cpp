@@ -71,43 +71,6 @@ std::vector<float> valuesOf(PlaneKind kind, RawFormat format, int width, const s
 
 } // namespace
 
-TEST(SmallFloats, HalvesHaveTheValuesOfIeee754) {
-  EXPECT_EQ(floatOfHalf(0x3c00), 1.0f);
-  EXPECT_EQ(floatOfHalf(0xc000), -2.0f);
-  EXPECT_EQ(floatOfHalf(0x3555), 0.333251953125f);        // (1 + 0x155 / 1024) / 4
-  EXPECT_EQ(floatOfHalf(0x7bff), 65504.0f);               // the largest
-  EXPECT_EQ(floatOfHalf(0x0400), 6.103515625e-5f);        // the smallest normal one, 2⁻¹⁴
-  EXPECT_EQ(floatOfHalf(0x0001), 5.9604644775390625e-8f); // the smallest of all, 2⁻²⁴
-  EXPECT_EQ(floatOfHalf(0x83ff), -1023.0f * 5.9604644775390625e-8f);
-  EXPECT_EQ(floatOfHalf(0x7c00), kInfinity);
-  EXPECT_EQ(floatOfHalf(0xfc00), -kInfinity);
-  EXPECT_TRUE(std::isnan(floatOfHalf(0x7e00)) && std::isnan(floatOfHalf(0xfc01)));
-  EXPECT_TRUE(std::signbit(floatOfHalf(0x8000)));
-}
-
-TEST(SmallFloats, EveryHalfIsItsFormula) {
-  for (unsigned bits = 0; bits < 0x7c00; ++bits) {
-    const int exponent = static_cast<int>(bits >> 10u), fraction = static_cast<int>(bits & 0x3ffu);
-    const double value =
-        exponent > 0 ? std::ldexp(1024 + fraction, exponent - 25) : std::ldexp(fraction, -24);
-    ASSERT_EQ(floatOfHalf(static_cast<std::uint16_t>(bits)), static_cast<float>(value)) << bits;
-    ASSERT_EQ(floatOfHalf(static_cast<std::uint16_t>(bits | 0x8000u)), static_cast<float>(-value)) << bits;
-    ASSERT_EQ(halfOf(static_cast<float>(value)), bits);
-    ASSERT_EQ(halfOf(static_cast<float>(-value)), bits | 0x8000u);
-  }
-}
-
-TEST(SmallFloats, HalvesAreRoundedToTheNearestEven) {
-  EXPECT_EQ(halfOf(1.0f + 1.0f / 2048.0f), 0x3c00); // halfway, to the even one below
-  EXPECT_EQ(halfOf(1.0f + 3.0f / 2048.0f), 0x3c02); // halfway, to the even one above
-  EXPECT_EQ(halfOf(1.0f + 1.1f / 2048.0f), 0x3c01);
-  EXPECT_EQ(halfOf(65519.0f), 0x7bff);
-  EXPECT_EQ(halfOf(65520.0f), 0x7c00);
-  EXPECT_EQ(halfOf(-kInfinity), 0xfc00);
-  EXPECT_TRUE(std::isnan(floatOfHalf(halfOf(std::nanf("")))));
-  EXPECT_EQ(halfOf(6.1e-5f), 0x03ff); // 1023.41 steps of 2⁻²⁴
-}
-
 TEST(SmallFloats, Floats11And10AreDirect3Ds) {
   EXPECT_EQ(floatOf11Bits(0x3c0), 1.0f); // exponent 15, fraction 0
   EXPECT_EQ(floatOf11Bits(0x3e0), 1.5f);

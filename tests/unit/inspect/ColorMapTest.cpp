@@ -121,6 +121,11 @@ TEST(ColorMap, KeepsItsLightnessAllAroundTheCycle) {
   EXPECT_EQ(mapColor(ColorMap::Cyclic, 0.25f), mapColor(ColorMap::Cyclic, -0.75f));
 }
 
+TEST(ColorMap, ColorsVectorsByDirectionAndLength) {
+  EXPECT_EQ(taa::vectorColor({0.0f, 2.0f}, 1.0f), mapColor(ColorMap::Cyclic, 0.25f));
+  EXPECT_EQ(taa::vectorColor({-1.0f, 0.5f}, 0.0f), taa::vectorColor({1.0f, 0.0f}, 0.0f)) << "gray";
+}
+
 TEST(ColorMap, TellsCategoriesApartByLightnessToo) {
   for (int a = 0; a < taa::kCategoryCount; ++a)
     for (int b = a + 1; b < taa::kCategoryCount; ++b)

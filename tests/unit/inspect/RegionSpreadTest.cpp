@@ -25,17 +25,6 @@ const Intermediate& kScalar = intermediate(IntermediateId::alpha);
 
 } // namespace
 
-TEST(RegionSpread, APercentileIsTheNearestRank) {
-  std::vector<float> values;
-  for (int value = 200; value > 0; --value) values.push_back(static_cast<float>(value));
-  EXPECT_EQ(percentile(values, 1), 2.0f);
-  EXPECT_EQ(percentile(values, 50), 100.0f);
-  EXPECT_EQ(percentile(values, 99), 198.0f);
-  EXPECT_EQ(percentile(values, 100), 200.0f);
-  std::vector<float> one{7.0f};
-  EXPECT_EQ(percentile(one, 1), 7.0f);
-}
-
 TEST(RegionSpread, TellsWhatIsNoNumberFromValues) {
   const Image values = column(1, {1, 2, 3, 6, NAN, INFINITY, -INFINITY});
   const RegionSpread spread = regionSpread(values, {}, kScalar, {0, 0, 1, 7});

@@ -1,9 +1,11 @@
-// Numbers in the doctor's sentences.
-#include "core/doctor/NumberText.h"
+// Numbers as text.
+#include "core/base/NumberText.h"
 
 #include <gtest/gtest.h>
 
-namespace taa::doctor {
+#include <cmath>
+
+namespace taa {
 
 TEST(NumberText, HasThreeDigitsAndFourAfterThePoint) {
   EXPECT_EQ(shortNumber(0.25), "0.25");
@@ -19,6 +21,24 @@ TEST(NumberText, HasNoMinusBeforeZero) {
   EXPECT_EQ(shortVector({-0.0, -1.5}), "(0, -1.5)");
 }
 
+TEST(NumberText, IsTheShortestThatReadsBack) {
+  EXPECT_EQ(shortestText(0.1f), "0.1");
+  EXPECT_EQ(shortestText(0.1 + 0.2), "0.30000000000000004");
+  EXPECT_EQ(decimalText(100000.0), "100000");
+  EXPECT_EQ(decimalText(1e-5), "1e-05");
+}
+
+TEST(NumberText, HasTheDigitsThatAreAskedFor) {
+  EXPECT_EQ(significantText(0.25, 4), "0.25");
+  EXPECT_EQ(significantText(123456.0, 3), "1.23e+05");
+  EXPECT_EQ(fixedText(0.25, 3), "0.250");
+  EXPECT_EQ(fixedText(1e300, 2).size(), 304u);
+  EXPECT_EQ(roundedText(0.2501, 3), "0.25");
+  EXPECT_EQ(roundedText(-0.0001, 3), "0");
+  EXPECT_EQ(numberText(-0.25), "−0.25");
+  EXPECT_EQ(numberText(std::nan("")), "nan");
+}
+
 // Two digits of the error, and as many of what was measured.
 TEST(NumberText, OfAMeasurementEndsWhereItsErrorDoes) {
   EXPECT_EQ(measuredNumber(319.87432, 0.4142), "319.87");
@@ -29,4 +49,4 @@ TEST(NumberText, OfAMeasurementEndsWhereItsErrorDoes) {
   EXPECT_EQ(errorNumber(0.00123), "0.0012");
 }
 
-} // namespace taa::doctor
+} // namespace taa

@@ -1,19 +1,17 @@
-// Pictures of a captured frame for the import page: what was stored, and the frame before brought along its
-// motion. Drawn on any thread.
+// Pictures of a captured frame: what was stored, and the frame before brought along its motion. No GL.
 #pragma once
 
 #include "core/capture/decode/DecodedFrame.h"
+#include "core/picture/Visualizer.h"
 
-#include <QImage>
+namespace taa {
 
-namespace taa::app {
-
-/// sRGB with alpha, 0 where there is nothing; null: the frame has no such plane.
+/// With alpha, 0 where there is nothing; without pixels: the frame has no such plane.
 struct FramePictures {
   int frame = 0; ///< into Manifest::frames
-  QImage color, motion, depth;
-  QImage warped;     ///< color of the frame before, read where motion and jitter say; null: none before
-  QImage difference; ///< of color and `warped`, as they are seen
+  Picture color, motion, depth;
+  Picture warped;     ///< color of the frame before, read where motion and jitter say; no pixels: none before
+  Picture difference; ///< of color and `warped`, as they are seen
 };
 
 /// Longest side of a picture, px; larger frames are scaled down.
@@ -28,4 +26,4 @@ FramePictures drawFrame(const capture::DecodedFrame& frame, const capture::Decod
 /// nowhere. Empty where either has no color, or their sizes differ.
 Image warpedPrevious(const capture::DecodedFrame& frame, const capture::DecodedFrame& previous);
 
-} // namespace taa::app
+} // namespace taa

@@ -1,6 +1,7 @@
-#include "app/importing/FramePictures.h"
+#include "core/picture/FramePictures.h"
 
 #include "core/base/Light.h"
+#include "core/base/Median.h"
 #include "core/picture/ColorMap.h"
 #include "core/render/FrameInputs.h"
 
@@ -13,10 +14,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
+#include <cstdint>
 #include <vector>
 
-namespace taa::app {
+namespace taa {
 
 namespace {
 
@@ -26,7 +27,6 @@ constexpr double kShareWithin = 0.98;
 constexpr int kMaxSamples = 20000;
 /// A difference of this, of the 0 to 1 of the screen, is the end of its color map.
 constexpr float kFullDifference = 0.5f;
-constexpr float kCyclicGray = 0.373248f; ///< gray as light as the cyclic map: kCyclicLightness cubed
 
 /// What all but a few of the finite values of `of(texel)` are below; 0 where there are none.
 template <typename Of>
@@ -41,10 +41,7 @@ float highValue(const Image& image, double share, Of of) {
       values.push_back(value);
   }
   if (values.empty()) return 0.0f;
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+  return valueOfRank(values, static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
 }
 
 int shrinkingOf(const Image& image, int maxSide) {
@@ -84,41 +81,38 @@ Image picked(const Image& image, int side) {
   return small;
 }
 
-int byteOf(float share) {
-  return static_cast<int>(std::lround(std::clamp(share, 0.0f, 1.0f) * 255.0f));
-}
+using Rgba = std::array<std::uint8_t, 4>;
 
-constexpr QRgb kNanPixel = 0xffff0000; ///< as everywhere
+constexpr Rgba kNothing{0, 0, 0, 0}, kNanPixel{255, 0, 0, 255}; ///< red, as everywhere
 
 /// `color`: of the screen, linear.
-QRgb pixelOf(const glm::vec3& color, float alpha = 1.0f) {
+Rgba rgbaOf(const glm::vec3& color, float alpha = 1.0f) {
   if (std::isnan(color.x + color.y + color.z)) return kNanPixel;
-  const auto byte = [&](int channel) { return byteOf(srgbEncoded(std::clamp(color[channel], 0.0f, 1.0f))); };
-  return qRgba(byte(0), byte(1), byte(2), byteOf(alpha));
+  return {srgbByte(color.x), srgbByte(color.y), srgbByte(color.z),
+          static_cast<std::uint8_t>(std::lround(std::clamp(alpha, 0.0f, 1.0f) * 255.0f))};
+}
+Rgba rgbaOf(const std::array<float, 3>& color) {
+  return rgbaOf(glm::vec3(color[0], color[1], color[2]));
 }
 
-/// `pixel(x, y)` of each pixel; null where the image is empty.
+/// `pixel(x, y)` of each pixel; none where the image is empty.
 template <typename Pixel>
-QImage drawn(const Image& image, Pixel pixel) {
-  if (image.empty()) return {};
-  QImage picture(image.width, image.height, QImage::Format_ARGB32);
-  for (int y = 0; y < image.height; ++y) {
-    auto* const line = reinterpret_cast<QRgb*>(picture.scanLine(y));
-    for (int x = 0; x < image.width; ++x) line[x] = pixel(x, y);
-  }
+Picture drawn(const Image& image, Pixel pixel) {
+  Picture picture{image.width, image.height, {}};
+  picture.rgba.reserve(4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const Rgba rgba = pixel(x, y);
+      picture.rgba.insert(picture.rgba.end(), rgba.begin(), rgba.end());
+    }
   return picture;
 }
 
-QImage colorPicture(const Image& color, float exposure) {
+Picture colorPicture(const Image& color, float exposure) {
   return drawn(color, [&](int x, int y) {
     const glm::vec4 texel = color.texel(x, y);
-    return pixelOf(glm::vec3(texel) * exposure, texel.w);
+    return rgbaOf(glm::vec3(texel) * exposure, texel.w);
   });
-}
-
-glm::vec3 hueOf(ColorMap map, float value) {
-  const std::array<float, 3> color = taa::mapColor(map, value);
-  return {color[0], color[1], color[2]};
 }
 
 bool hasPrevious(glm::vec2 motionPx) {
@@ -131,21 +125,18 @@ float lengthOf(const glm::vec4& motion) {
 }
 
 // Direction as hue, length as saturation, as views show it; nothing where there is no previous position.
-QImage motionPicture(const Image& motion) {
+Picture motionPicture(const Image& motion) {
   const float range = std::max(highValue(motion, kShareWithin, lengthOf), 1e-3f);
   return drawn(motion, [&](int x, int y) {
     const glm::vec2 px(motion.texel(x, y));
-    if (!hasPrevious(px)) return qRgba(0, 0, 0, 0);
+    if (!hasPrevious(px)) return kNothing;
     if (std::isnan(px.x + px.y)) return kNanPixel;
-    const float saturation = std::min(glm::length(px) / range, 1.0f);
-    const float turn = std::atan2(px.y, px.x) / (2.0f * std::numbers::pi_v<float>);
-    const glm::vec3 hue = hueOf(ColorMap::Cyclic, turn - std::floor(turn));
-    return pixelOf(glm::vec3(kCyclicGray) + saturation * (hue - kCyclicGray));
+    return rgbaOf(vectorColor(px, std::min(glm::length(px) / range, 1.0f)));
   });
 }
 
 // The logarithm of this program's depth, near bright; nothing where nothing was drawn.
-QImage depthPicture(const Image& depth) {
+Picture depthPicture(const Image& depth) {
   const auto valueOf = [](const glm::vec4& texel) { return texel.x; };
   const float low = highValue(depth, 1.0 - kShareWithin, valueOf);
   const float high = highValue(depth, kShareWithin, valueOf);
@@ -153,37 +144,23 @@ QImage depthPicture(const Image& depth) {
   return drawn(depth, [&](int x, int y) {
     const float value = depth.at(x, y)[0];
     if (std::isnan(value)) return kNanPixel;
-    if (!(value > 0.0f)) return qRgba(0, 0, 0, 0);
+    if (!(value > 0.0f)) return kNothing;
     const float place = low > 0.0f ? std::log2(value / low) / range : 1.0f;
-    return pixelOf(hueOf(ColorMap::Viridis, std::clamp(place, 0.0f, 1.0f)));
+    return rgbaOf(mapColor(ColorMap::Viridis, std::clamp(place, 0.0f, 1.0f)));
   });
 }
 
 /// Of the luma that the screen shows, 0 to 1.
-QImage differencePicture(const Image& color, const Image& warped, float exposure) {
+Picture differencePicture(const Image& color, const Image& warped, float exposure) {
   const auto shown = [&](const Image& image, int x, int y) {
     return srgbEncoded(std::clamp(luminance(glm::vec3(image.texel(x, y))) * exposure, 0.0f, 1.0f));
   };
   return drawn(color, [&](int x, int y) {
-    if (warped.at(x, y)[3] <= 0.0f) return qRgba(0, 0, 0, 0);
+    if (warped.at(x, y)[3] <= 0.0f) return kNothing;
     const float difference = std::abs(shown(color, x, y) - shown(warped, x, y));
     if (std::isnan(difference)) return kNanPixel;
-    return pixelOf(hueOf(ColorMap::Inferno, std::min(difference / kFullDifference, 1.0f)));
+    return rgbaOf(mapColor(ColorMap::Inferno, std::min(difference / kFullDifference, 1.0f)));
   });
-}
-
-/// False: the place is outside.
-bool sampleBilinear(const Image& image, glm::vec2 px, float* out) {
-  const bool isInside = px.x >= 0.0f && px.y >= 0.0f && px.x <= static_cast<float>(image.width) &&
-                        px.y <= static_cast<float>(image.height); // false for NaN
-  if (!isInside) return false;
-  const glm::vec3 value = bilinear(px, [&](int x, int y) {
-    const float* texel = image.nearest(x, y);
-    return glm::vec3(texel[0], texel[1], texel[2]);
-  });
-  for (int channel = 0; channel < 3; ++channel) out[channel] = value[channel];
-  out[3] = 1.0f;
-  return true;
 }
 
 } // namespace
@@ -200,7 +177,16 @@ Image warpedPrevious(const capture::DecodedFrame& frame, const capture::DecodedF
     for (int x = 0; x < color.width; ++x) {
       const glm::vec2 moved = hasMotion ? glm::vec2(motion.texel(x, y)) : glm::vec2(0.0f);
       const glm::vec2 center(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-      if (hasPrevious(moved)) sampleBilinear(from, center - moved + jitter, warped.at(x, y));
+      const glm::vec2 place = center - moved + jitter;
+      const bool isInside = place.x >= 0.0f && place.y >= 0.0f && place.x <= static_cast<float>(from.width) &&
+                            place.y <= static_cast<float>(from.height); // false for NaN
+      if (!hasPrevious(moved) || !isInside) continue;
+      const glm::vec3 value = bilinear(place, [&](int column, int row) {
+        const float* texel = from.nearest(column, row);
+        return glm::vec3(texel[0], texel[1], texel[2]);
+      });
+      for (int channel = 0; channel < 3; ++channel) warped.at(x, y)[channel] = value[channel];
+      warped.at(x, y)[3] = 1.0f;
     }
   return warped;
 }
@@ -225,4 +211,4 @@ FramePictures drawFrame(const capture::DecodedFrame& frame, const capture::Decod
   return pictures;
 }
 
-} // namespace taa::app
+} // namespace taa
