@@ -1,7 +1,7 @@
 // Flying the camera: mouse and keys in the views become poses for the session.
 #pragma once
 
-#include "app/views/FlightMath.h"
+#include "core/scene/camera/CameraTrack.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -18,6 +18,23 @@ namespace taa::app {
 
 class Session;
 class ViewArea;
+
+/// What keys ask for, −1 to 1 each.
+struct FlightKeys {
+  int right = 0, up = 0, forward = 0;
+  bool isAny() const { return right != 0 || up != 0 || forward != 0; }
+};
+
+/// The pose after moving straight for `distance` world units; sideways, up and forward together are no
+/// faster.
+CameraPose moved(const CameraPose& pose, const FlightKeys& keys, float distance);
+/// The pose after a drag by logical pixels in a view that is `height` of them high, which looks where the
+/// mouse goes.
+CameraPose turned(const CameraPose& pose, double dx, double dy, double height);
+
+/// World units a second that the wheel chooses from, around what suits a scene of this radius.
+float firstSpeed(float radius);
+float changedSpeed(float speed, double notches, float radius);
 
 /// While it is on, W A S D Q E move (Shift faster, Ctrl slower), left or middle drag looks around, the wheel
 /// changes the speed; all else is as ever.

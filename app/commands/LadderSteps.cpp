@@ -6,7 +6,6 @@
 #include "core/lessons/Condition.h"
 #include "core/lessons/LessonState.h"
 #include "core/settings/AssignmentWords.h"
-#include "core/settings/Ladders.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 #include "core/taa/TextureFetches.h"

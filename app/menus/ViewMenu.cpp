@@ -2,13 +2,12 @@
 
 #include "app/commands/ThemeSetting.h"
 #include "app/commands/ViewChoices.h"
-#include "app/dialogs/MessagesDialog.h"
 #include "app/menus/CompareMenu.h"
-#include "app/menus/PlotsMenu.h"
 #include "app/panels/LeftArea.h"
 #include "app/panels/LowerArea.h"
 #include "app/panels/MessagesBar.h"
 #include "app/panels/PipelinePanel.h"
+#include "app/panels/PlotsPanel.h"
 #include "app/panels/ProbePanel.h"
 #include "app/room/Presenter.h"
 #include "app/session/SceneChoices.h"
@@ -86,7 +85,7 @@ void ViewMenu::addPanels(const Targets& on) {
                    [&probe = on.probe](bool shown) { probe.setVisible(shown); });
   onRefresh([&probe = on.probe, panel] { panel->setChecked(!probe.isHidden()); });
   addLowerPages(on.lower);
-  addMenu(new PlotsMenu(commands_, on.lower, on.plots, this));
+  addPlots(on.lower, on.plots);
   panel = addCheck(tr("Pictures in the headings of stages"), QKeySequence(QStringLiteral("T")),
                    [&pipeline = on.pipeline](bool shown) { pipeline.setShowsThumbnails(shown); });
   panel->setChecked(true);
@@ -111,6 +110,22 @@ void ViewMenu::addLowerPages(LowerArea& lower) {
         });
     onRefresh([&lower, action, page = entry.page] { action->setChecked(lower.shows(page)); });
   }
+}
+
+// Of the probes over frames; their page is opened if need be.
+void ViewMenu::addPlots(LowerArea& lower, PlotsPanel& plots) {
+  QMenu* menu = addMenu(tr("P&lots"));
+  const auto add = [&](const QString& text, const QList<QKeySequence>& shortcuts, void (PlotsPanel::*act)()) {
+    commands_.add(menu, text, shortcuts, [&lower, &plots, act] {
+      lower.setShown(LowerPage::Plots, true);
+      (plots.*act)();
+    });
+  };
+  add(tr("&Add a plot…"), keys({"Shift+F6"}), &PlotsPanel::chooseRow);
+  add(tr("&Fill in the frames that were not shown"), keys({"Ctrl+F6"}), &PlotsPanel::requestFill);
+  add(tr("&Show all frames"), keys({"Ctrl+0"}), &PlotsPanel::resetZoom);
+  add(tr("&Copy values as CSV"), {}, &PlotsPanel::copyCsv);
+  add(tr("Sa&ve values as CSV…"), {}, &PlotsPanel::saveCsv);
 }
 
 void ViewMenu::addArrangement(ViewArea& views) {
@@ -155,9 +170,8 @@ void ViewMenu::addPictures(ViewArea& views) {
                   [&views, channel] { views.active()->toggleChannel(channel); });
 }
 
-void ViewMenu::addMessages(const MessagesBar& messages) {
-  add(tr("Messa&ges so far"), keys({"Ctrl+Alt+H"}),
-      [this, &messages] { (new MessagesDialog(messages.history(), parentWidget()->window()))->open(); });
+void ViewMenu::addMessages(MessagesBar& messages) {
+  add(tr("Messa&ges so far"), keys({"Ctrl+Alt+H"}), [&messages] { messages.showHistory(); });
 }
 
 void ViewMenu::addThemes(ThemeSetting& theme) {

@@ -33,7 +33,7 @@ class ViewMenu : public CommandMenu {
     PlotsPanel& plots; ///< a page of `lower`
     ThemeSetting& theme;
     Presenter& presenter;
-    const MessagesBar& messages;
+    MessagesBar& messages;
   };
   ViewMenu(Commands& commands, const Targets& on, QWidget* parent);
 
@@ -43,12 +43,13 @@ class ViewMenu : public CommandMenu {
   void addZoom(ViewArea& views);
   void addPanels(const Targets& on);
   void addLowerPages(LowerArea& lower);
+  void addPlots(LowerArea& lower, PlotsPanel& plots);
   void addArrangement(ViewArea& views);
   void addPictures(ViewArea& views);
   void addThemes(ThemeSetting& theme);
   void addTextSizes(ThemeSetting& theme);
   void addRoom(Presenter& presenter);
-  void addMessages(const MessagesBar& messages);
+  void addMessages(MessagesBar& messages);
 };
 
 } // namespace taa::app

@@ -2,6 +2,9 @@
 
 #include "app/widgets/bars/Strip.h"
 
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QPlainTextEdit>
 #include <QTime>
 #include <QVBoxLayout>
 
@@ -107,6 +110,25 @@ QString MessagesBar::text() const {
   all << warnings_;
   if (!note_->isHidden()) all << note_->text();
   return all.join(QLatin1Char('\n'));
+}
+
+void MessagesBar::showHistory() {
+  auto* dialog = new QDialog(window());
+  dialog->setObjectName(QStringLiteral("messages"));
+  dialog->setWindowTitle(tr("Messages"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  auto* text = new QPlainTextEdit;
+  text->setReadOnly(true);
+  text->setAccessibleName(tr("Messages, the latest first"));
+  text->setPlainText(history_.isEmpty() ? tr("Nothing has been said yet.")
+                                        : history_.join(QLatin1Char('\n')));
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+  auto* rows = new QVBoxLayout(dialog);
+  rows->addWidget(text);
+  rows->addWidget(buttons);
+  dialog->resize(720, 360);
+  dialog->open();
 }
 
 void MessagesBar::clear() {

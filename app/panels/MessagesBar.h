@@ -35,6 +35,8 @@ class MessagesBar : public QWidget {
   QString text() const;
   /// All that was said so far, the latest first: "14:03:21 cannot write …".
   const QStringList& history() const { return history_; }
+  /// Opens a dialog with it.
+  void showHistory();
   void clear();
 
  Q_SIGNALS:

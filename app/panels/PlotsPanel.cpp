@@ -102,7 +102,7 @@ void PlotsPanel::makeTop() {
 }
 
 void PlotsPanel::setStatus(const Status& status) {
-  if (store_.setShotVersion(status.shotVersion)) refreshSoon();
+  setShotVersion(status.shotVersion);
   frame_ = status.info.frame;
   if (status.settings.space.color != space_.color) {
     space_ = status.settings.space;
@@ -126,8 +126,36 @@ void PlotsPanel::setProbes(const std::vector<Probe>& probes, int active) {
   refreshSoon();
 }
 
+void PlotsPanel::setShotVersion(std::uint64_t shotVersion) {
+  if (shotVersion == shotVersion_) return;
+  shotVersion_ = shotVersion;
+  traces_.clear();
+  refreshSoon();
+}
+
 void PlotsPanel::addSample(const TraceDelivery& delivery) {
-  if (store_.add(delivery)) refreshSoon();
+  if (delivery.shotVersion < shotVersion_) return; // it came too late
+  setShotVersion(delivery.shotVersion);
+  auto found = std::ranges::find_if(
+      traces_, [&](const ProbeTrace& known) { return isSamePlace(known.probe, delivery.probe); });
+  if (found == traces_.end()) found = traces_.insert(traces_.end(), ProbeTrace{delivery.probe, {}});
+  found->trace.add(delivery.frame, delivery.sample);
+  refreshSoon();
+}
+
+const PixelTrace* PlotsPanel::traceOf(const Probe& probe) const {
+  for (const ProbeTrace& known : traces_)
+    if (isSamePlace(known.probe, probe)) return &known.trace;
+  return nullptr;
+}
+
+std::vector<ProbeTrace> PlotsPanel::probeTraces() const {
+  std::vector<ProbeTrace> traces;
+  for (const Probe& probe : probes_) {
+    const PixelTrace* trace = traceOf(probe);
+    traces.push_back({probe, trace ? *trace : PixelTrace()});
+  }
+  return traces;
 }
 
 void PlotsPanel::setFilling(bool filling) {
@@ -268,7 +296,7 @@ void PlotsPanel::refreshSoon() {
 void PlotsPanel::refresh() {
   if (!isVisible()) return;
   invitation_->setVisible(probes_.empty());
-  const std::vector<ProbeTrace> traces = store_.tracesOf(probes_);
+  const std::vector<ProbeTrace> traces = probeTraces();
   const bool hasActive = active_ >= 0 && active_ < static_cast<int>(traces.size());
   const PixelTrace* active = hasActive ? &traces[static_cast<std::size_t>(active_)].trace : nullptr;
   const std::vector<ChartMark> marks = plotMarks(active, cuts_, restarts_);
@@ -296,7 +324,7 @@ QString PlotsPanel::csv() const {
     ids.push_back(row.id);
     if (row.beside) ids.push_back(*row.beside);
   }
-  return QString::fromStdString(traceCsv(store_.tracesOf(probes_), ids, space_));
+  return QString::fromStdString(traceCsv(probeTraces(), ids, space_));
 }
 
 void PlotsPanel::copyCsv() {

@@ -3,12 +3,14 @@
 
 #include "app/models/ChartMath.h"
 #include "app/models/PlotRows.h"
-#include "app/models/TraceStore.h"
+
+#include "core/requests/Results.h"
 
 #include <QJsonObject>
 #include <QTimer>
 #include <QWidget>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -31,7 +33,8 @@ class PlotsPanel : public QWidget {
   void setProbes(const std::vector<Probe>& probes, int active);
   void addSample(const TraceDelivery& delivery);
   void setFilling(bool filling);
-  const TraceStore& store() const { return store_; }
+  /// Null when nothing is known of the probe.
+  const PixelTrace* traceOf(const Probe& probe) const;
 
   void setRows(const std::vector<PlotRow>& rows);
   const std::vector<PlotRow>& rows() const { return rows_; }
@@ -77,6 +80,10 @@ class PlotsPanel : public QWidget {
   void resizeEvent(QResizeEvent*) override;
 
  private:
+  /// Drops all that is known when frames are a function of something else now (Status::shotVersion).
+  void setShotVersion(std::uint64_t shotVersion);
+  /// Of the probes, in their order; empty traces where nothing is known.
+  std::vector<ProbeTrace> probeTraces() const;
   void makeTop();
   void makeCharts();
   void makeChips();
@@ -86,7 +93,8 @@ class PlotsPanel : public QWidget {
   void refreshSoon();
   Span wholeShot() const { return {0.0, frameCount_ - 1.0}; }
 
-  TraceStore store_;
+  std::uint64_t shotVersion_ = 0;  ///< that the traces are of
+  std::vector<ProbeTrace> traces_; ///< also of probes that were moved: they may come back
   std::vector<Probe> probes_;
   int active_ = -1, frame_ = 0, frameCount_ = 1;
   std::vector<int> cuts_, restarts_;

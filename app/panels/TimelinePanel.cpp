@@ -13,10 +13,25 @@
 #include <QMenu>
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace taa::app {
+
+void PlaybackRate::note(int frame, double seconds) {
+  constexpr double kWindow = 1.0; // seconds
+  if (!shown_.empty() && shown_.back().first == frame) return;
+  shown_.emplace_back(frame, seconds);
+  while (shown_.size() > 2 && shown_.front().second < seconds - kWindow) shown_.pop_front();
+}
+
+std::optional<double> PlaybackRate::value() const {
+  if (shown_.size() < 2) return {};
+  const double took = shown_.back().second - shown_.front().second;
+  if (took <= 0.0) return {};
+  return static_cast<double>(shown_.size() - 1) / took;
+}
 
 TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
   auto* layout = new QHBoxLayout(this);

@@ -3,15 +3,16 @@
 #pragma once
 
 #include "app/models/FrameMarks.h"
-#include "app/views/timeline/PlaybackRate.h"
 #include "core/requests/Results.h"
 
 #include <QElapsedTimer>
 #include <QJsonObject>
 #include <QWidget>
 
+#include <deque>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 class QBoxLayout;
@@ -24,6 +25,20 @@ class IconButton;
 class NumberField;
 class Timeline;
 struct TimelineStrip;
+
+/// How many frames a second come on show while a shot plays.
+class PlaybackRate {
+ public:
+  /// A status says that this frame is on show. `seconds`: by any clock that only goes forward.
+  void note(int frame, double seconds);
+  void stop() { shown_.clear(); }
+  /// Frames a second over the last second, or between the last two where they came slower; nothing before the
+  /// second one.
+  std::optional<double> value() const;
+
+ private:
+  std::deque<std::pair<int, double>> shown_; // frame and time
+};
 
 class TimelinePanel : public QWidget {
   Q_OBJECT

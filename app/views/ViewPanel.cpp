@@ -3,12 +3,12 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/views/MeasuredRegion.h"
-#include "app/views/ViewCameraJson.h"
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
 #include "app/views/legend/RangeHistogram.h"
 #include "app/views/legend/ValueFinder.h"
 
+#include <QJsonArray>
 #include <QMenu>
 #include <QVBoxLayout>
 
@@ -23,6 +23,25 @@ namespace {
 /// The column of the whole picture that lies at a column of the screen.
 double pictureColumn(const ViewTransform& transform, int screen) {
   return pictureFromScreen(transform, {screen, 0.0}).x;
+}
+
+/// Where a view looks, as session files keep it.
+QJsonObject cameraJson(const ViewCamera& camera) {
+  return {{QStringLiteral("fit"), camera.fit},
+          {QStringLiteral("zoom"), camera.zoom},
+          {QStringLiteral("center"), QJsonArray{camera.center.x, camera.center.y}}};
+}
+
+/// What makes no sense fits the whole picture.
+ViewCamera cameraFromJson(const QJsonObject& json) {
+  ViewCamera camera;
+  camera.fit = json.value(QLatin1String("fit")).toBool(true);
+  camera.zoom = json.value(QLatin1String("zoom")).toDouble(1.0);
+  const QJsonArray center = json.value(QLatin1String("center")).toArray();
+  camera.center = {center.at(0).toDouble(), center.at(1).toDouble()};
+  const bool isUsable = std::isfinite(camera.zoom) && camera.zoom > 0.0 && std::isfinite(camera.center.x) &&
+                        std::isfinite(camera.center.y);
+  return isUsable ? camera : ViewCamera{};
 }
 
 } // namespace

@@ -16,6 +16,10 @@
 
 namespace taa::app {
 
+/// What a view of the reference says about it besides its legend: samples so far, and how far the output is
+/// from them; empty where the result is of another row.
+QString referenceNote(const ViewResult& result);
+
 class ViewSides {
   Q_DECLARE_TR_FUNCTIONS(taa::app::ViewSides)
  public:

@@ -2,7 +2,7 @@
 // and so is Esc (EscapeKey.h).
 #pragma once
 
-#include "core/base/search/Search.h"
+#include "core/base/Search.h"
 
 #include <QLabel>
 #include <QLineEdit>

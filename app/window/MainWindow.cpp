@@ -72,19 +72,20 @@
 #include "app/window/ViewFeed.h"
 #include "app/window/WindowFigures.h"
 #include "app/window/WindowState.h"
-#include "app/window/WindowTitle.h"
 #include "app/window/WindowUndo.h"
 #include "app/window/verdict/LineageFeed.h"
 #include "app/window/verdict/VerdictFeed.h"
 
 #include <QCloseEvent>
 #include <QDragEnterEvent>
+#include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
+#include <QStringList>
 #include <QStyle>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -100,6 +101,23 @@ namespace {
 
 // Where the fan's blades sweep over the bright wall: history is rejected and clipped there in every turn.
 constexpr glm::dvec2 kFirstProbe{0.64, 0.40};
+
+/// "balanced*": the star says that settings were changed since.
+QString settingsName(const Session& session) {
+  return QString::fromStdString(session.presets().presetId()) +
+         (session.presets().isPresetChanged() ? QStringLiteral("*") : QString());
+}
+
+/// What the window is called by: source, settings, size.
+QString titleText(const Session& session) {
+  const Status& status = session.status();
+  if (!session.isOpen()) return settingsName(session);
+  const QString source = QString::fromStdString(status.source);
+  const bool isFile = !status.source.starts_with("builtin:");
+  const QStringList parts{isFile ? QFileInfo(source).fileName() : source, settingsName(session),
+                          QStringLiteral("%1×%2").arg(status.width).arg(status.height)};
+  return parts.join(QStringLiteral(" · "));
+}
 
 } // namespace
 

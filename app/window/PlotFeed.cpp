@@ -6,6 +6,7 @@
 #include "app/panels/TimelinePanel.h"
 #include "app/panels/WeightsPanel.h"
 #include "app/session/Session.h"
+#include "app/style/Text.h"
 #include "app/views/timeline/Timeline.h"
 #include "core/render/CaptureFacts.h"
 
@@ -16,6 +17,36 @@
 #include <vector>
 
 namespace taa::app {
+
+bool MetricSeries::setShotVersion(std::uint64_t shotVersion) {
+  if (shotVersion == shotVersion_) return false;
+  shotVersion_ = shotVersion;
+  known_.clear();
+  return true;
+}
+
+bool MetricSeries::add(const FrameMetrics& metrics) {
+  if (metrics.lane != 0 || !metrics.exact || metrics.shotVersion < shotVersion_) return false;
+  setShotVersion(metrics.shotVersion);
+  // What a delivery leaves out, because nobody asked for it or a reference is missing, stays known.
+  FrameMetrics& known = known_[metrics.frame];
+  for (std::size_t index = 0; index < metrics.values.size(); ++index)
+    if (metrics.values[index]) known.values[index] = metrics.values[index];
+  return true;
+}
+
+TimelineStrip MetricSeries::strip(Metric metric, int frameCount) const {
+  const MetricInfo& info = metricInfo(metric);
+  TimelineStrip strip{
+      qtext(info.label), info.unit.empty() ? QString() : QLatin1Char(' ') + qtext(info.unit), {}};
+  strip.values.resize(static_cast<std::size_t>(frameCount));
+  for (const auto& [frame, metrics] : known_) {
+    const std::optional<double> value = metrics.at(metric);
+    if (frame < frameCount && value && std::isfinite(*value))
+      strip.values[static_cast<std::size_t>(frame)] = value;
+  }
+  return strip;
+}
 
 PlotFeed::PlotFeed(Session& session, const Panels& to) : session_(session), to_(to) {
   connectTraces();
@@ -109,7 +140,7 @@ void PlotFeed::showAlphas() {
       if (start <= series.frame) series.start = std::max(series.start, start);
   if (const int active = session_.probes().active(); active >= 0) {
     const Probe& probe = session_.probes().all()[static_cast<std::size_t>(active)];
-    if (const PixelTrace* trace = to_.plots.store().traceOf(probe))
+    if (const PixelTrace* trace = to_.plots.traceOf(probe))
       series.measured = alphasUpTo(*trace, series.frame, kMaxFramesBack);
     if (const auto pixel = session_.probes().pixel())
       series.place = QStringLiteral("(%1, %2)").arg(pixel->x).arg(pixel->y);

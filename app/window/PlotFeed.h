@@ -2,13 +2,15 @@
 // as long as somebody looks.
 #pragma once
 
-#include "app/models/MetricSeries.h"
+#include "app/models/TimelineStrip.h"
 
+#include "core/measure/Metrics.h"
 #include "core/probe/Probe.h"
 
 #include <QObject>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -24,6 +26,21 @@ class PlotsPanel;
 class Session;
 class TimelinePanel;
 class WeightsPanel;
+
+/// A metric of each frame of the shot, as far as it was measured, as long as it is true.
+class MetricSeries {
+ public:
+  /// Drops all that is known when frames are a function of something else now (Status::shotVersion); true: so
+  /// it was.
+  bool setShotVersion(std::uint64_t shotVersion);
+  /// Takes what is exact, of the first lane; false: nothing of it.
+  bool add(const FrameMetrics& metrics);
+  TimelineStrip strip(Metric metric, int frameCount) const;
+
+ private:
+  std::uint64_t shotVersion_ = 0;
+  std::map<int, FrameMetrics> known_;
+};
 
 class PlotFeed : public QObject {
   Q_OBJECT

@@ -104,7 +104,7 @@ bool Screenshot::areTracesComplete() {
   if (session.work().kind == WorkKind::Traces) sawTracing_ = true;
   if (sawTracing_) return session.work().what.empty();
   return std::ranges::all_of(session.probes().all(), [&](const Probe& probe) {
-    const PixelTrace* trace = plots.store().traceOf(probe);
+    const PixelTrace* trace = plots.traceOf(probe);
     return trace && missingFrames(*trace, first, frame_).empty();
   });
 }

@@ -6,15 +6,16 @@
 #include "core/inspect/ReferenceOfShot.h"
 #include "core/inspect/RowsBefore.h"
 #include "core/measure/Profiler.h"
-#include "core/probe/ProbeRegion.h"
 #include "core/probe/TwinInputs.h"
 #include "core/replay/ShotPlayer.h"
+#include "core/taa/TaaPass.h"
 #include "core/taa/twin/SampleStages.h"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -23,6 +24,32 @@
 namespace taa {
 
 namespace {
+
+// Rows that no resolve gives have no value.
+PixelRecord noValues() {
+  PixelRecord record;
+  record.fill(glm::vec4(std::numeric_limits<float>::quiet_NaN()));
+  return record;
+}
+
+/// All rows that a resolve gives for the pixels of `region`, row-major: the resolve again, on those pixels
+/// only, with all of its inside exposed; rows of the reference are NaN. The region lies inside the picture.
+/// `resolved`: what the resolve made of the same.
+std::vector<PixelRecord> probeRegion(TaaPass& pass, const FrameInputs& inputs, const History* previous,
+                                     const History& resolved, const Settings& settings,
+                                     const gl::Rect& region) {
+  const std::vector<IntermediateId> ids = allRows();
+  ExposedRows exposedRows(ids, region);
+  pass.expose(inputs, previous, resolved, settings, exposedRows);
+  std::vector<PixelRecord> records(static_cast<std::size_t>(region.width) * region.height, noValues());
+  for (IntermediateId id : ids) {
+    const Image image = exposedRows.image(id);
+    for (int y = 0; y < region.height; ++y)
+      for (int x = 0; x < region.width; ++x)
+        twin::at(records[static_cast<std::size_t>(y) * region.width + x], id) = image.texel(x, y);
+  }
+  return records;
+}
 
 /// The drawn texel that a pixel of the picture shows.
 SeenSurface surfaceAt(const FrameInputs& inputs, const glm::ivec2& pixel) {

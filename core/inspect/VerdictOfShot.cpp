@@ -9,13 +9,15 @@
 #include "core/settings/Parameters.h"
 #include "core/verdict/pixel/Cures.h"
 #include "core/verdict/pixel/OlderError.h"
-#include "core/verdict/pixel/ReferenceDoubt.h"
 #include "core/verdict/pixel/VerdictText.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <functional>
 #include <ranges>
 #include <string_view>
 #include <utility>
@@ -49,6 +51,18 @@ void addGhost(VerdictEvidence& evidence, EvidenceFrames& frames) {
   evidence.ghostRecord = frames.record(most->frame, most->ghostPixel);
   const glm::vec4 step = frames.steps(most->frame).texel(most->ghostPixel.x, most->ghostPixel.y);
   if (step.x == step.x) evidence.ghostMotion = glm::dvec2(step.x, step.y);
+}
+
+/// Share of the error by which the part that is most of it leads the next one.
+double leadOfPart(const PixelError& origin) {
+  const glm::dvec3 error = origin.error();
+  const double square = glm::dot(error, error);
+  if (square == 0.0) return 1.0;
+  std::array<double, kErrorParts> shares{};
+  for (std::size_t part = 0; part < kErrorParts; ++part)
+    shares[part] = glm::dot(origin.sum[part], error) / square;
+  std::ranges::sort(shares, std::greater<double>());
+  return shares[0] - shares[1];
 }
 
 bool isSameTruth(const std::vector<SurfaceMoment>& moments) {
@@ -96,6 +110,16 @@ int firstTried(const ShotState& state, int frame, const PixelVerdict& verdict) {
 }
 
 } // namespace
+
+bool isInDoubt(const ReferenceDoubt& doubt, const PixelVerdict& verdict, const PixelError& origin) {
+  const double range = 2.0 * doubt.error;
+  if (range == 0.0) return false;
+  if (std::abs(verdict.error - kVisibleError) < range) return true;
+  if (doubt.isMoving && std::abs(verdict.flicker - kVisibleFlicker) < range) return true;
+  // References of this frame and of one before are in both parts, with opposite signs.
+  const double rangeOfLead = std::sqrt(2.0) * range;
+  return verdict.kind != VerdictKind::None && leadOfPart(origin) * verdict.error < rangeOfLead;
+}
 
 VerdictOfShot::VerdictOfShot(ShotPlayer& player, References& references, const gl::Driver& driver)
     : player_(player), references_(references), driver_(driver) {}

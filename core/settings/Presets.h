@@ -48,6 +48,10 @@ const std::vector<Preset>& wholePresets();
 /// nothing for those of the first group, and for others than the first of theirs.
 const PresetGroup* startedGroup(const Preset& preset);
 
+/// The ladder that a built-in preset is a rung of: what the listings of its source add, one after another, in
+/// its order, with the whole pipelines among its steps; empty: it is of none.
+std::vector<const Preset*> ladderOf(std::string_view id);
+
 /// A built-in preset by id, or a file that ends in ".json". Throws Error naming what there is.
 Preset preset(const std::string& idOrPath);
 

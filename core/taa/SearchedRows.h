@@ -1,7 +1,7 @@
 // By what a search finds the rows of the tables, in the user's language.
 #pragma once
 
-#include "core/base/search/Search.h"
+#include "core/base/Search.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/Intermediates.h"
 

@@ -2,7 +2,6 @@
 #include "app/window/MainWindow.h"
 #include "app/commands/GoToPrompts.h"
 #include "app/dialogs/KeysDialog.h"
-#include "app/dialogs/MessagesDialog.h"
 #include "app/dialogs/ReferenceDialog.h"
 #include "app/menus/CommandLists.h"
 #include "app/panels/MessagesBar.h"
@@ -66,7 +65,7 @@ TEST_F(Window, RemembersWhatItHasSaid) {
   window.messages()->clear();
   window.messages()->showNote("The session was saved.");
   key(Qt::Key_H, Qt::ControlModifier | Qt::AltModifier);
-  const auto* dialog = window.findChild<MessagesDialog*>();
+  const auto* dialog = window.findChild<QDialog*>(QStringLiteral("messages"));
   ASSERT_TRUE(dialog);
   const QStringList lines = dialog->findChild<QPlainTextEdit*>()->toPlainText().split('\n');
   ASSERT_GE(lines.size(), 2);

@@ -1,6 +1,6 @@
 // The reference in the window: keys and menu, what a view says about it, metrics that arrive.
 #include "app/views/ViewArea.h"
-#include "app/views/legend/ReferenceNote.h"
+#include "app/views/ViewSides.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QMenuBar>

@@ -6,7 +6,6 @@
 #include "app/panels/LeftArea.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ScenePanel.h"
-#include "app/views/FlightMath.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "app/widgets/Prompt.h"

@@ -1,5 +1,5 @@
 // Where pixels land that go where their surface is now.
-#include "core/render/ForwardCount.h"
+#include "core/render/passes/SceneRenderer.h"
 
 #include "core/render/FrameInputs.h"
 

@@ -1,5 +1,5 @@
 // Jitter with faults, from the formula of each: what is drawn and what is reported.
-#include "core/render/faults/JitterFaults.h"
+#include "core/render/faults/FaultySource.h"
 
 #include <gtest/gtest.h>
 

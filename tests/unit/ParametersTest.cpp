@@ -3,7 +3,6 @@
 
 #include "core/base/Error.h"
 #include "core/settings/AssignmentWords.h"
-#include "core/settings/Ladders.h"
 #include "core/settings/Presets.h"
 #include "tests/support/ErrorOf.h"
 

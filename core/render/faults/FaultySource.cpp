@@ -26,6 +26,26 @@ bool changesJitter(const FaultSettings& faults) {
          faults.jitterMeanY != 0.0f;
 }
 
+glm::vec2 misreported(JitterFault fault, const glm::vec2& j) {
+  switch (fault) {
+  case JitterFault::NegatedX:
+    return {-j.x, j.y};
+  case JitterFault::NegatedY:
+    return {j.x, -j.y};
+  case JitterFault::Negated:
+    return -j;
+  case JitterFault::Swapped:
+    return {j.y, j.x};
+  case JitterFault::Unreported:
+    return glm::vec2(0.0f);
+  case JitterFault::None:
+  case JitterFault::Late:
+  case JitterFault::Early:
+    break; // right, of this frame or of another
+  }
+  return j;
+}
+
 // Matrices as they would be if the picture were drawn with the jitter that is reported.
 void reportJitter(const glm::vec2& applied, const FaultyJitter& now, const glm::vec2& last,
                   shared::FrameBlock& block) {
@@ -43,6 +63,24 @@ void reportJitter(const glm::vec2& applied, const FaultyJitter& now, const glm::
 
 bool changesInputs(const FaultSettings& faults) {
   return changesJitter(faults) || changesPlanes(faults);
+}
+
+bool isFaultyFrame(const FaultSettings& faults, int frame) {
+  return frame >= faults.firstFrame && frame <= faults.lastFrame;
+}
+
+FaultyJitter faultyJitter(const FaultSettings& faults, const JitterOfFrame& given, int frame, bool isDrawn) {
+  if (!isFaultyFrame(faults, frame)) return {given(frame), given(frame)};
+  const auto drawn = [&](int number) {
+    if (!isDrawn) return given(number);
+    const int place = faults.jitterPeriod > 0 ? number % faults.jitterPeriod : number;
+    return given(place) + glm::vec2(faults.jitterMeanX, faults.jitterMeanY);
+  };
+  int told = frame;
+  if (faults.jitter == JitterFault::Late) told = std::max(frame - 1, 0);
+  if (faults.jitter == JitterFault::Early) told = frame + 1;
+  return {(isDrawn ? faults.jitterApplied : 1.0f) * drawn(frame),
+          faults.jitterReported * misreported(faults.jitter, drawn(told))};
 }
 
 FaultySource::FaultySource(std::unique_ptr<FrameSource> source) : source_(std::move(source)) {

@@ -4,9 +4,11 @@
 
 #include "core/render/FrameSource.h"
 #include "core/render/faults/FaultPass.h"
-#include "core/render/faults/JitterFaults.h"
 #include "core/settings/Settings.h"
 
+#include <glm/vec2.hpp>
+
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -14,6 +16,22 @@ namespace taa {
 
 /// Whether inputs of frames differ from those without faults, somewhere and in some frame.
 bool changesInputs(const FaultSettings& faults);
+
+/// Jitter with faults: displacements of image content, px, x right, y down.
+struct FaultyJitter {
+  glm::vec2 applied{0.0f};  ///< by what the picture is displaced
+  glm::vec2 reported{0.0f}; ///< what the resolve believes
+};
+
+/// Jitter of a frame of the sequence without faults, px; frames from 0 on.
+using JitterOfFrame = std::function<glm::vec2(int frame)>;
+
+/// Whether inputs of the frame are faulty: it lies in the frames that the faults say.
+bool isFaultyFrame(const FaultSettings& faults, int frame);
+
+/// `isDrawn`: the picture is drawn for the request. A capture's is drawn already: of it only what is reported
+/// can be wrong.
+FaultyJitter faultyJitter(const FaultSettings& faults, const JitterOfFrame& given, int frame, bool isDrawn);
 
 /// Frame n stays a pure function: what is taken from earlier frames is drawn anew. Without faults in a
 /// request all is what the source gives.

@@ -2,7 +2,6 @@
 
 #include "core/base/Say.h"
 #include "core/gl/Context.h"
-#include "core/render/ForwardCount.h"
 #include "core/render/FrameClock.h"
 #include "core/render/View.h"
 #include "core/render/passes/CameraMotionPass.h"
@@ -16,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -58,6 +58,20 @@ std::size_t scratchBytes(const InputSettings& settings, const glm::ivec2& pictur
          (scene && castsShadows(*scene, settings) ? ShadowPass::bytes() : 0) +
          (settings.mask == MaskSource::AutoReactive ? color : 0) +
          (isOn(settings.forward) ? inputBytes(forwardInputs(settings), picturePx) : 0);
+}
+
+Image forwardCount(const Image& motionPx) {
+  Image counts(motionPx.width, motionPx.height, 1);
+  for (int y = 0; y < motionPx.height; ++y)
+    for (int x = 0; x < motionPx.width; ++x) {
+      const float* motion = motionPx.at(x, y);
+      const float toX = std::floor(static_cast<float>(x) + 0.5f - motion[0]);
+      const float toY = std::floor(static_cast<float>(y) + 0.5f - motion[1]);
+      const bool isInside = toX >= 0.0f && toY >= 0.0f && toX < static_cast<float>(counts.width) &&
+                            toY < static_cast<float>(counts.height);
+      if (isInside && motion[0] != kNoPreviousPosition) *counts.at(int(toX), int(toY)) += 1.0f;
+    }
+  return counts;
 }
 
 struct SceneRenderer::Impl {

@@ -2,6 +2,7 @@
 // n.
 #pragma once
 
+#include "core/base/Image.h"
 #include "core/base/Progress.h"
 #include "core/render/DrawCounts.h"
 #include "core/render/FrameInputs.h"
@@ -21,6 +22,11 @@ namespace taa {
 /// neither fog nor shadows.
 std::size_t scratchBytes(const InputSettings& settings, const glm::ivec2& picturePx,
                          const Scene* scene = nullptr);
+
+/// How many pixels of the last frame land in each pixel: what forward reprojection would have to fill (manual
+/// §5, source 004). `motionPx`: of the last frame, by what each has moved on since, negated; see
+/// kNoPreviousPosition. Pixels that leave the picture land nowhere.
+Image forwardCount(const Image& motionPx);
 
 /// Owns the scene's GPU resources. Needs the current context for its whole life.
 class SceneRenderer : public FrameSource {

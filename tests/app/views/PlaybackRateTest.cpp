@@ -1,5 +1,5 @@
 // Frames a second while a shot plays.
-#include "app/views/timeline/PlaybackRate.h"
+#include "app/panels/TimelinePanel.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Fields of rows made by hand: what is found, by what, and what is not.
-#include "core/base/search/Search.h"
+#include "core/base/Search.h"
 
 #include "tests/support/ErrorOf.h"
 

@@ -1,7 +1,6 @@
 // Texture fetches by the settings, against counts by hand and against what the twin's result really depends
 // on.
 #include "core/taa/TextureFetches.h"
-#include "core/settings/Ladders.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 #include "tests/support/frames/TwinInputs.h"

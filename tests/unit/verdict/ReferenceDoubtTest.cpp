@@ -1,5 +1,5 @@
 // Which verdicts stand on a reference that is uncertain.
-#include "core/verdict/pixel/ReferenceDoubt.h"
+#include "core/inspect/VerdictOfShot.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Which explanation is told where several fit: by pixels, then by what it gains.
-#include "core/doctor/motion/BroadestTrial.h"
+#include "core/doctor/motion/MotionJudgement.h"
 
 #include <gtest/gtest.h>
 

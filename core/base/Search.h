@@ -2,8 +2,6 @@
 // other names that the glossary knows for it.
 #pragma once
 
-#include "core/base/search/Glossary.h"
-
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,6 +9,21 @@
 #include <vector>
 
 namespace taa {
+
+/// A row of the glossary of the manual: what this program calls a thing, and what the field calls it, too.
+struct GlossaryRow {
+  std::vector<std::string> words;  ///< as it is called here
+  std::vector<std::string> others; ///< as others call it
+
+  bool operator==(const GlossaryRow&) const = default;
+};
+
+/// Of a Markdown table "| word | also | means |", names separated by commas. Throws Error naming the line of
+/// a row that has other columns.
+std::vector<GlossaryRow> readGlossary(std::string_view markdown);
+
+/// That which the program carries: resources/manual/glossary.md.
+const std::vector<GlossaryRow>& glossary();
 
 struct SearchedChoice {
   std::string id, label, text;
