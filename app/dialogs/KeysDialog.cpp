@@ -22,13 +22,13 @@ namespace {
 
 constexpr int kMaxColumns = 3;
 
-struct Group {
+struct KeyGroup {
   QString name;
   std::vector<KeyLine> lines;
   /// In lines, with its name and what is free below.
   int height() const { return static_cast<int>(lines.size()) + 2; }
 };
-using Columns = std::vector<std::vector<Group>>;
+using Columns = std::vector<std::vector<KeyGroup>>;
 
 QFont nameFont() {
   QFont font;
@@ -42,10 +42,10 @@ int keyLineHeight() {
 }
 
 // A menu's keys stay together though its submenus lie between them.
-std::vector<Group> grouped(const std::vector<KeyLine>& lines) {
-  std::vector<Group> groups;
+std::vector<KeyGroup> grouped(const std::vector<KeyLine>& lines) {
+  std::vector<KeyGroup> groups;
   for (const KeyLine& line : lines) {
-    auto group = std::ranges::find(groups, line.group, &Group::name);
+    auto group = std::ranges::find(groups, line.group, &KeyGroup::name);
     if (group == groups.end()) group = groups.insert(groups.end(), {line.group, {}});
     group->lines.push_back(line);
   }
@@ -53,15 +53,15 @@ std::vector<Group> grouped(const std::vector<KeyLine>& lines) {
 }
 
 /// Of the widest keys, so that what they do stands in one line in all groups of a column.
-int keysWidth(const std::vector<Group>& groups) {
+int keysWidth(const std::vector<KeyGroup>& groups) {
   const QFontMetrics metrics(secondaryFont());
   int width = 0;
-  for (const Group& group : groups)
+  for (const KeyGroup& group : groups)
     for (const KeyLine& line : group.lines) width = std::max(width, metrics.horizontalAdvance(line.keys));
   return width;
 }
 
-QWidget* groupWidget(const Group& group, int keysWidth) {
+QWidget* groupWidget(const KeyGroup& group, int keysWidth) {
   auto* widget = new QWidget;
   auto* grid = new QGridLayout(widget);
   grid->setContentsMargins(0, 0, 0, keyLineHeight());
@@ -89,11 +89,11 @@ QWidget* groupWidget(const Group& group, int keysWidth) {
 }
 
 /// In order, in columns of which each takes groups until its share of the lines is reached.
-Columns inColumns(const std::vector<Group>& groups, int count) {
+Columns inColumns(const std::vector<KeyGroup>& groups, int count) {
   int total = 0, used = 0;
-  for (const Group& group : groups) total += group.height();
+  for (const KeyGroup& group : groups) total += group.height();
   Columns columns;
-  for (const Group& group : groups) {
+  for (const KeyGroup& group : groups) {
     const int begun = static_cast<int>(columns.size());
     if (begun == 0 || (begun < count && used >= total * begun / count)) columns.emplace_back();
     columns.back().push_back(group);
@@ -107,10 +107,10 @@ QWidget* pageOf(const Columns& parts) {
   auto* columns = new QHBoxLayout(page);
   columns->setContentsMargins(0, 0, 2 * kUnit, 0);
   columns->setSpacing(8 * kUnit);
-  for (const std::vector<Group>& part : parts) {
+  for (const std::vector<KeyGroup>& part : parts) {
     auto* column = new QVBoxLayout;
     column->setSpacing(0);
-    for (const Group& group : part) column->addWidget(groupWidget(group, keysWidth(part)));
+    for (const KeyGroup& group : part) column->addWidget(groupWidget(group, keysWidth(part)));
     column->addStretch(1);
     columns->addLayout(column);
   }
@@ -118,7 +118,7 @@ QWidget* pageOf(const Columns& parts) {
 }
 
 /// As many columns as lie beside each other in `room` px.
-Columns columnsIn(int room, const std::vector<Group>& groups) {
+Columns columnsIn(int room, const std::vector<KeyGroup>& groups) {
   for (int count = kMaxColumns; count > 1; --count) {
     const Columns columns = inColumns(groups, count);
     const std::unique_ptr<QWidget> page(pageOf(columns));
@@ -130,9 +130,9 @@ Columns columnsIn(int room, const std::vector<Group>& groups) {
 /// px, at most `most`: so high no line is cut, and below no group's name its keys are out of sight.
 int wholeHeight(const Columns& columns, int most) {
   int lines = most / keyLineHeight();
-  const auto endsInName = [&](const std::vector<Group>& column) {
+  const auto endsInName = [&](const std::vector<KeyGroup>& column) {
     int top = 0;
-    for (const Group& group : column) {
+    for (const KeyGroup& group : column) {
       if (top == lines - 1) return true;
       top += group.height();
     }

@@ -32,9 +32,9 @@ std::vector<std::byte> Buffer::download() const {
   return data;
 }
 
-Mesh::Mesh(std::span<const std::byte> vertices, std::size_t stride,
-           std::span<const VertexAttribute> attributes, std::span<const std::uint32_t> indices,
-           PrimitiveKind kind, const std::string& label)
+VertexMesh::VertexMesh(std::span<const std::byte> vertices, std::size_t stride,
+                       std::span<const VertexAttribute> attributes, std::span<const std::uint32_t> indices,
+                       PrimitiveKind kind, const std::string& label)
     : vertices_(vertices.size(), vertices.data(), label + " vertices"),
       indices_(indices.size_bytes(), indices.data(), label + " indices"),
       indexCount_(static_cast<int>(indices.size())), kind_(kind) {

@@ -40,11 +40,12 @@ struct VertexAttribute {
 enum class PrimitiveKind : std::uint8_t { Triangles, Lines, Points };
 
 /// Vertices and 32-bit indices on the GPU, with their layout.
-class Mesh {
+class VertexMesh {
  public:
-  Mesh() = default;
-  Mesh(std::span<const std::byte> vertices, std::size_t stride, std::span<const VertexAttribute> attributes,
-       std::span<const std::uint32_t> indices, PrimitiveKind kind, const std::string& label);
+  VertexMesh() = default;
+  VertexMesh(std::span<const std::byte> vertices, std::size_t stride,
+             std::span<const VertexAttribute> attributes, std::span<const std::uint32_t> indices,
+             PrimitiveKind kind, const std::string& label);
   unsigned vertexArray() const { return vertexArray_; }
   const Buffer& indices() const { return indices_; }
   int indexCount() const { return indexCount_; }

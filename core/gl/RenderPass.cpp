@@ -187,12 +187,12 @@ void RenderPass::drawFullscreen() {
   glBindVertexArray(0);
 }
 
-void RenderPass::draw(const Mesh& mesh, int instances) {
+void RenderPass::draw(const VertexMesh& mesh, int instances) {
   glBindVertexArray(mesh.vertexArray());
   glDrawElementsInstanced(primitiveMode(mesh.kind()), mesh.indexCount(), GL_UNSIGNED_INT, nullptr, instances);
 }
 
-void RenderPass::draw(const Mesh& mesh, const Buffer& indices, std::size_t first, std::size_t count) {
+void RenderPass::draw(const VertexMesh& mesh, const Buffer& indices, std::size_t first, std::size_t count) {
   assert((first + count) * sizeof(std::uint32_t) <= indices.bytes());
   glVertexArrayElementBuffer(mesh.vertexArray(), indices.id());
   glBindVertexArray(mesh.vertexArray());

@@ -76,9 +76,9 @@ class RenderPass {
   /// Replace until something else is said.
   void blending(unsigned attachment, Blending blending);
   void drawFullscreen(); ///< one triangle that covers the target; no attributes
-  void draw(const Mesh& mesh, int instances = 1);
+  void draw(const VertexMesh& mesh, int instances = 1);
   /// With `count` other indices than its own: of 32 bits, those in `indices` from number `first` on.
-  void draw(const Mesh& mesh, const Buffer& indices, std::size_t first, std::size_t count);
+  void draw(const VertexMesh& mesh, const Buffer& indices, std::size_t first, std::size_t count);
 };
 
 /// Texels of the first color target of `from` into that of `to`, which has the same size: numbers stay what

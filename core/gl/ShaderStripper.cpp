@@ -19,13 +19,13 @@ namespace {
 struct NotUnderstood {};
 
 /// Tokens [begin, end).
-struct Span {
+struct TokenRange {
   std::size_t begin = 0, end = 0;
 };
 
 /// A declaration outside of functions.
-struct Item {
-  Span span;
+struct Declaration {
+  TokenRange span;
   std::string_view name; ///< empty: kept always
 };
 
@@ -43,7 +43,7 @@ class Stripper {
     if (index >= tokens_.size()) throw NotUnderstood{};
     return tokens_[index].text;
   }
-  void drop(Span span) {
+  void drop(TokenRange span) {
     for (std::size_t index = span.begin; index < span.end; ++index)
       if (!tokens_[index].isDirective) tokens_[index].isKept = false;
   }
@@ -51,22 +51,22 @@ class Stripper {
   std::size_t endOf(std::size_t begin, std::string_view mark) const;
   std::size_t statementEnd(std::size_t begin) const;
 
-  std::optional<int> value(Span span) const;
-  std::optional<int> joined(Span span, std::string_view by) const;
-  std::optional<int> compared(Span span) const;
+  std::optional<int> value(TokenRange span) const;
+  std::optional<int> joined(TokenRange span, std::string_view by) const;
+  std::optional<int> compared(TokenRange span) const;
 
   void readItems();
-  Item readItem(std::size_t begin);
+  Declaration readItem(std::size_t begin);
   bool readBlock(std::size_t open);
   bool readStatement(std::size_t begin);
   bool readIf(std::size_t begin);
-  void readExpression(Span span);
-  void readChoice(Span span, std::size_t mark);
+  void readExpression(TokenRange span);
+  void readChoice(TokenRange span, std::size_t mark);
   void dropUnused();
 
   ShaderTokens& source_;
   std::vector<ShaderToken>& tokens_;
-  std::vector<Item> items_;
+  std::vector<Declaration> items_;
   std::map<std::string_view, int> constants_;
 };
 
@@ -101,18 +101,18 @@ std::size_t Stripper::statementEnd(std::size_t begin) const {
 }
 
 // What the constants make of an expression of them; nothing where it depends on more.
-std::optional<int> Stripper::value(Span span) const {
+std::optional<int> Stripper::value(TokenRange span) const {
   return joined(span, "||");
 }
 
 // Parts joined by || or &&: from the left, because what is evaluated first may change something.
-std::optional<int> Stripper::joined(Span span, std::string_view by) const {
+std::optional<int> Stripper::joined(TokenRange span, std::string_view by) const {
   const bool decides = by == "||";
   std::size_t begin = span.begin;
   for (std::size_t index = begin; index <= span.end; ++index) {
     if (index < span.end && at(index) == "(") index = closing(index);
     if (index < span.end && at(index) != by) continue;
-    const Span part{begin, std::min(index, span.end)};
+    const TokenRange part{begin, std::min(index, span.end)};
     const std::optional<int> value = decides ? joined(part, "&&") : compared(part);
     const bool isOnly = begin == span.begin && index >= span.end;
     if (!value || isOnly || (*value != 0) == decides) return value;
@@ -121,7 +121,7 @@ std::optional<int> Stripper::joined(Span span, std::string_view by) const {
   return decides ? 0 : 1;
 }
 
-std::optional<int> Stripper::compared(Span span) const {
+std::optional<int> Stripper::compared(TokenRange span) const {
   for (std::size_t index = span.begin; index < span.end; ++index) {
     if (at(index) == "(") index = closing(index);
     if (at(index) != "==" && at(index) != "!=") continue;
@@ -146,7 +146,7 @@ std::optional<int> Stripper::compared(Span span) const {
   return number;
 }
 
-Item Stripper::readItem(std::size_t begin) {
+Declaration Stripper::readItem(std::size_t begin) {
   const auto isEnd = [&](std::size_t index) { return at(index) == ";" || at(index) == "{"; };
   std::size_t end = begin;
   while (!isEnd(end)) end = at(end) == "(" ? closing(end) + 1 : end + 1;
@@ -155,7 +155,7 @@ Item Stripper::readItem(std::size_t begin) {
     readBlock(end);
     return {{begin, closing(end) + 1}, at(open - 1)};
   }
-  const Span span{begin, endOf(begin, ";") + 1};
+  const TokenRange span{begin, endOf(begin, ";") + 1};
   if (at(begin) != "const" || endOf(begin, ";") < begin + 4) return {span, {}};
   const std::string_view type = at(begin + 1), name = at(begin + 2);
   if ((type == "int" || type == "bool") && at(begin + 3) == "=")
@@ -228,7 +228,7 @@ bool Stripper::readIf(std::size_t begin) {
   return false;
 }
 
-void Stripper::readExpression(Span span) {
+void Stripper::readExpression(TokenRange span) {
   for (std::size_t index = span.begin; index < span.end; ++index) {
     if (!tokens_[index].isKept) continue;
     const std::string_view token = at(index);
@@ -239,7 +239,7 @@ void Stripper::readExpression(Span span) {
 }
 
 // `condition ? one : other` with its ? at `mark`.
-void Stripper::readChoice(Span span, std::size_t mark) {
+void Stripper::readChoice(TokenRange span, std::size_t mark) {
   static constexpr std::string_view kBefore = "=(,;{?:";
   std::size_t begin = mark;
   for (int depth = 0; begin > span.begin; --begin) {
@@ -262,21 +262,21 @@ void Stripper::readChoice(Span span, std::size_t mark) {
   };
   for (int inner = 0; end < span.end && !isEnd(inner); end = at(end) == "(" ? closing(end) + 1 : end + 1)
     inner += at(end) == "?" ? 1 : at(end) == ":" ? -1 : 0;
-  drop(*decided ? Span{begin, mark + 1} : Span{begin, colon + 1});
+  drop(*decided ? TokenRange{begin, mark + 1} : TokenRange{begin, colon + 1});
   if (*decided) drop({colon, end});
 }
 
 void Stripper::dropUnused() {
-  std::multimap<std::string_view, const Item*> named;
-  std::vector<const Item*> open;
-  for (const Item& item : items_) {
+  std::multimap<std::string_view, const Declaration*> named;
+  std::vector<const Declaration*> open;
+  for (const Declaration& item : items_) {
     if (item.name.empty() || item.name == "main" || source_.inMacros.contains(item.name))
       open.push_back(&item);
     else
       named.emplace(item.name, &item);
   }
   while (!open.empty()) {
-    const Span span = open.back()->span;
+    const TokenRange span = open.back()->span;
     open.pop_back();
     for (std::size_t index = span.begin; index < span.end; ++index) {
       if (!tokens_[index].isKept) continue;

@@ -35,7 +35,7 @@ constexpr std::size_t kMaxLessonViews = 4, kMaxLessonProbes = 4, kMaxLessonRows 
 constexpr double kMaxLessonZoom = 256.0;
 
 /// What a line of a header is about.
-struct KeyLine {
+struct HeaderLine {
   LessonState& state;
   std::string_view value;
   const std::string& folder;
@@ -52,7 +52,7 @@ const Preset& lessonPreset(std::string_view id) {
 }
 
 /// A built-in scene there is, or a file below the lesson's folder.
-std::string sourceOf(const KeyLine& line) {
+std::string sourceOf(const HeaderLine& line) {
   const std::string source(line.value);
   if (isBuiltinScene(source)) {
     std::vector<std::string> names;
@@ -67,7 +67,7 @@ std::string sourceOf(const KeyLine& line) {
   return requireRegularBelow(line.folder, source).string();
 }
 
-void setScene(const KeyLine& line) {
+void setScene(const HeaderLine& line) {
   LessonState& state = line.state;
   SessionFile shot;
   shot.source = sourceOf(line);
@@ -80,14 +80,14 @@ void setScene(const KeyLine& line) {
   state.look.reset();
 }
 
-void setSize(const KeyLine& line) {
+void setSize(const HeaderLine& line) {
   const std::size_t by = std::min(line.value.find('x'), line.value.size());
   line.state.shot.size = {wholeNumberFrom(line.value.substr(0, by), kMinLessonSide, kMaxLessonSide),
                           wholeNumberFrom(line.value.substr(std::min(by + 1, line.value.size())),
                                           kMinLessonSide, kMaxLessonSide)};
 }
 
-void setPreset(const KeyLine& line) {
+void setPreset(const HeaderLine& line) {
   const Preset& preset = lessonPreset(line.value);
   line.state.shot.settings = {preset.id, preset.settings, preset.settings};
   line.state.stages.clear();
@@ -103,13 +103,13 @@ void assignWords(Settings& settings, std::string_view words) {
   for (const std::string_view assignment : wordsOf(words)) applyAssignment(settings, assignment);
 }
 
-void setSettings(const KeyLine& line) {
+void setSettings(const HeaderLine& line) {
   assignWords(line.state.shot.settings.settings, line.value);
   for (const std::string_view assignment : wordsOf(line.value))
     showStage(line.state, parameter(assignment.substr(0, assignment.find('='))).stage);
 }
 
-void addStage(const KeyLine& line) {
+void addStage(const HeaderLine& line) {
   std::vector<std::string_view> known;
   for (const StageInfo& info : kStages) known.push_back(info.id);
   requireName(line.value, known, say<"stage">());
@@ -118,7 +118,7 @@ void addStage(const KeyLine& line) {
 
 /// "16 like=unreal preset=balanced fault=motionNegated reference=16": in this order, all but the frames may
 /// be left out. The state's own settings are those that resolve them.
-void setRecording(const KeyLine& line) {
+void setRecording(const HeaderLine& line) {
   const std::vector<std::string_view> words = wordsOf(line.value);
   LessonRecording recording{.frames = wholeNumberFrom(words.front(), 1, kMaxRecordedFrames)};
   recording.settings = builtinPresets().front().settings;
@@ -140,7 +140,7 @@ void setRecording(const KeyLine& line) {
 
 /// "20 0.5,1.4,4 -3,0": frame, position, yaw and pitch. Poses between two that are said lie evenly between
 /// them; before the first and after the last the camera rests.
-void addPose(const KeyLine& line) {
+void addPose(const HeaderLine& line) {
   const std::vector<std::string_view> words = wordsOf(line.value);
   if (words.size() != 3) throw Error(say<"expected FRAME X,Y,Z YAW,PITCH">());
   const int frame = wholeNumberFrom(words[0], 0, kMaxPoseFrame);
@@ -163,7 +163,7 @@ void addPose(const KeyLine& line) {
 }
 
 /// "clip = this rectify.method=clip": a preset, or "this" for the state's own settings, and what differs.
-void addLessonLane(const KeyLine& line) {
+void addLessonLane(const HeaderLine& line) {
   const std::size_t equals = line.value.find('=');
   if (equals == line.value.npos)
     throw Error(say<"a lane is NAME = PRESET path=value …, or NAME = this path=value …">());
@@ -180,7 +180,7 @@ void addLessonLane(const KeyLine& line) {
 }
 
 /// "resolved compare=preset:off shows=wipe exposure=1"
-void addView(const KeyLine& line) {
+void addView(const HeaderLine& line) {
   const std::vector<std::string_view> words = wordsOf(line.value);
   if (words.empty()) throw Error(say<"a view is the name of an intermediate">());
   if (line.state.views.size() >= kMaxLessonViews)
@@ -201,13 +201,13 @@ void addView(const KeyLine& line) {
   line.state.views.push_back(std::move(view));
 }
 
-void addProbe(const KeyLine& line) {
+void addProbe(const HeaderLine& line) {
   if (line.state.probes.size() >= kMaxLessonProbes)
     throw Error(say<"there are at most %1 probes">(kMaxLessonProbes));
   line.state.probes.push_back(pixelFrom(line.value));
 }
 
-void setPlots(const KeyLine& line) {
+void setPlots(const HeaderLine& line) {
   for (const std::string_view name : wordsOf(line.value)) {
     if (line.state.plots.size() >= kMaxLessonRows)
       throw Error(say<"there are at most %1 plots">(kMaxLessonRows));
@@ -215,7 +215,7 @@ void setPlots(const KeyLine& line) {
   }
 }
 
-void setValues(const KeyLine& line) {
+void setValues(const HeaderLine& line) {
   for (const std::string_view name : wordsOf(line.value)) {
     if (line.state.values.size() >= kMaxLessonRows)
       throw Error(say<"there are at most %1 values">(kMaxLessonRows));
@@ -224,7 +224,7 @@ void setValues(const KeyLine& line) {
 }
 
 /// "120,60 zoom 8"
-void setLook(const KeyLine& line) {
+void setLook(const HeaderLine& line) {
   const std::vector<std::string_view> words = wordsOf(line.value);
   if (words.size() != 3 || words[1] != "zoom") throw Error(say<"expected X,Y zoom Z, or fit">());
   const double zoom = numberFrom(words[2]);
@@ -233,14 +233,14 @@ void setLook(const KeyLine& line) {
   line.state.look = LessonLook{pixelFrom(words[0]), zoom};
 }
 
-void addRestart(const KeyLine& line) {
+void addRestart(const HeaderLine& line) {
   if (line.state.shot.restarts.size() >= kMaxLessonRows)
     throw Error(say<"there are at most %1 restarts">(kMaxLessonRows));
   line.state.shot.restarts.push_back(wholeNumberFrom(line.value, 0, kMaxLessonFrame));
 }
 
 /// Of a fixed list; "none" is empty.
-std::string listedName(const KeyLine& line, std::span<const std::string_view> known,
+std::string listedName(const HeaderLine& line, std::span<const std::string_view> known,
                        const std::string& what) {
   if (line.value == "none") return {};
   requireName(line.value, known, what);
@@ -253,31 +253,31 @@ constexpr std::array<std::string_view, 2> kOnOff{"on", "off"};
 
 struct LessonKey {
   std::string_view key;
-  void (*apply)(const KeyLine& line);
+  void (*apply)(const HeaderLine& line);
 };
 
 constexpr LessonKey kLessonKeys[] = {
     {"scene", setScene},
     {"camera",
-     [](const KeyLine& line) {
+     [](const HeaderLine& line) {
        line.state.shot.camera = std::string(line.value);
        line.state.shot.track.reset();
      }},
     {"pose", addPose},
     {"record", setRecording},
     {"length",
-     [](const KeyLine& line) {
+     [](const HeaderLine& line) {
        line.state.shot.choice.frames = wholeNumberFrom(line.value, 1, kMaxShotFrames);
      }},
     {"frame",
-     [](const KeyLine& line) { line.state.shot.frame = wholeNumberFrom(line.value, 0, kMaxLessonFrame); }},
+     [](const HeaderLine& line) { line.state.shot.frame = wholeNumberFrom(line.value, 0, kMaxLessonFrame); }},
     {"size", setSize},
     {"preset", setPreset},
     {"set", setSettings},
     {"stage", addStage},
     {"fault",
-     [](const KeyLine& line) { inject(faultInfo(line.value).fault, line.state.shot.settings.settings); }},
-    {"hide", [](const KeyLine& line) { line.state.shot.filter.hidden.emplace_back(line.value); }},
+     [](const HeaderLine& line) { inject(faultInfo(line.value).fault, line.state.shot.settings.settings); }},
+    {"hide", [](const HeaderLine& line) { line.state.shot.filter.hidden.emplace_back(line.value); }},
     {"restart", addRestart},
     {"lane", addLessonLane},
     {"view", addView},
@@ -285,17 +285,17 @@ constexpr LessonKey kLessonKeys[] = {
     {"plots", setPlots},
     {"values", setValues},
     {"look", setLook},
-    {"page", [](const KeyLine& line) { line.state.page = listedName(line, kLessonPages, say<"page">()); }},
-    {"tab", [](const KeyLine& line) { line.state.tab = listedName(line, kLessonTabs, say<"tab">()); }},
+    {"page", [](const HeaderLine& line) { line.state.page = listedName(line, kLessonPages, say<"page">()); }},
+    {"tab", [](const HeaderLine& line) { line.state.tab = listedName(line, kLessonTabs, say<"tab">()); }},
     {"highlight",
-     [](const KeyLine& line) { line.state.highlight = listedName(line, kLessonParts, say<"part">()); }},
+     [](const HeaderLine& line) { line.state.highlight = listedName(line, kLessonParts, say<"part">()); }},
     {"play",
-     [](const KeyLine& line) {
+     [](const HeaderLine& line) {
        requireName(line.value, kOnOff, say<"switch">());
        line.state.plays = line.value == "on";
      }},
     {"samples",
-     [](const KeyLine& line) {
+     [](const HeaderLine& line) {
        line.state.samples = wholeNumberFrom(line.value, kMinReferenceSamples, kMaxReferenceSamples);
      }},
 };

@@ -14,15 +14,15 @@ namespace taa {
 namespace {
 
 /// A row, and the value that says that its stage left a pixel as it was.
-struct Row {
+struct ShareRow {
   IntermediateId id;
   float untouched;
 };
 
 constexpr std::array kStageRows{
-    Row{IntermediateId::onScreen, 1.0f},     Row{IntermediateId::clipAmount, 0.0f},
-    Row{IntermediateId::rejectReason, 0.0f}, Row{IntermediateId::sharpenDetail, 0.0f},
-    Row{IntermediateId::blurTrust, 1.0f},    Row{IntermediateId::overlayAlpha, 0.0f}};
+    ShareRow{IntermediateId::onScreen, 1.0f},     ShareRow{IntermediateId::clipAmount, 0.0f},
+    ShareRow{IntermediateId::rejectReason, 0.0f}, ShareRow{IntermediateId::sharpenDetail, 0.0f},
+    ShareRow{IntermediateId::blurTrust, 1.0f},    ShareRow{IntermediateId::overlayAlpha, 0.0f}};
 
 /// On a surface that leans all pixels follow a neighbor, with the same motion: only another one is a change.
 constexpr std::array kMotions{IntermediateId::motion, IntermediateId::dilatedMotion};
@@ -40,7 +40,7 @@ double shareOfOtherMotion(const Image& motion, const Image& dilated, float rende
 }
 
 /// The overlay is an input, but it is Output that lays it over the picture.
-Stage stageOf(const Row& row) {
+Stage stageOf(const ShareRow& row) {
   return row.id == IntermediateId::overlayAlpha ? Stage::Output : intermediate(row.id).stage;
 }
 
@@ -49,7 +49,7 @@ Stage stageOf(const Row& row) {
 const std::vector<IntermediateId>& shareRows() {
   static const std::vector<IntermediateId> ids = [] {
     std::vector<IntermediateId> list(kMotions.begin(), kMotions.end());
-    for (const Row& row : kStageRows) list.push_back(row.id);
+    for (const ShareRow& row : kStageRows) list.push_back(row.id);
     return list;
   }();
   return ids;

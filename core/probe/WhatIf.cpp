@@ -12,17 +12,17 @@ namespace taa {
 
 namespace {
 
-struct Group {
+struct ParameterOfGroup {
   WhatIfGroup group;
   std::string_view label, path; ///< path: of the parameter; empty for presets
 };
 
-constexpr std::array<Group, 4> kGroups{{{WhatIfGroup::Rectify, "Rectification", "rectify.method"},
-                                        {WhatIfGroup::Box, "Box", "neighborhood.box"},
-                                        {WhatIfGroup::Filter, "History filter", "history.filter"},
-                                        {WhatIfGroup::Preset, "Preset", ""}}};
+constexpr std::array<ParameterOfGroup, 4> kGroups{{{WhatIfGroup::Rectify, "Rectification", "rectify.method"},
+                                                   {WhatIfGroup::Box, "Box", "neighborhood.box"},
+                                                   {WhatIfGroup::Filter, "History filter", "history.filter"},
+                                                   {WhatIfGroup::Preset, "Preset", ""}}};
 
-void addChoices(const Group& group, const Settings& settings, std::vector<Variant>& variants) {
+void addChoices(const ParameterOfGroup& group, const Settings& settings, std::vector<Variant>& variants) {
   const Parameter& row = parameter(group.path);
   for (std::size_t choice = 0; choice < row.choices.size(); ++choice) {
     const auto value = static_cast<double>(choice);
@@ -62,7 +62,7 @@ std::string_view whatIfGroupLabel(WhatIfGroup group) {
 
 std::vector<Variant> variantsOf(const Settings& settings) {
   std::vector<Variant> variants;
-  for (const Group& group : kGroups)
+  for (const ParameterOfGroup& group : kGroups)
     if (!group.path.empty()) addChoices(group, settings, variants);
   for (const Preset& preset : wholePresets()) {
     if (!isTaaOn(preset.settings)) continue; // that is another frame, which is not jittered

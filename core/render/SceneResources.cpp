@@ -148,11 +148,11 @@ void SceneResources::uploadMeshes(const Scene& scene, const Progress& progress) 
       deformations_[index].push_back(
           {influenceBuffer(primitive), deltaBuffer(primitive), cacheBuffer(primitive)});
       const bool isEmpty = primitive.vertices.empty() || primitive.indices.empty();
-      meshes_[index].push_back(isEmpty ? gl::Mesh()
-                                       : gl::Mesh(std::as_bytes(std::span(primitive.vertices)),
-                                                  sizeof(Vertex), kAttributes, primitive.indices,
-                                                  primitiveKind(primitive.topology),
-                                                  "mesh: " + shownText(scene.meshes[index].name)));
+      meshes_[index].push_back(isEmpty ? gl::VertexMesh()
+                                       : gl::VertexMesh(std::as_bytes(std::span(primitive.vertices)),
+                                                        sizeof(Vertex), kAttributes, primitive.indices,
+                                                        primitiveKind(primitive.topology),
+                                                        "mesh: " + shownText(scene.meshes[index].name)));
     }
   }
 }

@@ -28,7 +28,7 @@ class SceneResources {
   /// Throws Error when the driver has not the memory, Cancelled when `progress` says so.
   SceneResources(const Scene& scene, const Progress& progress);
 
-  const gl::Mesh& mesh(int mesh, int primitive) const {
+  const gl::VertexMesh& mesh(int mesh, int primitive) const {
     return meshes_[static_cast<std::size_t>(mesh)][static_cast<std::size_t>(primitive)];
   }
   /// Binds what deforms a primitive's vertices, for those that have such.
@@ -51,7 +51,7 @@ class SceneResources {
     gl::Buffer influences, deltas, cache;
   };
 
-  std::vector<std::vector<gl::Mesh>> meshes_;
+  std::vector<std::vector<gl::VertexMesh>> meshes_;
   std::vector<std::vector<Deformation>> deformations_;
   std::map<std::pair<int, bool>, gl::Texture>
       textures_; ///< by image and whether it is sRGB; stable addresses

@@ -17,9 +17,9 @@ namespace taa {
 
 namespace {
 
-class Line {
+class FlagText {
  public:
-  explicit Line(std::string start) : text_(std::move(start)) {}
+  explicit FlagText(std::string start) : text_(std::move(start)) {}
   void add(const char* flag, const std::string& value) {
     text_ += std::string(" ") + flag + " " + shellQuoted(value);
   }
@@ -34,7 +34,7 @@ bool isRefused(const std::string& assignment, const CaptureFacts* capture) {
   return capture && isFixedBy(*capture, parameter(assignment.substr(0, assignment.find('='))));
 }
 
-void addShot(Line& line, const SessionFile& session, const CaptureFacts* capture,
+void addShot(FlagText& line, const SessionFile& session, const CaptureFacts* capture,
              const std::string& cameraFile) {
   line.add("--size", std::to_string(session.size.x) + "x" + std::to_string(session.size.y));
   if (needsCameraFile(session))
@@ -63,7 +63,7 @@ void addShot(Line& line, const SessionFile& session, const CaptureFacts* capture
   line.add("--frames", std::to_string(session.frame));
 }
 
-void addComparison(Line& line, const CommandView& view) {
+void addComparison(FlagText& line, const CommandView& view) {
   if (!view.comparison || view.showing == Showing::First) return;
   line.add("--compare", comparisonText(view.comparison));
   line.add("--compare-as", std::string(showingName(view.showing)));
@@ -93,7 +93,7 @@ bool needsCameraFile(const SessionFile& session) {
 
 std::string renderCommand(const SessionFile& session, const CommandView& view,
                           const std::string& cameraFile) {
-  Line line("taa-batch render " + shellQuoted(session.source));
+  FlagText line("taa-batch render " + shellQuoted(session.source));
   addShot(line, session, view.capture.get(), cameraFile);
   const Intermediate& row = intermediate(view.id);
   line.add("--emit", std::string(row.name));

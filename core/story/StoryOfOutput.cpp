@@ -121,7 +121,7 @@ RowStory smoothStory(const Teller& t) {
     if (output.sharpen != Sharpen::None) return sharpStory(t);
     return {say<"the resolved color as it is">(), t.equals(t.tuple(Id::resolved), Id::output), ""};
   }
-  const twin::Shown& shown = t.details().shown;
+  const twin::ShownColor& shown = t.details().shown;
   std::string words =
       output.sharpen == Sharpen::None ? say<"the resolved color">() : say<"the sharpened color">();
   std::string text = t.tuple(shown.sharp);
@@ -141,7 +141,7 @@ RowStory smoothStory(const Teller& t) {
 RowStory shownStory(const Teller& t) {
   RowStory story = smoothStory(t);
   if (!isOn(t.settings().output.dither)) return story;
-  const twin::Shown& shown = t.details().shown;
+  const twin::ShownColor& shown = t.details().shown;
   const std::string root = "√(" + t.number(shown.smooth.x) + ") + " + t.number(shown.noise);
   return {say<"%1, and noise of a step of 8 bits for the screen">(story.words),
           call("max", {root, "0"}) + "^2 = " + t.number(t.color(Id::output).x), "R"};

@@ -62,14 +62,14 @@ RowStory reprojectStory(Id id, const Teller& t) {
 }
 
 /// Y or red of samples, and what each counts for the moments.
-struct Set {
+struct WeightedSamples {
   std::vector<float> values, weights;
   bool isEqual = true;
 };
 
-Set setOf(const Teller& t, const std::vector<twin::NeighborhoodSample>& members) {
+WeightedSamples setOf(const Teller& t, const std::vector<twin::NeighborhoodSample>& members) {
   const MomentWeights kind = t.settings().neighborhood.weights;
-  Set set;
+  WeightedSamples set;
   set.isEqual = kind == MomentWeights::Equal;
   for (const twin::NeighborhoodSample& member : members) {
     set.values.push_back(t.box(member.color).x);
@@ -79,14 +79,14 @@ Set setOf(const Teller& t, const std::vector<twin::NeighborhoodSample>& members)
 }
 
 /// The cross, which rounding looks at besides.
-Set crossOf(const Teller& t) {
+WeightedSamples crossOf(const Teller& t) {
   std::vector<twin::NeighborhoodSample> cross;
   for (const std::size_t k : {1u, 3u, 4u, 5u, 7u})
     cross.push_back({t.details().neighborhood.colors[k], k == 4 ? 0u : 1u});
   return setOf(t, cross);
 }
 
-float meanOf(const Set& set) {
+float meanOf(const WeightedSamples& set) {
   double sum = 0, total = 0;
   for (std::size_t k = 0; k < set.values.size(); ++k) {
     sum += static_cast<double>(set.weights[k]) * static_cast<double>(set.values[k]);
@@ -102,12 +102,12 @@ std::string list(const Teller& t, const std::vector<float>& values, const char* 
   return text;
 }
 
-std::string meanText(const Teller& t, const Set& set) {
+std::string meanText(const Teller& t, const WeightedSamples& set) {
   if (!set.isEqual) return weightedMean(t, set.weights, set.values);
   return "(" + list(t, set.values, " + ") + ") / " + std::to_string(set.values.size());
 }
 
-std::string deviationText(const Teller& t, const Set& set) {
+std::string deviationText(const Teller& t, const WeightedSamples& set) {
   const std::string mean = t.number(static_cast<double>(meanOf(set)));
   std::string sum, total;
   for (std::size_t k = 0; k < set.values.size(); ++k) {
@@ -164,7 +164,7 @@ std::string tapWords(Id id, const std::string& reach) {
 }
 
 RowStory momentStory(Id id, const Teller& t) {
-  const Set set = setOf(t, t.details().neighborhood.members), five = crossOf(t);
+  const WeightedSamples set = setOf(t, t.details().neighborhood.members), five = crossOf(t);
   const bool isRounded = t.settings().neighborhood.shape == NeighborhoodShape::Rounded;
   const auto rounded = [&](const std::string& all, const std::string& cross) {
     return isRounded ? "(" + all + " + " + cross + ") / 2" : all;
@@ -177,7 +177,9 @@ RowStory momentStory(Id id, const Teller& t) {
     return {words, rounded(meanText(t, set), meanText(t, five)) + first(id), t.channelName(0)};
   if (id == Id::neighborhoodDeviation) return {words, deviationText(t, set) + first(id), t.channelName(0)};
   const std::string function = id == Id::neighborhoodMin ? "min" : "max";
-  const auto extreme = [&](const Set& of) { return function + "(" + list(t, of.values, ", ") + ")"; };
+  const auto extreme = [&](const WeightedSamples& of) {
+    return function + "(" + list(t, of.values, ", ") + ")";
+  };
   return {words, rounded(extreme(set), extreme(five)) + first(id), t.channelName(0)};
 }
 

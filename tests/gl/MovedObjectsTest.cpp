@@ -15,12 +15,12 @@ using taa::gl::Buffer;
 using taa::gl::Framebuffer;
 using taa::gl::Handle;
 using taa::gl::isObject;
-using taa::gl::Mesh;
 using taa::gl::ObjectKind;
 using taa::gl::Program;
 using taa::gl::Sampler;
 using taa::gl::ShaderSource;
 using taa::gl::Texture;
+using taa::gl::VertexMesh;
 
 namespace {
 
@@ -28,7 +28,7 @@ Texture texture() {
   return {{4, 2}, taa::gl::Format::RGBA8, "moved"};
 }
 
-Mesh triangle() {
+VertexMesh triangle() {
   const std::array<float, 9> vertices{0, 0, 0, 1, 0, 0, 0, 1, 0};
   const std::array<taa::gl::VertexAttribute, 1> attributes{};
   const std::array<std::uint32_t, 3> indices{0, 1, 2};
@@ -40,7 +40,7 @@ Mesh triangle() {
           "moved"};
 }
 
-unsigned idOf(const Mesh& mesh) {
+unsigned idOf(const VertexMesh& mesh) {
   return mesh.vertexArray();
 }
 template <class T>
@@ -91,8 +91,8 @@ TEST_F(MovedObjects, Buffers) {
 
 TEST_F(MovedObjects, Meshes) {
   expectTheRule(ObjectKind::VertexArray, triangle);
-  Mesh mesh = triangle();
-  const Mesh taken = std::move(mesh);
+  VertexMesh mesh = triangle();
+  const VertexMesh taken = std::move(mesh);
   EXPECT_EQ(mesh.indexCount(), 0);
   EXPECT_EQ(mesh.bytes(), 0u);
   EXPECT_EQ(taken.indexCount(), 3);

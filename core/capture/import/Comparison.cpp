@@ -79,7 +79,7 @@ struct RegionSums {
 };
 
 void compareRegions(const Outcome& best, const Outcome& second, const std::vector<std::size_t>& pixels,
-                    const std::vector<std::uint32_t>& regions, Comparison& out) {
+                    const std::vector<std::uint32_t>& regions, TrialComparison& out) {
   std::vector<RegionSums> sums(regions.empty() ? 0 : regions.back() + kRegionColumns * kRegionRows);
   for (const std::size_t i : pixels) {
     if (glm::distance(best.places[i], second.places[i]) <= kSamePlace) continue;
@@ -100,22 +100,22 @@ void compareRegions(const Outcome& best, const Outcome& second, const std::vecto
 
 } // namespace
 
-bool Comparison::hasRegions() const {
+bool TrialComparison::hasRegions() const {
   return regions >= kClearRegions;
 }
 
-bool Comparison::isClear() const {
+bool TrialComparison::isClear() const {
   return gain >= kSameResidual && factor >= kClearFactor && share >= kClearShare && hasRegions();
 }
 
-Comparison compare(FrameSamples& samples, const std::vector<Trial>& trials) {
+TrialComparison compare(FrameSamples& samples, const std::vector<Trial>& trials) {
   std::vector<Outcome> outcomes;
   for (const Trial& trial : trials) outcomes.push_back(outcomeOf(samples, trial));
   return compare(samples, outcomes);
 }
 
-Comparison compare(const FrameSamples& samples, const std::vector<Outcome>& outcomes) {
-  Comparison out;
+TrialComparison compare(const FrameSamples& samples, const std::vector<Outcome>& outcomes) {
+  TrialComparison out;
   out.residuals.assign(outcomes.size(), kImpossible);
   const std::vector<std::uint32_t> regions = regionsOf(samples);
   std::vector<std::size_t> pixels;
@@ -157,7 +157,7 @@ double roughResidual(FrameSamples& samples, const TestState& state) {
   return count == 0 ? kImpossible : 1000.0 * sum / static_cast<double>(count);
 }
 
-std::string reasonOf(const Comparison& comparison) {
+std::string reasonOf(const TrialComparison& comparison) {
   if (comparison.possible < 2)
     return comparison.possible == 0 ? say<"no answer agrees with the matrices">()
                                     : say<"the other answers do not agree with the matrices">();

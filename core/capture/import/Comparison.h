@@ -21,7 +21,7 @@ struct Trial {
 };
 
 /// What pixels say of trials, in their order.
-struct Comparison {
+struct TrialComparison {
   std::vector<double> residuals; ///< infinite: the capture contradicts it
   std::size_t best = 0;
   std::size_t possible = 0; ///< trials that the capture does not contradict
@@ -38,7 +38,7 @@ struct Comparison {
   bool isClear() const;
 };
 
-Comparison compare(FrameSamples& samples, const std::vector<Trial>& trials);
+TrialComparison compare(FrameSamples& samples, const std::vector<Trial>& trials);
 
 /// What one trial makes of the pixels of all pairs, pair by pair.
 struct Outcome {
@@ -53,13 +53,13 @@ struct Outcome {
 };
 
 /// Of outcomes by whatever error; pixels that one of them does not know count for none.
-Comparison compare(const FrameSamples& samples, const std::vector<Outcome>& outcomes);
+TrialComparison compare(const FrameSamples& samples, const std::vector<Outcome>& outcomes);
 
 /// The mean of |luma − luma of the frame before| × 1000 over every n-th pixel of the sample; infinite where
 /// conventions contradict the capture. Faster than compare(), for many states.
 double roughResidual(FrameSamples& samples, const TestState& state);
 
 /// A sentence: what makes a comparison clear or not.
-std::string reasonOf(const Comparison& comparison);
+std::string reasonOf(const TrialComparison& comparison);
 
 } // namespace taa::capture

@@ -114,7 +114,7 @@ std::optional<DepthAnswers> depthAnswers(FrameSamples& samples, const TestState&
   return out;
 }
 
-std::string depthReason(const DepthAnswers& answers, bool fits, const Comparison& comparison) {
+std::string depthReason(const DepthAnswers& answers, bool fits, const TrialComparison& comparison) {
   if (answers.told > 0 && !fits)
     return say<"at %1 of %2 pixels the depth of the frame before is neither answer's: much moves by itself, "
                "or depth or matrices are other than stated">(answers.told - answers.fitting, answers.told);
@@ -133,7 +133,8 @@ std::optional<Finding> askDepthJitter(FrameSamples& samples, TestState& state, b
   without.conventions.depth.jittered = false;
   const std::optional<DepthAnswers> answers = depthAnswers(samples, with, without);
   if (!answers) return {};
-  const Comparison comparison = compare(samples, std::vector<Outcome>{answers->jittered, answers->plain});
+  const TrialComparison comparison =
+      compare(samples, std::vector<Outcome>{answers->jittered, answers->plain});
   const bool fits = static_cast<double>(answers->fitting) >=
                     kFitsMost * static_cast<double>(std::max<std::size_t>(1, answers->told));
   Finding finding;

@@ -20,7 +20,7 @@ namespace taa::capture {
 namespace {
 
 /// A question by the convention that it decides, and what it needs to be asked.
-struct Question {
+struct ConventionQuestion {
   std::string (*text)();
   std::string_view path;
   bool (*isAsked)(const FrameSamples& samples);
@@ -144,7 +144,7 @@ std::vector<Trial> skies(const TestState& state) {
           trialOf(state, say<"Of the camera">(), {"motion.whereNothing=camera"})};
 }
 
-constexpr Question kQuestions[] = {
+constexpr ConventionQuestion kQuestions[] = {
     {[] { return say<"Direction of motion">(); }, "motion.direction", withMotion, directions, false},
     {[] { return say<"Unit of motion">(); }, "motion.unit", withMotion, units, false},
     {[] { return say<"Pixels of motion">(); }, "motion.pixelOf", withTwoSizes, pixelsOf, true},
@@ -178,9 +178,9 @@ struct AskedQuestion {
   std::optional<Conventions> adopted;
 };
 
-AskedQuestion ask(const Question& question, const std::vector<Trial>& trials, FrameSamples& samples,
+AskedQuestion ask(const ConventionQuestion& question, const std::vector<Trial>& trials, FrameSamples& samples,
                   const TestState& state, const QuestionRules& rules) {
-  const Comparison comparison = compare(samples, trials);
+  const TrialComparison comparison = compare(samples, trials);
   const std::optional<std::size_t> stated = statedOf(trials, state);
   const Trial& best = trials[comparison.best];
   const bool isFixed = std::ranges::any_of(best.assignments, [&](const std::string& assignment) {
@@ -291,11 +291,11 @@ std::vector<Trial> unitsAndAxes(const TestState& state) {
 std::optional<Finding> askShortMotion(FrameSamples& samples, TestState& state) {
   if (!samples.hasMotion() || state.conventions.motion.unit != ScreenUnit::Pixels || !isShort(samples, state))
     return {};
-  const Question question{[] { return say<"Unit of motion">(); }, "motion.unit", withMotion, unitsAndAxes,
-                          true};
+  const ConventionQuestion question{[] { return say<"Unit of motion">(); }, "motion.unit", withMotion,
+                                    unitsAndAxes, true};
   const std::vector<Trial> trials = unitsAndAxes(state);
   AskedQuestion answer = ask(question, trials, samples, state, {Adopt::None, {}});
-  const Comparison comparison = compare(samples, trials);
+  const TrialComparison comparison = compare(samples, trials);
   const Trial& best = trials[comparison.best];
   if (!comparison.isClear() || best.state.conventions.motion.unit == ScreenUnit::Pixels) return {};
   state = best.state;
@@ -318,7 +318,7 @@ std::vector<Finding> askPixels(FrameSamples& samples, TestState& state, const Qu
     isChanged = false;
     findings.clear();
     int done = 0;
-    for (const Question& question : kQuestions) {
+    for (const ConventionQuestion& question : kQuestions) {
       report(progress, question.text(), done++, static_cast<int>(std::size(kQuestions)));
       if (!question.isAsked(samples)) continue;
       const std::vector<Trial> trials = question.trials(state);
@@ -343,7 +343,7 @@ Finding askStartingPoints(FrameSamples& samples, const TestState& state) {
     trial.assignments = differences(trial.state.conventions, state.conventions);
     trials.push_back(std::move(trial));
   }
-  const Comparison comparison = compare(samples, trials);
+  const TrialComparison comparison = compare(samples, trials);
   Finding finding;
   finding.question = say<"Motion and jitter of which engine">();
   finding.path = "like";

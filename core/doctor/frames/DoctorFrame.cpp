@@ -16,7 +16,7 @@ namespace taa::doctor {
 
 namespace {
 
-FrameCameras camerasOf(const shared::FrameBlock& block) {
+UnjitteredCameras camerasOf(const shared::FrameBlock& block) {
   const glm::dmat4 viewFromWorld(block.viewFromWorld);
   return {glm::dmat4(block.clipFromWorld) * glm::inverse(viewFromWorld), viewFromWorld,
           glm::dmat4(block.previousViewFromWorld)};

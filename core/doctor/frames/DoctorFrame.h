@@ -30,7 +30,7 @@ struct KnownPlanes {
 };
 
 /// Of a frame and of the one before it, without jitter; the projection is that of both.
-struct FrameCameras {
+struct UnjitteredCameras {
   glm::dmat4 clipFromView{1.0}, viewFromWorld{1.0}, previousViewFromWorld{1.0};
 };
 
@@ -49,7 +49,7 @@ struct DoctorFrame {
   std::vector<std::uint8_t>
       covered; ///< 1: an interface lies there, no witness of what is behind; empty: none does
   std::optional<glm::mat4> previousClipFromClip; ///< both without jitter; none: cameras are not known
-  std::optional<FrameCameras> cameras;           ///< none: they are not known
+  std::optional<UnjitteredCameras> cameras;      ///< none: they are not known
   glm::vec2 depthJitterPx{0.0f};                 ///< displacement of what depth shows
   /// View depth as stated over that by the matrices, which is 1; 0: one of them is not known.
   float distanceFactor = 0.0f;

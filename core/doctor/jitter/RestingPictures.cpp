@@ -20,7 +20,7 @@ constexpr std::array<glm::ivec2, 5> kCross = {{{0, 0}, {-1, 0}, {1, 0}, {0, -1},
 constexpr double kLeastSlope = 1e-5;
 
 /// A place with detail in the mean of all pictures.
-struct Place {
+struct DetailedPlace {
   std::size_t index = 0;
   double mean = 0.0;
   glm::dvec2 slope{0.0};
@@ -64,7 +64,7 @@ std::map<int, glm::vec2> RestingPictures::displacementsPx() const {
     // The sky may rest while all else shifts; its rim is that of what stands before it.
     for (std::size_t i = 0; i < isDrawn.size(); ++i) isDrawn[i] = isDrawn[i] || picture.isDrawn[i];
   }
-  std::vector<Place> places;
+  std::vector<DetailedPlace> places;
   double xx = 0.0, xy = 0.0, yy = 0.0;
   for (std::size_t i = 0; i < isDrawn.size(); ++i) {
     const double* cross = mean.data() + i * kCross.size();
@@ -82,7 +82,7 @@ std::map<int, glm::vec2> RestingPictures::displacementsPx() const {
   std::map<int, glm::vec2> out;
   for (const Picture& picture : pictures_) {
     glm::dvec2 sum(0.0);
-    for (const Place& place : places)
+    for (const DetailedPlace& place : places)
       sum -= place.slope * (static_cast<double>(picture.luma[place.index]) - place.mean);
     out[picture.frame] =
         glm::vec2((sum.x * yy - sum.y * xy) / determinant, (sum.y * xx - sum.x * xy) / determinant);

@@ -128,7 +128,7 @@ std::optional<glm::mat4> fittedCamera(const DoctorFrame& frame, const CameraSamp
 }
 
 /// Of the three planes of the world through its origin the one that fits best.
-glm::mat4 mirroredCamera(const FrameCameras& cameras, const CameraSamples& samples) {
+glm::mat4 mirroredCamera(const UnjitteredCameras& cameras, const CameraSamples& samples) {
   const glm::dmat4 viewFromClip = glm::inverse(cameras.clipFromView);
   const glm::dmat4 worldFromPreviousView = glm::inverse(cameras.previousViewFromWorld);
   glm::dmat4 best(1.0);
@@ -159,7 +159,7 @@ OtherCameras otherCameras(const DoctorFrame& frame) {
   };
   const bool hasNear = near.pixels.size() >= kLeastCameraSamples;
   if (isOwn(samples) && (!hasNear || isOwn(near))) return out;
-  const FrameCameras& cameras = *frame.cameras;
+  const UnjitteredCameras& cameras = *frame.cameras;
   out.identity = glm::mat4(glm::inverse(cameras.clipFromView * cameras.viewFromWorld));
   out.mirrored = mirroredCamera(cameras, samples);
   out.turned = fittedCamera(frame, samples, turnedBy);

@@ -369,7 +369,7 @@ void GBufferPass::drawItems(const Source& source, const std::vector<Visible>& it
     if (item.variant.deforms()) source.resources.bindDeformation(pass, item.mesh, item.primitive);
     const bool isClosed = !source.scene.materials[static_cast<std::size_t>(item.material)].doubleSided;
     pass.culling(isClosed && draws_ == Draws::Surfaces, visible.mirrored);
-    const gl::Mesh& mesh = source.resources.mesh(item.mesh, item.primitive);
+    const gl::VertexMesh& mesh = source.resources.mesh(item.mesh, item.primitive);
     if (visible.part)
       pass.draw(mesh, partIndexBuffer_, range.first, range.count);
     else

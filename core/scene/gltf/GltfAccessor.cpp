@@ -15,12 +15,12 @@ namespace taa {
 namespace {
 
 /// Where elements lie in a buffer.
-struct Span {
+struct ByteRange {
   const unsigned char* data;
   std::size_t stride;
 };
 
-Span spanOf(const tinygltf::Model& model, int view, std::size_t offset, std::size_t elementBytes) {
+ByteRange spanOf(const tinygltf::Model& model, int view, std::size_t offset, std::size_t elementBytes) {
   const tinygltf::BufferView& source = model.bufferViews.at(static_cast<std::size_t>(view));
   const tinygltf::Buffer& buffer = model.buffers.at(static_cast<std::size_t>(source.buffer));
   return {buffer.data.data() + source.byteOffset + offset,
@@ -76,7 +76,7 @@ std::size_t bytesOf(int componentType) {
 
 /// Writes elements over `values`: element `target(i)` from the `i`-th of the span.
 template <class T, class Target, class Read>
-void copyElements(std::vector<T>& values, std::size_t components, std::size_t count, const Span& span,
+void copyElements(std::vector<T>& values, std::size_t components, std::size_t count, const ByteRange& span,
                   std::size_t componentBytes, Target target, Read read) {
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t element = target(i);
@@ -98,8 +98,8 @@ std::vector<T> readElements(const tinygltf::Model& model, const tinygltf::Access
         [](std::size_t i) { return i; }, read);
   if (!accessor.sparse.isSparse) return values;
   const auto& indices = accessor.sparse.indices;
-  const Span where = spanOf(model, indices.bufferView, static_cast<std::size_t>(indices.byteOffset),
-                            bytesOf(indices.componentType));
+  const ByteRange where = spanOf(model, indices.bufferView, static_cast<std::size_t>(indices.byteOffset),
+                                 bytesOf(indices.componentType));
   const auto target = [&](std::size_t i) -> std::size_t {
     const std::uint32_t element = unsignedComponent(where.data + i * where.stride, indices.componentType);
     if (element >= accessor.count)

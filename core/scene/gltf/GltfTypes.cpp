@@ -176,7 +176,7 @@ constexpr Rule kTextureInfoRules[] = {
 };
 
 /// A way down into the JSON; made into text only when something is wrong there.
-class Place {
+class JsonPlace {
  public:
   void enter(std::string_view name) { steps_.push_back({name, 0}); }
   void enter(std::size_t index) { steps_.push_back({{}, index}); }
@@ -317,7 +317,7 @@ class TypeCheck {
   const Json& root_;
   const Rule* rule_ = nullptr;
   std::size_t listSize_ = 0;
-  Place place_;
+  JsonPlace place_;
 };
 
 } // namespace

@@ -91,7 +91,7 @@ glm::vec3 meanInResolve(const std::array<glm::vec3, 9>& current);
 /// Each color divided by 1 + its largest channel.
 std::array<glm::vec3, 9> compressMax(const std::array<glm::vec3, 9>& colors);
 /// What is shown of a pixel of `inputs.resolved`, which may be larger than the inputs (manual §18, 14.4).
-struct Shown {
+struct ShownColor {
   float detail = 0.0f; ///< luma that sharpening adds
   float trust = 1.0f;  ///< share of the resolved color
   glm::vec3 color{0.0f};
@@ -99,6 +99,6 @@ struct Shown {
   float noise = 0.0f;                ///< added to square roots
   glm::vec3 smooth{0.0f};            ///< the color before that
 };
-Shown showOutput(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel);
+ShownColor showOutput(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel);
 
 } // namespace taa::twin

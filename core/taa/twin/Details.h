@@ -26,7 +26,7 @@ struct Details {
   GeometryMatch match;
   Divergence divergence;
   std::array<glm::vec3, 9> resolvedAround{}; ///< what sharpening looks at
-  Shown shown;                               ///< nothing where the whole resolved picture is not known
+  ShownColor shown;                          ///< nothing where the whole resolved picture is not known
   float slope = 0.0f;         ///< m, what validation takes for the surface's slope over a texel
   bool isFirst = true;        ///< there is no history
   glm::vec4 depthTerms{0.0f}; ///< (P33, P32, P23, P22)

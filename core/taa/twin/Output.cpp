@@ -164,11 +164,11 @@ glm::vec3 covered(const Inputs& inputs, const glm::ivec2& texel, const glm::vec3
 
 /// The sharp color, and where it is fast the blurred one joined to it (manual 14.4). `texel`: the pixel's
 /// nearest sample.
-Shown blurredByMotion(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel,
-                      const glm::ivec2& texel, const Shown& sharp) {
+ShownColor blurredByMotion(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel,
+                           const glm::ivec2& texel, const ShownColor& sharp) {
   const glm::vec2 motion = dilateMotion(inputs, settings.dilate, texel).motion;
   const float speed = reproject(inputs, settings.reproject, motion, pixel).speed;
-  Shown shown = sharp;
+  ShownColor shown = sharp;
   if (speed >= kUnknownSpeed) return shown;
   shown.trust = 1.0f - saturated((speed - 2.0f) / 13.0f);
   if (shown.trust >= 1.0f) return shown;
@@ -218,7 +218,7 @@ glm::vec3 sharpen(const OutputSettings& settings, const std::array<glm::vec3, 9>
   return storable(settings.dering == Switch::On ? deringed(result, c) : result);
 }
 
-Shown showOutput(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel) {
+ShownColor showOutput(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel) {
   const glm::ivec2 texel = isUpsampled(settings) ? placeOf(inputs, pixel).texel : pixel;
   Nine around, current;
   for (int k = 0; k < 9; ++k) {
@@ -227,7 +227,7 @@ Shown showOutput(const Inputs& inputs, const Settings& settings, const glm::ivec
     around[static_cast<std::size_t>(k)] = glm::vec3(inputs.resolved.texel(at.x, at.y));
     current[static_cast<std::size_t>(k)] = currentColor(inputs, texel + step);
   }
-  Shown shown;
+  ShownColor shown;
   const OutputSettings output = isTaaOn(settings) ? settings.output : OutputSettings{};
   const glm::vec3 sharp = sharpen(output, around, current);
   shown.detail = luma(sharp) - luma(around[4]);

@@ -22,7 +22,7 @@ void set(PixelRecord& record, IntermediateId id, float value) {
   at(record, id) = glm::vec4(value, 0.0f, 0.0f, 0.0f);
 }
 
-void recordInputs(PixelRecord& record, const Inputs& inputs, const Place& place) {
+void recordInputs(PixelRecord& record, const Inputs& inputs, const NearestSample& place) {
   const glm::ivec2& p = place.texel;
   const float depth = inputs.depth.texel(p.x, p.y).x;
   set(record, IntermediateId::color, glm::vec3(inputs.color.texel(p.x, p.y)));
@@ -103,7 +103,7 @@ void recordBlend(PixelRecord& record, const Blended& blended) {
   set(record, IntermediateId::resolved, blended.resolved);
 }
 
-void recordOutput(PixelRecord& record, const Shown& shown) {
+void recordOutput(PixelRecord& record, const ShownColor& shown) {
   set(record, IntermediateId::sharpenDetail, shown.detail);
   set(record, IntermediateId::blurTrust, shown.trust);
   set(record, IntermediateId::output, shown.color);
@@ -162,7 +162,8 @@ CurrentSettings currentSettings(const Settings& settings) {
   return {.filter = CurrentFilter::Center};
 }
 
-CurrentColor filteredAt(const Inputs& inputs, const Settings& settings, const Place& place, float speed) {
+CurrentColor filteredAt(const Inputs& inputs, const Settings& settings, const NearestSample& place,
+                        float speed) {
   if (!isTaaOn(settings)) return {currentColor(inputs, place.texel), 1.0f};
   if (!isUpsampled(settings))
     return {filterCurrent(inputs, settings.current, place.texel, settings.space.luma), 1.0f};
@@ -180,7 +181,7 @@ glm::vec2 maskAt(const Inputs& inputs, const glm::ivec2& texel) {
 namespace {
 
 /// What the filters of this frame and of history weigh and how much.
-void describeTaps(const Inputs& inputs, const Settings& settings, const Place& place,
+void describeTaps(const Inputs& inputs, const Settings& settings, const NearestSample& place,
                   const HistorySample& history, Details& details) {
   const bool isSmaller = isUpsampled(settings) && isTaaOn(settings);
   const CurrentSettings current = currentSettings(settings);
@@ -213,7 +214,8 @@ void describeAround(const Inputs& inputs, const glm::ivec2& pixel, Details& deta
 
 PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::ivec2& p, KeptLayers* kept,
                      Details* details) {
-  const Place place = isUpsampled(settings) ? placeOf(inputs, p) : Place{p, glm::vec2(0.0f), p};
+  const NearestSample place =
+      isUpsampled(settings) ? placeOf(inputs, p) : NearestSample{p, glm::vec2(0.0f), p};
   const glm::ivec2& texel = place.texel;
   PixelRecord record{};
   recordInputs(record, inputs, place);
@@ -290,7 +292,7 @@ PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::
               blend(settings, {shown, rectified.value, weights.alpha, weights.channels, length, confidence,
                                dilated.motion, p, inputs.frame, inputs.historyColor.empty(),
                                isOn(settings.fault.nan) && holdsNan(inputs, texel, reprojected)}));
-  Shown output;
+  ShownColor output;
   if (!inputs.resolved.empty()) recordOutput(record, output = showOutput(inputs, settings, p));
   if (kept) *kept = keptOf(geometry, lockState);
   if (!details) return record;

@@ -31,7 +31,7 @@ DoctorFrame frameWith(const Previous& previousClipFromWorld, int skyRows = 0) {
   DoctorFrame out;
   out.luma = out.depth = Image(kWide, kHigh, 1);
   out.motionPx = Image(kWide, kHigh, 2);
-  out.cameras = FrameCameras{clipFromView, view, previousView};
+  out.cameras = UnjitteredCameras{clipFromView, view, previousView};
   const glm::dmat4 worldFromClip = glm::inverse(clipFromView * view);
   out.previousClipFromClip = glm::mat4(clipFromView * previousView * worldFromClip);
   const glm::mat4 wrong(previousClipFromWorld(clipFromView, previousView) * worldFromClip);
