@@ -109,8 +109,8 @@ void showViews(ViewArea& views, const Arguments& arguments) {
 /// As a first start, or as the arguments say.
 void openScene(Session& session, const Arguments& arguments) {
   if (arguments.checkpoints)
-    session.setCheckpointBudget(static_cast<std::size_t>(*arguments.checkpoints) << 20);
-  if (arguments.size) session.setSize(arguments.size->x, arguments.size->y);
+    session.post(taa::request::SetCheckpointBudget{static_cast<std::size_t>(*arguments.checkpoints) << 20});
+  if (arguments.size) session.post(taa::request::SetSize{arguments.size->x, arguments.size->y});
   session.open(QString::fromStdString(arguments.source), arguments.screenshot.empty() && !arguments.frame,
                arguments.choice);
 }
@@ -127,7 +127,7 @@ void begin(MainWindow& window, Session& session, const Arguments& arguments) {
   if (!arguments.preset.empty()) session.presets().setPreset(QString::fromStdString(arguments.preset));
   if (!arguments.lesson.empty()) {
     window.openLesson(arguments.lesson, arguments.lessonStep);
-    if (!arguments.screenshot.empty()) session.setPlaying(false);
+    if (!arguments.screenshot.empty()) session.post(taa::request::SetPlaying{false});
     return;
   }
   showViews(window.views(), arguments);
@@ -168,7 +168,7 @@ int run(QApplication& application, Arguments arguments) {
   const EndSignals endSignals; // ends after all that they end
   Session session;
   if (arguments.timing) sayWhenPictureArrives(session);
-  session.setSceneBudget(arguments.sceneBudget);
+  session.post(taa::request::SetSceneBudget{arguments.sceneBudget});
   QSettings settings(QStringLiteral("taa-inspector"), QStringLiteral("taa-inspector"));
   arguments.reopens = arguments.reopens && !isScreenshot && SessionKeeper::canReopen(settings);
   if (opensBeforeWindow(arguments)) openScene(session, arguments);

@@ -105,7 +105,7 @@ void DoctorCommands::examine() {
 void DoctorCommands::goToFinding() {
   const std::vector<doctor::RegionPlace> places = panel_.places();
   if (places.empty()) return;
-  session_.setPlaying(false);
+  session_.post(request::SetPlaying{false});
   session_.seek(places.front().frame);
   views_.active()->setIntermediate(shownRow(*panel_.finding()));
   views_.active()->viewport()->reveal(
@@ -138,7 +138,7 @@ void DoctorCommands::showMended() {
   try {
     const doctor::Finding& finding = *panel_.finding();
     const QString path = writeMended(folder_, finding, mendedSettings().settings);
-    session_.setPlaying(false);
+    session_.post(request::SetPlaying{false});
     const std::vector<doctor::RegionPlace> places = panel_.places();
     if (!places.empty()) session_.seek(places.front().frame);
     views_.active()->setIntermediate(IntermediateId::resolved);

@@ -66,7 +66,7 @@ void EscapeKey::press() {
   case EscapeTarget::SearchField:
     return views_.active()->viewport()->setFocus();
   case EscapeTarget::Work:
-    return session_.cancel();
+    return session_.post(request::Cancel{});
   case EscapeTarget::Flight:
     return flight_.setOn(false);
   case EscapeTarget::Comparison:

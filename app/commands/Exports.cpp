@@ -44,7 +44,7 @@ void askForPlace(QWidget* parent, const QString& title, const QString& name, con
 
 Exports::Exports(Session& session, ViewArea& views, const QString& cameraFolder, QWidget* window)
     : QObject(window), session_(session), views_(views), cameraFolder_(cameraFolder), window_(window) {
-  connect(&session_, &Session::exported, this, [this](const ExportResult& result) {
+  session_.onArrival<ExportResult>(this, [this](const ExportResult& result) {
     const QString name = QFileInfo(QString::fromStdString(result.target)).filePath();
     const bool isOneFile = name.endsWith(QLatin1String(".gif")) || name.endsWith(QLatin1String(".json"));
     if (result.frames == 1)
@@ -108,7 +108,7 @@ void Exports::askForRange() {
 }
 
 void Exports::writeRange(const SequenceRequest& request) {
-  session_.exportSequence(request);
+  session_.post(request::ExportSequence{request});
 }
 
 void Exports::askForGlsl() {

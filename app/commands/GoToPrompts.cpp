@@ -93,7 +93,7 @@ void GoToPrompts::askForSize() {
       [this](const QString& text) {
         int width = 0, height = 0;
         if (!parsePair(text, width, height)) return false;
-        session_.setSize(width, height);
+        session_.post(request::SetSize{width, height});
         return true;
       },
       window_);

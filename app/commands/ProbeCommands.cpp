@@ -22,8 +22,7 @@ namespace taa::app {
 ProbeCommands::ProbeCommands(Session& session, ViewArea& views, ProbePanel& panel, QObject* parent)
     : QObject(parent), session_(session), views_(views), panel_(panel) {
   connect(&panel_, &ProbePanel::copyRequested, this, [this] { copy(ProbeFormat::Text); });
-  connect(&session_, &Session::worstPixelArrived, this,
-          [this](const WorstDelivery& worst) { showWorst(worst.found); });
+  session_.onArrival<WorstDelivery>(this, [this](const WorstDelivery& worst) { showWorst(worst.found); });
 }
 
 void ProbeCommands::showWorst(const FoundWorst& found) {

@@ -86,7 +86,7 @@ GlslWindow::GlslWindow(Session& session, QWidget* parent)
   connect(new QShortcut(QKeySequence::Find, this), &QShortcut::activated, search_,
           [this] { search_->setFocus(); });
   connect(&session_.presets(), &PresetChoices::settingsChanged, this, &GlslWindow::refresh);
-  connect(&session_, &Session::shadersReloaded, this, &GlslWindow::refresh);
+  session_.onArrival<ShadersRead>(this, [this](const ShadersRead&) { refresh(); });
   refresh();
 }
 

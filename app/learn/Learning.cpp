@@ -156,7 +156,7 @@ void Learning::openState(const LessonState& state) {
 void Learning::openOnItsFrames(const LessonState& state) {
   opened_ = state.shot;
   of_.keeper.openFile(lessonSession(state));
-  if (state.plays) of_.session.setPlaying(true);
+  if (state.plays) of_.session.post(request::SetPlaying{true});
 }
 
 void Learning::show() {

@@ -34,7 +34,7 @@ FrameMenu::FrameMenu(Commands& commands, Session& session, TimelinePanel& timeli
   addRestarts(timeline);
   addMenu(new MetricsMenu(commands_, timeline, this));
   add(tr("&Stop what is under way"), keys({"Ctrl+."}), [&session] {
-    session.cancel();
+    session.post(request::Cancel{});
   })->setIcon(themedIcon(QStringLiteral("stop")));
   addSeparator();
   addCameras();
@@ -49,13 +49,13 @@ void FrameMenu::addSteps(GoToPrompts& prompts) {
   QAction* play = add(tr("&Play"), keys({"Space"}), [&session] { session.togglePlaying(); });
   onRefresh([&session, play] { play->setText(session.status().playing ? tr("&Pause") : tr("&Play")); });
   add(tr("Step &back"), keys({","}), [&session] {
-    session.step(-1);
+    session.post(request::Step{-1});
   })->setIcon(themedIcon(QStringLiteral("previous")));
   add(tr("Step &forward"), keys({"."}), [&session] {
-    session.step(1);
+    session.post(request::Step{1});
   })->setIcon(themedIcon(QStringLiteral("next")));
-  add(tr("Ten back"), keys({"Shift+,"}), [&session] { session.step(-10); });
-  add(tr("Ten forward"), keys({"Shift+."}), [&session] { session.step(10); });
+  add(tr("Ten back"), keys({"Shift+,"}), [&session] { session.post(request::Step{-10}); });
+  add(tr("Ten forward"), keys({"Shift+."}), [&session] { session.post(request::Step{10}); });
   add(tr("First frame"), keys({"Home"}), [&session] {
     session.seek(0);
   })->setIcon(themedIcon(QStringLiteral("first")));
@@ -89,7 +89,9 @@ void FrameMenu::addSizes(GoToPrompts& prompts) {
   Session& session = session_;
   for (const glm::ivec2 size : kSizes) {
     const QString name = QStringLiteral("%1×%2").arg(size.x).arg(size.y);
-    QAction* action = commands_.add(menu, name, {}, [&session, size] { session.setSize(size.x, size.y); });
+    QAction* action = commands_.add(menu, name, {}, [&session, size] {
+      session.post(request::SetSize{size.x, size.y});
+    });
     connect(menu, &QMenu::aboutToShow, action, [action, name, &session, size] {
       action->setText(tr("%1 (%2)").arg(name, session.memoryText(size)));
     });
@@ -108,8 +110,8 @@ void FrameMenu::addBudgets() {
   Session& session = session_;
   for (const std::size_t size : kBudgetsMiB) {
     const QString text = size < 1024 ? tr("%1 MiB").arg(size) : tr("%1 GiB").arg(size / 1024);
-    QAction* action =
-        commands_.add(menu, text, {}, [&session, size] { session.setCheckpointBudget(size << 20); });
+    QAction* action = commands_.add(
+        menu, text, {}, [&session, size] { session.post(request::SetCheckpointBudget{size << 20}); });
     action->setCheckable(true);
     onRefresh(
         [&session, action, size] { action->setChecked(session.status().checkpointBudget == size << 20); });

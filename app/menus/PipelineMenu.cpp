@@ -98,9 +98,9 @@ void PipelineMenu::addShaders(const Targets& on) {
   Session& session = on.session;
   add(tr("&Measure what each stage costs"), keys({"Shift+F11"}), [&session, &lower = on.lower] {
     lower.setShown(LowerPage::Profiler, true);
-    session.measureStages();
+    session.post(request::MeasureStages{});
   });
-  add(tr("Reload &shaders"), keys({"F5"}), [&session] { session.reloadShaders(); });
+  add(tr("Reload &shaders"), keys({"F5"}), [&session] { session.post(request::ReloadShaders{}); });
   add(tr("Read &GLSL of the stage"), keys({"Shift+F5"}),
       [&session, &views = on.views, window = parentWidget()->window()] {
         GlslWindow::openAt(session, intermediate(views.active()->id()).stage, window);
@@ -116,8 +116,9 @@ void PipelineMenu::addReferences(Session& session, ViewArea& views) {
   menu->addSeparator();
   auto* group = new QActionGroup(this);
   for (const int samples : {4, 16, 64, 256, 1024}) {
-    QAction* action = commands_.add(menu, tr("%1 samples in a pixel").arg(samples), {},
-                                    [&session, samples] { session.setReferenceSamples(samples); });
+    QAction* action = commands_.add(menu, tr("%1 samples in a pixel").arg(samples), {}, [&session, samples] {
+      session.post(request::SetReferenceSamples{samples});
+    });
     action->setCheckable(true);
     group->addAction(action);
     onRefresh([&session, action, samples] { action->setChecked(session.status().referenceGoal == samples); });

@@ -103,7 +103,7 @@ void Presenter::step(int by) {
   if (of_.learning.isOpen())
     of_.learning.stepBy(by);
   else
-    of_.session.step(by);
+    of_.session.post(request::Step{by});
 }
 
 // Menus, lists and dialogs that are open have the keys before.

@@ -1,39 +1,18 @@
-// Results of the render thread on their way to the window: the newest of each kind, posted once.
+// Results of the render thread on their way to the window: what is kept of each type, posted once.
 #pragma once
 
+#include "core/base/ListsOf.h"
 #include "core/requests/Results.h"
 
-#include <array>
+#include <algorithm>
 #include <functional>
 #include <mutex>
-#include <optional>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace taa::app {
-
-inline constexpr int kViewCount = 4;
-
-/// What arrived since the window last looked.
-struct Delivery {
-  std::array<std::optional<ViewResult>, kViewCount> pictures;
-  std::vector<ProbeResult> probes; ///< the newest of each probe
-  std::optional<Status> status;
-  std::optional<Work> work;
-  std::vector<Failure> errors;        ///< all of them
-  std::vector<FrameProfile> profiles; ///< all of them: each is a frame
-  std::optional<StageCosts> costs;
-  std::vector<Thumbnail> thumbnails; ///< the newest of each row
-  std::vector<FrameMetrics> metrics; ///< all of them: each is of a frame
-  std::optional<ShadersRead> shaders;
-  std::optional<ExportResult> exported;
-  std::optional<ObjectArea> area;
-  std::optional<WorstDelivery> worst;
-  std::optional<LineageDelivery> lineage;
-  std::optional<StageShares> shares;
-  std::vector<TraceDelivery> traces; ///< all of them: each is a frame
-  std::optional<VerdictDelivery> verdict;
-};
 
 /// Any number of results between two looks cost one post, so that a busy window is never flooded.
 class Mailbox {
@@ -42,18 +21,40 @@ class Mailbox {
   explicit Mailbox(std::function<void()> post) : post_(std::move(post)) {}
 
   /// Called from any thread.
-  void put(Answer answer);
+  void put(Answer answer) {
+    {
+      const std::lock_guard lock(mutex_);
+      std::visit([this](auto& result) { keep(std::move(result)); }, answer.result);
+      if (std::exchange(posted_, true)) return;
+    }
+    post_();
+  }
 
-  Delivery take() {
+  /// What arrived since the last look, as kKept says.
+  ListsOf<Result> take() {
     const std::lock_guard lock(mutex_);
     posted_ = false;
-    return std::exchange(delivery_, {});
+    return std::exchange(kept_, {});
   }
 
  private:
+  template <class T>
+  void keep(T newest) {
+    std::vector<T>& kept = kept_.all<T>();
+    if constexpr (std::is_same_v<decltype(kKept<T>), const KeepAll>) {
+      if (kept.size() < kKept<T>.max) kept.push_back(std::move(newest));
+    } else {
+      const auto old = std::ranges::find(kept, std::invoke(kKept<T>, newest), kKept<T>);
+      if (old == kept.end())
+        kept.push_back(std::move(newest));
+      else
+        *old = std::move(newest);
+    }
+  }
+
   std::function<void()> post_;
   std::mutex mutex_;
-  Delivery delivery_;
+  ListsOf<Result> kept_;
   bool posted_ = false;
 };
 

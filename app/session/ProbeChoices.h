@@ -45,7 +45,7 @@ class ProbeChoices : public QObject {
   void setFollow(int probe, Follow follow);
   /// Is no step of undo.
   void set(const std::vector<Probe>& probes, int active);
-  /// Asks for the next one of the worst pixels by a row of the first lane (Session::worstPixelArrived()).
+  /// Asks for the next one of the worst pixels by a row of the first lane (a WorstDelivery).
   void findWorst(IntermediateId row, WorstStep step = WorstStep::Pixel);
   /// Whether probes come with the active pixel under other choices.
   void setWhatIf(bool wanted);

@@ -8,6 +8,9 @@
 
 namespace taa::app {
 
+/// Pictures that it is asked for at a time, at most.
+inline constexpr int kViewCount = 4;
+
 /// As RenderThread: answers come through the listener on another thread.
 class Renderer {
  public:

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <exception>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace taa::app {
@@ -49,35 +50,28 @@ QString Session::memoryText(const glm::ivec2& sizePx) const {
 }
 
 void Session::deliver() {
-  Delivery delivery = mailbox_.take();
-  for (const Failure& failure : delivery.errors) refuse(failure);
-  if (delivery.status) useStatus(std::move(*delivery.status));
-  if (delivery.work) {
-    work_ = std::move(*delivery.work);
-    Q_EMIT workChanged();
-  }
-  for (int view = 0; view < kViewCount; ++view)
-    if (auto& picture = delivery.pictures[static_cast<std::size_t>(view)]) {
-      pictures_[static_cast<std::size_t>(view)] = std::make_shared<const ViewResult>(std::move(*picture));
-      Q_EMIT pictureArrived(view);
-    }
-  probes_.arrived(std::move(delivery.probes));
-  if (delivery.verdict) verdicts_.arrived(std::move(*delivery.verdict));
-  for (const FrameProfile& profile : delivery.profiles) Q_EMIT profileArrived(profile);
-  if (delivery.costs) Q_EMIT stageCostsArrived(*delivery.costs);
-  for (const TraceDelivery& trace : delivery.traces) Q_EMIT traceArrived(trace);
-  for (const Thumbnail& thumbnail : delivery.thumbnails) Q_EMIT thumbnailArrived(thumbnail);
-  for (const FrameMetrics& metrics : delivery.metrics) Q_EMIT metricsArrived(metrics);
-  if (delivery.shaders) Q_EMIT shadersReloaded(QString::fromStdString(delivery.shaders->error));
-  if (delivery.exported) Q_EMIT exported(*delivery.exported);
-  if (delivery.shares) Q_EMIT stageSharesArrived(*delivery.shares);
-  if (delivery.lineage) Q_EMIT lineageArrived(*delivery.lineage);
-  if (delivery.worst) Q_EMIT worstPixelArrived(*delivery.worst);
-  if (delivery.area) Q_EMIT objectAreaArrived(*delivery.area);
+  mailbox_.take().forEachList([this]<class T>(std::vector<T>& results) {
+    if constexpr (std::is_same_v<T, ProbeResult>)
+      probes_.arrived(std::move(results)); // all of them are one arrival
+    else
+      for (T& each : results) take(std::move(each));
+  });
+}
+
+void Session::take(Work&& work) {
+  work_ = std::move(work);
+  Q_EMIT workChanged();
+}
+
+void Session::take(ViewResult&& picture) {
+  const int view = picture.view;
+  if (view < 0 || view >= kViewCount) return;
+  pictures_[static_cast<std::size_t>(view)] = std::make_shared<const ViewResult>(std::move(picture));
+  Q_EMIT pictureArrived(view);
 }
 
 // Other requests are not concerned.
-void Session::refuse(const Failure& failure) {
+void Session::take(Failure&& failure) {
   if (failure.isEnd) return end(QString::fromStdString(failure.sentence));
   const RequestId request = failure.request;
   const bool isOfOpening = failure.kind == RequestKind::Source && request == opening_;
@@ -110,7 +104,7 @@ void Session::end(const QString& sentence) {
   Q_EMIT ended();
 }
 
-void Session::useStatus(Status&& status) {
+void Session::take(Status&& status) {
   const bool isNew = status.source != status_.source;
   if (status.opened != status_.opened) {
     const bool isSame = firstChoice_ != 0 && status.opened >= firstChoice_;
@@ -126,7 +120,7 @@ void Session::useStatus(Status&& status) {
   scene_.takeStatus();
   choice_.arrived(status_.choice, status_.taken.of(RequestKind::Source));
   // Only now: a file that cannot be opened leaves everything as it is, playing or not.
-  if (isNew && std::exchange(playsWhenOpen_, false)) setPlaying(true);
+  if (isNew && std::exchange(playsWhenOpen_, false)) post(request::SetPlaying{true});
   Q_EMIT statusChanged();
   probes_.keepInPicture();
 }
@@ -184,7 +178,7 @@ void Session::choose(const ShotChoice& choice) {
   restore(next);
   firstChoice_ = first != 0 ? first : opening_;
   scene_.setState(cameras);
-  if (plays) setPlaying(true);
+  if (plays) post(request::SetPlaying{true});
 }
 
 SessionFile Session::file() const {
@@ -217,10 +211,10 @@ void Session::restore(const SessionFile& file) {
 
 void Session::apply(const SessionFile& file) {
   const UndoStack::Quiet quiet(undo_);
-  setPlaying(false);
+  post(request::SetPlaying{false});
   presets_.use({file.settings.settings, file.settings.presetSettings, file.settings.preset});
-  setSize(file.size.x, file.size.y);
-  setCheckpointBudget(static_cast<std::size_t>(file.checkpointsMiB) << 20);
+  post(request::SetSize{file.size.x, file.size.y});
+  post(request::SetCheckpointBudget{static_cast<std::size_t>(file.checkpointsMiB) << 20});
   if (file.track)
     scene_.addCameraTrack(*file.track);
   else if (!file.camera.empty())
@@ -232,101 +226,37 @@ void Session::apply(const SessionFile& file) {
   seek(file.frame);
 }
 
-void Session::setSize(int width, int height) {
-  outbox_.post(request::SetSize{width, height});
-}
-
-void Session::setPlaying(bool playing) {
-  outbox_.post(request::SetPlaying{playing});
-}
-
 void Session::togglePlaying() {
-  setPlaying(!status_.playing);
+  post(request::SetPlaying{!status_.playing});
 }
 
 void Session::setLooping(bool looping) {
   looping_ = looping;
-  outbox_.post(request::SetLooping{looping});
+  post(request::SetLooping{looping});
 }
 
 void Session::setTracing(bool tracing) {
   if (std::exchange(tracing_, tracing) == tracing) return;
-  outbox_.post(request::SetTracing{tracing});
-}
-
-void Session::fillTraces(int first, int last) {
-  outbox_.post(request::FillTraces{first, last});
-}
-
-void Session::traceInIdleTime(int first, int last) {
-  outbox_.post(request::TraceInIdleTime{first, last});
-}
-
-void Session::setLineage(int frames) {
-  outbox_.post(request::SetLineage{frames});
+  post(request::SetTracing{tracing});
 }
 
 void Session::setPlayback(const Playback& playback) {
   if (playback == playback_) return;
   playback_ = playback;
-  outbox_.post(request::SetPlayback{playback_});
+  post(request::SetPlayback{playback_});
   Q_EMIT playbackChanged();
 }
 
 void Session::seek(int frame) {
   // Before something is open its length is not known; the render thread clamps as well.
   const int last = isOpen() ? status_.frameCount - 1 : std::numeric_limits<int>::max();
-  outbox_.post(request::Seek{std::clamp(frame, 0, last)});
-}
-
-void Session::step(int frames) {
-  outbox_.post(request::Step{frames});
+  post(request::Seek{std::clamp(frame, 0, last)});
 }
 
 void Session::setViews(const std::vector<ViewRequest>& views) {
   if (views == views_) return;
   views_ = views;
-  outbox_.post(request::SetViews{views_});
-}
-
-void Session::setCheckpointBudget(std::size_t bytes) {
-  outbox_.post(request::SetCheckpointBudget{bytes});
-}
-
-void Session::setSceneBudget(const SceneBudget& budget) {
-  outbox_.post(request::SetSceneBudget{budget});
-}
-
-void Session::setProfiling(bool profiling) {
-  outbox_.post(request::SetProfiling{profiling});
-}
-
-void Session::measureStages() {
-  outbox_.post(request::MeasureStages{});
-}
-
-void Session::setThumbnails(int width, int height) {
-  outbox_.post(request::SetThumbnails{width, height});
-}
-
-void Session::setReferenceSamples(int samples) {
-  outbox_.post(request::SetReferenceSamples{samples});
-}
-
-void Session::setMetrics(const std::vector<Metric>& metrics) {
-  outbox_.post(request::SetMetrics{metrics});
-}
-
-void Session::reloadShaders() {
-  outbox_.post(request::ReloadShaders{});
-}
-
-void Session::cancel() {
-  outbox_.post(request::Cancel{});
-}
-
-void Session::exportSequence(const SequenceRequest& request) {
-  outbox_.post(request::ExportSequence{request});
+  post(request::SetViews{views_});
 }
 
 } // namespace taa::app

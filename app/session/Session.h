@@ -12,7 +12,6 @@
 #include "app/session/VerdictChoices.h"
 #include "app/undo/UndoStack.h"
 #include "core/io/SessionFile.h"
-#include "core/scene/SceneCost.h"
 
 #include <QObject>
 #include <QString>
@@ -22,6 +21,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace taa::app {
@@ -69,6 +70,8 @@ class Session : public QObject {
   QString openingSource() const { return QString::fromStdString(last_.file.source); }
 
   // Requests
+  /// Asks the render thread for what no other member and no part asks it for.
+  void post(Request request) { outbox_.post(std::move(request)); }
   /// Plays once it is open, or waits at frame 0.
   void open(const QString& source, bool plays = true, const ShotChoice& choice = {});
   /// Opens what was refused for asking for more than it may, which its source may from then on.
@@ -77,50 +80,37 @@ class Session : public QObject {
   void choose(const ShotChoice& choice);
   /// By the requests so far.
   const ShotChoice& choice() const { return choice_.value(); }
-  void setSize(int width, int height);
-  void setPlaying(bool playing);
   void togglePlaying();
   void setLooping(bool looping);
   void setPlayback(const Playback& playback);
   void setTracing(bool tracing);
-  void fillTraces(int first, int last);
-  void traceInIdleTime(int first, int last);
-  void setLineage(int frames); ///< see request::SetLineage
-  void seek(int frame);
-  void step(int frames); ///< pauses
+  void seek(int frame); ///< clamped to what is open
   void setViews(const std::vector<ViewRequest>& views);
-  /// Memory for histories that are kept, of all lanes together.
-  void setCheckpointBudget(std::size_t bytes);
-  void setSceneBudget(const SceneBudget& budget); ///< of what is opened from then on
-  void setProfiling(bool profiling);
-  void measureStages();
-  void setThumbnails(int width, int height);           ///< 0: none
-  void setReferenceSamples(int samples);               ///< see RenderThread
-  void setMetrics(const std::vector<Metric>& metrics); ///< arrive by metricsArrived
-  void reloadShaders();
-  void cancel();
-  void exportSequence(const SequenceRequest& request);
   /// What the picture depends on; `window` is left empty.
   SessionFile file() const;
   /// Opens what the file says, paused at its frame; where that cannot be opened, goes back to what was open.
   void restore(const SessionFile& file);
 
+  /// Calls `act`, a function or a member of `receiver`, with each result of this type that arrives. Of
+  /// status, work, pictures, probes and verdicts the session and its parts have signals of their own.
+  template <class T, class Receiver, class Act>
+  void onArrival(Receiver* receiver, Act act) {
+    connect(this, &Session::arrived, receiver, [receiver, act](const Result& result) {
+      const T* each = std::get_if<T>(&result);
+      if (!each) return;
+      if constexpr (requires { act(*each); })
+        act(*each);
+      else
+        (receiver->*act)(*each);
+    });
+  }
+
  Q_SIGNALS:
+  void arrived(const Result& result);
   void statusChanged();
   void playbackChanged();
-  void traceArrived(const TraceDelivery& trace);
   void pictureArrived(int view);
   void workChanged();
-  void profileArrived(const FrameProfile& profile);
-  void stageCostsArrived(const StageCosts& costs);
-  void thumbnailArrived(const Thumbnail& thumbnail);
-  void metricsArrived(const FrameMetrics& metrics);
-  void shadersReloaded(const QString& error); ///< empty: they are in use
-  void exported(const ExportResult& result);
-  void objectAreaArrived(const ObjectArea& area);
-  void worstPixelArrived(const WorstDelivery& worst);
-  void lineageArrived(const LineageDelivery& lineage);
-  void stageSharesArrived(const StageShares& shares);
   void errorOccurred(const QString& sentence);
   void choiceRefused(); ///< the shot has no such camera, object, animation or length; before errorOccurred()
   void offersOpening(bool offers); ///< whether openAnyway() would open something; follows errorOccurred()
@@ -129,10 +119,14 @@ class Session : public QObject {
 
  private:
   void deliver();
-  void refuse(const Failure& failure);
+  void take(Failure&& failure);
+  void take(Status&& status);
+  void take(Work&& work);
+  void take(ViewResult&& picture);
+  void take(VerdictDelivery&& verdict) { verdicts_.arrived(std::move(verdict)); }
+  void take(auto other) { Q_EMIT arrived(std::move(other)); }
   void end(const QString& sentence);
   void offer(const std::optional<SceneBudget>& needed);
-  void useStatus(Status&& status);
   void apply(const SessionFile& file);
 
   Mailbox mailbox_;

@@ -1,8 +1,8 @@
 // One, two or four views: two side by side or one above the other, whichever shows the picture larger.
 #pragma once
 
-#include "app/session/Mailbox.h"
 #include "app/session/ProbeList.h"
+#include "app/session/Renderer.h"
 #include "app/views/ViewPanel.h"
 
 #include "core/doctor/Outline.h"

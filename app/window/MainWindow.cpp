@@ -341,29 +341,33 @@ void MainWindow::connectPanels() {
   connect(pipeline_, &PipelinePanel::parameterConsidered, &session_.presets(),
           &PresetChoices::prepareParameter);
   connect(pipeline_, &PipelinePanel::presetConsidered, &session_.presets(), &PresetChoices::preparePreset);
-  connect(&session_, &Session::stageSharesArrived, pipeline_, &PipelinePanel::setShares);
+  session_.onArrival<StageShares>(pipeline_, &PipelinePanel::setShares);
   connect(&session_, &Session::statusChanged, pipeline_, [this] {
     pipeline_->setFrame(session_.status().info.frame, session_.status().playing);
     pipeline_->setCapture(session_.status().capture);
     probe_->bar()->setWhyNoSurfaces(session_.scene().whyNoSurfaces());
   });
   connect(timeline_, &TimelinePanel::seekRequested, &session_, &Session::seek);
-  connect(timeline_, &TimelinePanel::stepRequested, &session_, &Session::step);
+  connect(timeline_, &TimelinePanel::stepRequested, this,
+          [this](int frames) { session_.post(request::Step{frames}); });
   connect(timeline_, &TimelinePanel::playToggled, &session_, &Session::togglePlaying);
   connect(timeline_, &TimelinePanel::loopToggled, &session_, &Session::setLooping);
   connect(timeline_, &TimelinePanel::playbackEdited, &session_, &Session::setPlayback);
-  connect(work_, &WorkBar::stopRequested, &session_, &Session::cancel);
+  connect(work_, &WorkBar::stopRequested, this, [this] { session_.post(request::Cancel{}); });
   timeline_->setLooping(session_.isLooping());
 }
 
 void MainWindow::connectProfiler() {
-  connect(profiler_, &ProfilerPanel::shownChanged, &session_, &Session::setProfiling);
-  connect(profiler_, &ProfilerPanel::measureRequested, &session_, &Session::measureStages);
-  connect(&session_, &Session::profileArrived, profiler_, &ProfilerPanel::addProfile);
-  connect(&session_, &Session::stageCostsArrived, profiler_, &ProfilerPanel::setStageCosts);
-  connect(pipeline_, &PipelinePanel::thumbnailsWanted, &session_,
-          [this](const QSize& size) { session_.setThumbnails(size.width(), size.height()); });
-  connect(&session_, &Session::thumbnailArrived, pipeline_, &PipelinePanel::setThumbnail);
+  connect(profiler_, &ProfilerPanel::shownChanged, &session_,
+          [&session = session_](bool on) { session.post(request::SetProfiling{on}); });
+  connect(profiler_, &ProfilerPanel::measureRequested, this,
+          [this] { session_.post(request::MeasureStages{}); });
+  session_.onArrival<FrameProfile>(profiler_, &ProfilerPanel::addProfile);
+  session_.onArrival<StageCosts>(profiler_, &ProfilerPanel::setStageCosts);
+  connect(pipeline_, &PipelinePanel::thumbnailsWanted, &session_, [this](const QSize& size) {
+    session_.post(request::SetThumbnails{size.width(), size.height()});
+  });
+  session_.onArrival<Thumbnail>(pipeline_, &PipelinePanel::setThumbnail);
 }
 
 void MainWindow::connectSession() {
@@ -380,7 +384,9 @@ void MainWindow::connectMessages() {
   connect(&session_, &Session::errorOccurred, messages_, &MessagesBar::showError);
   connect(&session_, &Session::offersOpening, messages_, &MessagesBar::offerOpening);
   connect(messages_, &MessagesBar::opensAnyway, &session_, &Session::openAnyway);
-  connect(&session_, &Session::shadersReloaded, messages_, &MessagesBar::showShaders);
+  session_.onArrival<ShadersRead>(messages_, [this](const ShadersRead& read) {
+    messages_->showShaders(QString::fromStdString(read.error));
+  });
   connect(&session_.presets(), &PresetChoices::said, messages_, &MessagesBar::showNote);
   connect(keeper_, &SessionKeeper::said, messages_, &MessagesBar::showNote);
   connect(keeper_, &SessionKeeper::failed, messages_, &MessagesBar::showError);
@@ -416,7 +422,7 @@ void MainWindow::watchShaders() {
   const QString folder = ShaderWatch::folder();
   if (folder.isEmpty()) return;
   auto* shaders = new ShaderWatch(folder, this);
-  connect(shaders, &ShaderWatch::changed, &session_, &Session::reloadShaders);
+  connect(shaders, &ShaderWatch::changed, this, [this] { session_.post(request::ReloadShaders{}); });
 }
 
 void MainWindow::showStatus() {

@@ -58,12 +58,14 @@ void PlotFeed::connectTraces() {
   connect(&to_.jitter, &JitterPanel::seekRequested, &session_, &Session::seek);
   connect(&to_.weights, &WeightsPanel::seekRequested, &session_, &Session::seek);
   connect(&to_.plots, &PlotsPanel::seekRequested, &session_, &Session::seek);
-  connect(&to_.plots, &PlotsPanel::fillRequested, &session_, &Session::fillTraces);
+  connect(&to_.plots, &PlotsPanel::fillRequested, this, [this](int first, int last) {
+    session_.post(request::FillTraces{first, last});
+  });
   connect(&to_.jitter, &JitterPanel::shownChanged, this, &PlotFeed::showTraces);
   connect(&to_.weights, &WeightsPanel::shownChanged, this, &PlotFeed::showTraces);
   connect(&to_.plots, &PlotsPanel::shownChanged, this, &PlotFeed::showTraces);
-  connect(&session_, &Session::traceArrived, &to_.plots, &PlotsPanel::addSample);
-  connect(&session_, &Session::traceArrived, this, [this](const TraceDelivery& trace) {
+  session_.onArrival<TraceDelivery>(&to_.plots, &PlotsPanel::addSample);
+  session_.onArrival<TraceDelivery>(this, [this](const TraceDelivery& trace) {
     if (trace.frame <= session_.status().info.frame) showAlphas(); // also one that was filled in
   });
   connect(&session_.probes(), &ProbeChoices::changed, this, &PlotFeed::showTraces);
@@ -96,16 +98,16 @@ void PlotFeed::fillInIdleTime() {
   const Asked asked{status.shotVersion, session_.probes().all(), to_.plots.shown()};
   if (asked == asked_) return;
   asked_ = asked;
-  session_.traceInIdleTime(static_cast<int>(std::floor(asked.frames.low)),
-                           static_cast<int>(std::ceil(asked.frames.high)));
+  session_.post(request::TraceInIdleTime{static_cast<int>(std::floor(asked.frames.low)),
+                                         static_cast<int>(std::ceil(asked.frames.high))});
 }
 
 void PlotFeed::connectMetrics() {
   connect(&to_.timeline, &TimelinePanel::metricChosen, this, [this](std::optional<Metric> metric) {
-    session_.setMetrics(metric ? std::vector<Metric>{*metric} : std::vector<Metric>());
+    session_.post(request::SetMetrics{metric ? std::vector<Metric>{*metric} : std::vector<Metric>()});
     showMetric();
   });
-  connect(&session_, &Session::metricsArrived, this, [this](const FrameMetrics& metrics) {
+  session_.onArrival<FrameMetrics>(this, [this](const FrameMetrics& metrics) {
     if (metrics_.add(metrics)) showMetric();
   });
 }

@@ -21,7 +21,7 @@ SceneFeed::SceneFeed(Session& session, ViewArea& views, ScenePanel& panel)
     : session_(session), views_(views), panel_(panel) {
   connectPanel();
   connectProbes();
-  connect(&session_, &Session::objectAreaArrived, &panel_, &ScenePanel::setArea);
+  session_.onArrival<ObjectArea>(&panel_, &ScenePanel::setArea);
   connect(&panel_, &ScenePanel::areaChanged, this, &SceneFeed::showArea);
   connect(&session_, &Session::statusChanged, this, &SceneFeed::showStatus);
 }

@@ -89,7 +89,7 @@ bool Screenshot::isComplete() const {
 bool Screenshot::areProfilesComplete() {
   const ProfilerPanel& profiler = of_.profiler;
   if (!profiler.isVisible()) return true;
-  if (!std::exchange(measures_, true)) of_.session.measureStages();
+  if (!std::exchange(measures_, true)) of_.session.post(request::MeasureStages{});
   return profiler.hasProfile() && profiler.hasStageCosts();
 }
 
@@ -100,7 +100,7 @@ bool Screenshot::areTracesComplete() {
   const bool isShown = plots.isVisible() || of_.jitter.isVisible() || of_.weights.isVisible();
   if (!isShown || session.probes().all().empty()) return true;
   const int first = std::max(0, frame_ - kTracedFrames);
-  if (!std::exchange(asksForTraces_, true)) of_.session.fillTraces(first, frame_);
+  if (!std::exchange(asksForTraces_, true)) of_.session.post(request::FillTraces{first, frame_});
   if (session.work().kind == WorkKind::Traces) sawTracing_ = true;
   if (sawTracing_) return session.work().what.empty();
   return std::ranges::all_of(session.probes().all(), [&](const Probe& probe) {

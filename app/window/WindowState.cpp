@@ -106,7 +106,7 @@ void WindowState::applySession(const QJsonObject& state) const {
   }
   of_.session.verdicts().setOn(state[QStringLiteral("verdicts")].toBool(true));
   if (const int samples = state[QStringLiteral("referenceSamples")].toInt(); samples > 0)
-    of_.session.setReferenceSamples(samples);
+    of_.session.post(request::SetReferenceSamples{samples});
   if (const QJsonValue scene = state[QStringLiteral("scene")]; scene.isObject())
     of_.session.scene().setState(scene.toObject());
   const std::vector<Probe> probes = probesFrom(state[QStringLiteral("probes")].toArray());

@@ -57,8 +57,14 @@ void FakeRenderer::tell(Result result) const {
 }
 
 RequestId FakeRenderer::post(Request request) {
-  status.taken.note(ruleOf(request).kind, requests + 1);
-  std::visit([this](const auto& asked) { take(asked); }, request);
+  const RequestKind kind = ruleOf(request).kind;
+  status.taken.note(kind, requests + 1);
+  std::visit(
+      [&]<class T>(const T& asked) {
+        all<T>().push_back(asked);
+        if (!refuses(kind)) take(asked);
+      },
+      request);
   return ++requests;
 }
 
@@ -69,7 +75,7 @@ void FakeRenderer::take(const request::Open& asked) {
     tell(Failure{"cannot open " + source + ": there is no such file", RequestKind::Source, requests + 1});
     return;
   }
-  const SceneBudget allowed = budget.value_or(sceneBudget);
+  const SceneBudget allowed = budget.value_or(last<request::SetSceneBudget>().budget);
   if (source == kFakeLarge && allowed.triangles < kTrianglesOfLarge) {
     const SceneBudget needed{kTrianglesOfLarge, allowed.bytes};
     tell(Failure{"cannot open it: too many triangles", RequestKind::Source, requests + 1, needed});
@@ -110,59 +116,12 @@ void FakeRenderer::take(const request::SetSize& asked) {
   deliver();
 }
 
-void FakeRenderer::take(const request::SetCheckpointBudget& asked) {
-  const auto& [bytes] = asked;
-  status.checkpointBudget = bytes;
-  deliver();
-}
-
-void FakeRenderer::take(const request::SetSceneBudget& asked) {
-  sceneBudget = asked.budget;
-}
-
-void FakeRenderer::take(const request::SetCamera& asked) {
-  const auto& [name] = asked;
-  status.camera = name;
-  deliver();
-}
-
 bool FakeRenderer::refuses(RequestKind kind) {
   if (refused != kind) return false;
   refused.reset();
   tell(Failure{"this is refused", kind, requests + 1});
   tell(status);
   return true;
-}
-
-void FakeRenderer::take(const request::SetMotionModes& asked) {
-  const auto& [modes] = asked;
-  if (refuses(RequestKind::MotionModes)) return;
-  status.motionModes = modes;
-  deliver();
-}
-
-void FakeRenderer::take(const request::SetObjectFilter& asked) {
-  const auto& [filter] = asked;
-  if (refuses(RequestKind::Objects)) return;
-  status.filter = filter;
-  deliver();
-}
-
-void FakeRenderer::take(const request::SetObjectClasses& asked) {
-  const auto& [classes] = asked;
-  status.objectClasses = classes;
-  deliver();
-}
-
-void FakeRenderer::take(const request::SetRestarts& asked) {
-  const auto& [frames] = asked;
-  status.restarts = frames;
-  deliver();
-}
-
-void FakeRenderer::take(const request::SetRecording& asked) {
-  status.recording = asked.on;
-  deliver();
 }
 
 void FakeRenderer::take(const request::AddCameraTrack& asked) {
@@ -191,7 +150,6 @@ void FakeRenderer::take(const request::SetFlownCameras& asked) {
 /// Object n is seen in the box from (10·n, 5) that is 4 pixels wide and 3 high.
 void FakeRenderer::take(const request::Locate& asked) {
   const auto& [objects] = asked;
-  located = objects;
   if (objects.empty()) return;
   ObjectArea area;
   area.objects = objects;
@@ -204,49 +162,28 @@ void FakeRenderer::take(const request::Locate& asked) {
 
 /// The n-th that is asked for is at (n, 2).
 void FakeRenderer::take(const request::FindWorst& asked) {
-  worstAsked.push_back(asked);
+  const int number = static_cast<int>(all<request::FindWorst>().size());
   WorstDelivery worst;
   worst.frame = status.info.frame;
   worst.found.question = {.row = IntermediateId::verdictMap, .category = 2};
   worst.found.step = asked.step;
   worst.found.worst.badness = 0.5f;
-  worst.found.worst.pixel = {static_cast<int>(worstAsked.size()), 2};
-  worst.found.number = static_cast<int>(worstAsked.size());
+  worst.found.worst.pixel = {number, 2};
+  worst.found.number = number;
   worst.found.count = 5;
   tell(std::move(worst));
 }
 
 void FakeRenderer::take(const request::SetSettings& asked) {
   const auto& [settings] = asked;
-  ++settingsSent;
-  if (refuses(RequestKind::Settings)) return;
   ++status.shotVersion;
   status.settings = settings;
   deliver();
 }
 
-void FakeRenderer::take(const request::SetPlaying& asked) {
-  const auto& [playing] = asked;
-  status.playing = playing;
-  deliver();
-}
-
-void FakeRenderer::take(const request::SetLineage& asked) {
-  const auto& [frames] = asked;
-  lineageFrames = frames;
-  deliver();
-}
-
-void FakeRenderer::take(const request::SetTracing& asked) {
-  const auto& [wanted] = asked;
-  tracing = wanted;
-  deliver();
-}
-
 void FakeRenderer::take(const request::FillTraces& asked) {
-  const auto& [first, last] = asked;
-  for (int frame = first; frame <= last; ++frame)
-    for (const Probe& probe : probes.all) deliverTrace(probe, frame);
+  for (int frame = asked.first; frame <= asked.last; ++frame)
+    for (const Probe& probe : last<request::SetProbes>().all) deliverTrace(probe, frame);
 }
 
 /// Every channel is valueAt(); history is rejected in frames that are multiples of ten, for their depth.
@@ -259,12 +196,6 @@ void FakeRenderer::deliverTrace(const Probe& probe, int frame) {
   tell(trace);
 }
 
-void FakeRenderer::take(const request::SetPlayback& asked) {
-  const auto& [playback] = asked;
-  status.playback = playback;
-  deliver();
-}
-
 void FakeRenderer::take(const request::Seek& asked) {
   const auto& [frame] = asked;
   status.info.frame = std::clamp(frame, 0, std::max(0, status.frameCount - 1));
@@ -272,23 +203,6 @@ void FakeRenderer::take(const request::Seek& asked) {
   status.info.time = status.info.frame / 60.0;
   deliver();
   deliverProfile();
-}
-
-void FakeRenderer::take(const request::SetViews& asked) {
-  const auto& [wanted] = asked;
-  views = wanted;
-  deliver();
-}
-
-void FakeRenderer::take(const request::SetProbes& asked) {
-  probes = asked;
-  deliver();
-}
-
-void FakeRenderer::take(const request::SetOtherLanes& asked) {
-  const auto& [lanes] = asked;
-  otherLanes = lanes;
-  deliver();
 }
 
 void FakeRenderer::take(const request::MeasureStages&) {
@@ -306,14 +220,9 @@ void FakeRenderer::take(const request::MeasureStages&) {
   tell(costs);
 }
 
-void FakeRenderer::take(const request::SetThumbnails& asked) {
-  const auto& [width, height] = asked;
-  thumbnails = {width, height};
-  deliver();
-}
-
 void FakeRenderer::deliverThumbnails() {
-  if (thumbnails.x == 0) return;
+  const auto& [width, height] = last<request::SetThumbnails>();
+  if (width == 0) return;
   if (!status.playing) {
     const double share = 0.01 * (status.info.frame % 100);
     tell(StageShares{status.info.frame,
@@ -321,28 +230,17 @@ void FakeRenderer::deliverThumbnails() {
                      {{Stage::DilateMotion, 0.0}, {Stage::ValidateHistory, share}}});
   }
   for (const IntermediateId id : mainRows()) {
-    Thumbnail thumbnail{id, status.info.frame, {thumbnails.x, thumbnails.y, {}}, status.shotVersion};
+    Thumbnail thumbnail{id, status.info.frame, {width, height, {}}, status.shotVersion};
     const auto gray = static_cast<std::uint8_t>(static_cast<int>(id) * 3 + status.info.frame);
-    thumbnail.picture.rgba.assign(static_cast<std::size_t>(thumbnails.x) * thumbnails.y * 4, gray);
+    thumbnail.picture.rgba.assign(static_cast<std::size_t>(width) * height * 4, gray);
     for (std::size_t alpha = 3; alpha < thumbnail.picture.rgba.size(); alpha += 4)
       thumbnail.picture.rgba[alpha] = 255;
     tell(std::move(thumbnail));
   }
 }
 
-void FakeRenderer::take(const request::SetReferenceSamples& asked) {
-  const auto& [samples] = asked;
-  status.referenceGoal = samples;
-  deliver();
-}
-
-void FakeRenderer::take(const request::SetMetrics& asked) {
-  const auto& [wanted] = asked;
-  metrics = wanted;
-  deliver();
-}
-
 void FakeRenderer::deliverMetrics() {
+  const std::vector<Metric>& metrics = last<request::SetMetrics>().metrics;
   if (metrics.empty()) return;
   FrameMetrics result{.frame = status.info.frame, .values = {}, .shotVersion = status.shotVersion};
   for (const Metric metric : metrics) result.at(metric) = 0.01 * status.info.frame;
@@ -351,7 +249,7 @@ void FakeRenderer::deliverMetrics() {
 
 /// Frame n: two passes of n and 2n ms, 3 MiB of textures.
 void FakeRenderer::deliverProfile() {
-  if (!profiling) return;
+  if (!last<request::SetProfiling>().on) return;
   FrameProfile profile;
   const double n = status.info.frame;
   profile.frame = status.info.frame;
@@ -384,7 +282,7 @@ Picture FakeRenderer::gray(const ViewRequest& request, int level) {
 ViewResult FakeRenderer::draw(int view) const {
   ViewResult result;
   result.view = view;
-  result.request = views[static_cast<std::size_t>(view)];
+  result.request = last<request::SetViews>().views[static_cast<std::size_t>(view)];
   result.frame = status.info.frame;
   result.shotVersion = status.shotVersion;
   const ViewRequest& request = result.request;
@@ -437,12 +335,14 @@ void FakeRenderer::deliver() {
   if (holdsBack) return;
   tell(status);
   if (status.frameCount == 0) return;
+  const std::vector<ViewRequest>& views = last<request::SetViews>().views;
   for (std::size_t view = 0; view < views.size(); ++view)
     if (views[view].width > 0) tell(draw(static_cast<int>(view)));
   deliverThumbnails();
-  for (const Probe& probe : probes.all) deliverProbe(probe);
-  if (tracing)
-    for (const Probe& probe : probes.all) deliverTrace(probe, status.info.frame);
+  for (const Probe& probe : last<request::SetProbes>().all) {
+    deliverProbe(probe);
+    if (last<request::SetTracing>().on) deliverTrace(probe, status.info.frame);
+  }
   deliverMetrics();
   deliverLineage();
   deliverVerdict();
@@ -451,37 +351,34 @@ void FakeRenderer::deliver() {
 /// Half of each frame's history is older, and lies a pixel further to the left. Samples lie a quarter of a
 /// pixel to the right of the center, or to the left in odd frames.
 void FakeRenderer::deliverLineage() {
-  if (lineageFrames == 0 || probes.active < 0 || status.playing) return;
-  const Probe& probe = probes.all[static_cast<std::size_t>(probes.active)];
+  const int lineageFrames = last<request::SetLineage>().frames;
+  const Probe* probe = activeProbe();
+  if (lineageFrames == 0 || !probe || status.playing) return;
   auto lineage = std::make_shared<Lineage>();
   lineage->frame = status.info.frame;
-  lineage->pixel = probe.pixel;
+  lineage->pixel = probe->pixel;
   double older = 1.0;
   for (int frame = lineage->frame; frame >= 0 && lineage->frame - frame < lineageFrames; --frame) {
     LineageFrame entry;
     entry.frame = frame;
     entry.weight = frame == 0 ? older : 0.5 * older;
-    entry.place = {probe.pixel.x + 0.5 - (lineage->frame - frame), probe.pixel.y + 0.5};
+    entry.place = {probe->pixel.x + 0.5 - (lineage->frame - frame), probe->pixel.y + 0.5};
     entry.pixels = 1;
     older -= entry.weight;
     lineage->weight += entry.weight;
     lineage->frames.push_back(entry);
-    lineage->samples.push_back({frame, probe.pixel, {frame % 2 == 0 ? 0.25 : -0.25, 0.0}, entry.weight});
+    lineage->samples.push_back({frame, probe->pixel, {frame % 2 == 0 ? 0.25 : -0.25, 0.0}, entry.weight});
   }
   lineage->older = older;
   lineage->effectiveFrames = 3.0;
-  tell(LineageDelivery{probe, status.info.frame, std::move(lineage), status.shotVersion});
-}
-
-void FakeRenderer::take(const request::SetVerdicts& asked) {
-  verdicts = asked.on;
-  if (!holdsBack) deliverVerdict();
+  tell(LineageDelivery{*probe, status.info.frame, std::move(lineage), status.shotVersion});
 }
 
 void FakeRenderer::deliverVerdict() {
   const bool isAny = verdict.answer || !verdict.whyNot.empty();
-  if (!verdicts || !isAny || status.playing || probes.active < 0) return;
-  const ProbeSpot spot = spotOf(probes.all[static_cast<std::size_t>(probes.active)]);
+  const Probe* probe = activeProbe();
+  if (!last<request::SetVerdicts>().on || !isAny || status.playing || !probe) return;
+  const ProbeSpot spot = spotOf(*probe);
   if (spot.state != ProbeState::Seen) return;
   VerdictDelivery delivery = verdict;
   delivery.frame = status.info.frame;
@@ -499,6 +396,12 @@ ProbeSpot FakeRenderer::spotOf(const Probe& probe) const {
   return spot;
 }
 
+/// Null: there is none.
+const Probe* FakeRenderer::activeProbe() const {
+  const request::SetProbes& probes = last<request::SetProbes>();
+  return probes.active < 0 ? nullptr : &probes.all[static_cast<std::size_t>(probes.active)];
+}
+
 void FakeRenderer::deliverProbe(const Probe& probe) {
   ProbeResult result{.probe = probe, .spot = spotOf(probe), .around = {}};
   if (probe.follow == Follow::Surface) result.probe.anchor = SurfaceAnchor{.object = 1};
@@ -514,7 +417,8 @@ void FakeRenderer::deliverProbe(const Probe& probe) {
       twin::at(record, IntermediateId::rejectReason) = glm::vec4(0);
       result.around.push_back(record);
     }
-  const bool isActive = probes.active >= 0 && probes.all[static_cast<std::size_t>(probes.active)] == probe;
+  const request::SetProbes& probes = last<request::SetProbes>();
+  const bool isActive = activeProbe() && *activeProbe() == probe;
   if (isActive && !result.around.empty()) result.details = std::make_shared<const twin::Details>();
   if (isActive && probes.other && !result.around.empty()) {
     ComparedPixel& compared = result.compared.emplace();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/session/Renderer.h"
+#include "core/base/ListsOf.h"
 #include "tests/app/verdict/FakeVerdict.h"
 
 #include <cstddef>
@@ -22,9 +23,10 @@ inline constexpr const char* kFakeAnimated = "builtin:animated";
 inline constexpr const char* kFakeLarge = "builtin:large";
 inline constexpr std::uint64_t kTrianglesOfLarge = 30'000'000;
 
-/// Remembers what was asked of it. The value of every channel at pixel (x, y) of frame n is x + 100·y + n,
-/// and 10,000 more for each lane; stages have rejected n % of its pixels.
-class FakeRenderer final : public Renderer {
+/// Remembers what was asked of it: all<T>(). The value of every channel at pixel (x, y) of frame n is
+/// x + 100·y + n, and 10,000 more for each lane; stages have rejected n % of its pixels, and the value of
+/// each metric is 0.01·n.
+class FakeRenderer final : public Renderer, public ListsOf<Request> {
  public:
   explicit FakeRenderer(Listener listener);
   ~FakeRenderer() override;
@@ -37,70 +39,62 @@ class FakeRenderer final : public Renderer {
   RequestId post(Request request) override;
   void tell(Result result) const; ///< as the render thread would
 
+  /// The last one of its type, which is in force; as it is by default where nobody asked.
+  template <class T>
+  const T& last() const {
+    static const T kDefault{};
+    return all<T>().empty() ? kDefault : all<T>().back();
+  }
+
   Status status;
-  SceneBudget sceneBudget;
-  std::vector<ViewRequest> views;
-  request::SetProbes probes;        ///< wanted
-  std::optional<Settings> prepared; ///< the last ones
-  bool holdsBack = false;           ///< does what is asked and answers nothing
-  bool isLooping = true, profiling = false, tracing = false;
-  request::TraceInIdleTime idleTraces;     ///< only noted
-  glm::ivec2 thumbnails{0};                ///< size wanted
-  std::vector<Metric> metrics;             ///< wanted; the value of each is 0.01 times the frame
-  bool verdicts = false;                   ///< wanted
+  bool holdsBack = false;                  ///< does what is asked and answers nothing
   VerdictDelivery verdict = fakeVerdict(); ///< its answer, remedies and reason, for whatever is probed
-  std::vector<Settings> otherLanes;
-  std::optional<SequenceRequest> exported;
-  std::vector<int> located; ///< objects
-  std::vector<request::FindWorst> worstAsked;
-  int lineageFrames = 0;  ///< wanted
-  RequestId requests = 0; ///< so far
+  RequestId requests = 0;                  ///< so far
   /// The next request of this kind is answered with an error and nothing else.
   std::optional<RequestKind> refused;
-  int reloads = 0, cancels = 0, settingsSent = 0;
   void deliver(); ///< all that there is
 
  private:
+  template <class Value>
+  void set(Value& value, const Value& asked) {
+    value = asked;
+    deliver();
+  }
   void take(const request::Open& asked);
   void take(const request::SetSize& asked);
-  void take(const request::SetCamera& asked);
-  void take(const request::SetMotionModes& asked);
   void take(const request::SetSettings& asked);
-  void take(const request::SetPlaying& asked);
   void take(const request::Seek& asked);
-  void take(const request::SetViews& asked);
-  void take(const request::SetProbes& asked);
-  void take(const request::SetCheckpointBudget& asked);
-  void take(const request::SetSceneBudget& asked);
   void take(const request::MeasureStages&);
-  void take(const request::SetThumbnails& asked);
-  void take(const request::SetReferenceSamples& asked);
-  void take(const request::SetMetrics& asked);
-  void take(const request::SetOtherLanes& asked);
-  void take(const request::SetPlayback& asked);
-  void take(const request::SetObjectFilter& asked);
-  void take(const request::SetObjectClasses& asked);
-  void take(const request::SetRestarts& asked);
-  void take(const request::SetRecording& asked);
   void take(const request::AddCameraTrack& asked);
   void take(const request::SetFlownCameras& asked);
   void take(const request::Locate& asked);
   void take(const request::FindWorst& asked);
-  void take(const request::SetLineage& asked);
-  void take(const request::SetTracing& asked);
   void take(const request::FillTraces& asked);
-  void take(const request::TraceInIdleTime& asked) { idleTraces = asked; }
-  void take(const request::Prepare& asked) { prepared = asked.settings; }
-  void take(const request::SetVerdicts& asked);
-  void take(const request::SetPreviews&) {}
-  void take(const request::SetLooping& asked) { isLooping = asked.looping; }
+  void take(const request::SetVerdicts&) {
+    if (!holdsBack) deliverVerdict();
+  }
+  void take(const request::SetCamera& asked) { set(status.camera, asked.name); }
+  void take(const request::SetMotionModes& asked) { set(status.motionModes, asked.modes); }
+  void take(const request::SetPlaying& asked) { set(status.playing, asked.playing); }
+  void take(const request::SetCheckpointBudget& asked) { set(status.checkpointBudget, asked.bytes); }
+  void take(const request::SetReferenceSamples& asked) { set(status.referenceGoal, asked.samples); }
+  void take(const request::SetPlayback& asked) { set(status.playback, asked.playback); }
+  void take(const request::SetObjectFilter& asked) { set(status.filter, asked.filter); }
+  void take(const request::SetObjectClasses& asked) { set(status.objectClasses, asked.classes); }
+  void take(const request::SetRestarts& asked) { set(status.restarts, asked.frames); }
+  void take(const request::SetRecording& asked) { set(status.recording, asked.on); }
   void take(const request::Step& asked) { take(request::Seek{status.info.frame + asked.frames}); }
-  void take(const request::SetProfiling& asked) { profiling = asked.on; }
-  void take(const request::ReloadShaders&) { ++reloads; }
-  void take(const request::Cancel&) { ++cancels; }
-  void take(const request::ExportSequence& asked) { exported = asked.sequence; }
   void take(const request::Fly& asked) { take(request::AddCameraTrack{{kFreeCamera, 0, {asked.pose}}}); }
+  void take(const request::SetViews&) { deliver(); }
+  void take(const request::SetProbes&) { deliver(); }
+  void take(const request::SetThumbnails&) { deliver(); }
+  void take(const request::SetMetrics&) { deliver(); }
+  void take(const request::SetOtherLanes&) { deliver(); }
+  void take(const request::SetLineage&) { deliver(); }
+  void take(const request::SetTracing&) { deliver(); }
+  void take(const auto&) {} ///< only remembered
   bool refuses(RequestKind kind);
+  const Probe* activeProbe() const;
   void deliverThumbnails();
   void deliverTrace(const Probe& probe, int frame);
   void deliverProfile();

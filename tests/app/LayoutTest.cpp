@@ -136,7 +136,7 @@ TEST_P(Layout, CutsNoTextAndOverlapsNothingWithTheProfiler) {
   renderer->status.driver.renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
   renderer->status.driver.isSoftware = true;
   window.lower()->setShown(LowerPage::Profiler, true);
-  session.measureStages();
+  session.post(request::MeasureStages{});
   session.seek(3);
   settle();
   settle();

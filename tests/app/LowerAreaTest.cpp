@@ -54,14 +54,14 @@ TEST_F(Lower, ShowsOnePageAtATimeAndClosesByTheSameKey) {
   EXPECT_FALSE(window.lower()->isVisible());
   key(Qt::Key_F7);
   EXPECT_TRUE(window.jitter()->isVisible());
-  EXPECT_FALSE(renderer->profiling) << "a page that is not shown costs nothing";
+  EXPECT_FALSE(renderer->last<request::SetProfiling>().on) << "a page that is not shown costs nothing";
   key(Qt::Key_F11, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_TRUE(window.profiler()->isVisible());
   EXPECT_FALSE(window.jitter()->isVisible());
-  EXPECT_TRUE(renderer->profiling);
+  EXPECT_TRUE(renderer->last<request::SetProfiling>().on);
   clickTab(LowerPage::Weights);
   EXPECT_TRUE(window.weights()->isVisible());
-  EXPECT_FALSE(renderer->profiling);
+  EXPECT_FALSE(renderer->last<request::SetProfiling>().on);
   EXPECT_TRUE(window.lower()->shows(LowerPage::Weights));
   key(Qt::Key_F7, Qt::ShiftModifier);
   EXPECT_FALSE(window.lower()->isVisible());

@@ -160,15 +160,16 @@ TEST_F(Window, ALeftDragPans) {
   QTest::mouseMove(viewport, {190, 105});
   QTest::mouseRelease(viewport, Qt::LeftButton, {}, {190, 105});
   EXPECT_EQ(viewport->transform().origin, before + glm::vec2(10, -5));
-  EXPECT_EQ(renderer->views[0].transform, viewport->transform()) << "a picture of the new place is asked for";
+  EXPECT_EQ(renderer->last<request::SetViews>().views[0].transform, viewport->transform())
+      << "a picture of the new place is asked for";
 }
 
 TEST_F(Window, ARightClickProbesAndArrowsMoveTheProbe) {
   Viewport* viewport = window.views()->view(0)->viewport();
   QTest::mouseClick(viewport, Qt::RightButton, {}, placeOf(viewport, {30, 12}));
   EXPECT_EQ(session.probes().pixel(), glm::ivec2(30, 12));
-  ASSERT_EQ(renderer->probes.all.size(), 1u);
-  EXPECT_EQ(renderer->probes.all[0].pixel, glm::ivec2(30, 12));
+  ASSERT_EQ(renderer->last<request::SetProbes>().all.size(), 1u);
+  EXPECT_EQ(renderer->last<request::SetProbes>().all[0].pixel, glm::ivec2(30, 12));
   viewport->setFocus();
   QTest::keyClick(viewport, Qt::Key_Right);
   QTest::keyClick(viewport, Qt::Key_Up, Qt::ShiftModifier);
@@ -181,7 +182,7 @@ TEST_F(Window, HoverShowsPositionAndValue) {
   Viewport* viewport = window.views()->view(0)->viewport();
   QTest::mouseMove(viewport, placeOf(viewport, {10, 3}));
   settle();
-  EXPECT_TRUE(renderer->views[0].withValues);
+  EXPECT_TRUE(renderer->last<request::SetViews>().views[0].withValues);
   EXPECT_EQ(window.statusLine()->hover().toStdString(), "A (10, 3)  (310, 310, 310)");
 }
 
@@ -216,20 +217,21 @@ TEST_F(Window, SaysWhatASizeTakesWhereItIsChosen) {
 TEST_F(Window, KeysChangeHowThePictureLooks) {
   ViewPanel* view = window.views()->view(0);
   key(Qt::Key_E);
-  EXPECT_EQ(renderer->views[0].style.exposure, 0.5f);
+  EXPECT_EQ(renderer->last<request::SetViews>().views[0].style.exposure, 0.5f);
   key(Qt::Key_E, Qt::ShiftModifier);
   key(Qt::Key_E, Qt::ShiftModifier);
-  EXPECT_EQ(renderer->views[0].style.exposure, -0.5f);
+  EXPECT_EQ(renderer->last<request::SetViews>().views[0].style.exposure, -0.5f);
   key(Qt::Key_R);
-  EXPECT_EQ(renderer->views[0].style, defaultStyle(intermediate(IntermediateId::resolved)));
+  EXPECT_EQ(renderer->last<request::SetViews>().views[0].style,
+            defaultStyle(intermediate(IntermediateId::resolved)));
   key(Qt::Key_N);
   // The 1 % and 99 % of 2304 pixels with three equal channels: the 24th and the 2281st.
   EXPECT_EQ(view->style().low, test::FakeRenderer::valueAt(23, 0, 0));
   EXPECT_EQ(view->style().high, test::FakeRenderer::valueAt(40, 35, 0));
   key(Qt::Key_X);
-  EXPECT_FALSE(renderer->views[0].style.markInvalid);
+  EXPECT_FALSE(renderer->last<request::SetViews>().views[0].style.markInvalid);
   key(Qt::Key_2, Qt::AltModifier);
-  EXPECT_FALSE(renderer->views[0].style.green);
+  EXPECT_FALSE(renderer->last<request::SetViews>().views[0].style.green);
 }
 
 TEST_F(Window, EachIntermediateRemembersItsStyle) {
@@ -243,12 +245,13 @@ TEST_F(Window, EachIntermediateRemembersItsStyle) {
 TEST_F(Window, ChannelButtonsToggleAndSolo) {
   auto* buttons = window.views()->view(0)->header()->findChild<ChannelButtons*>();
   QTest::mouseClick(buttons, Qt::LeftButton, {}, buttons->button(1).center());
-  EXPECT_FALSE(renderer->views[0].style.green);
+  EXPECT_FALSE(renderer->last<request::SetViews>().views[0].style.green);
   QTest::mouseClick(buttons, Qt::RightButton, {}, buttons->button(2).center());
-  EXPECT_FALSE(renderer->views[0].style.red);
-  EXPECT_TRUE(renderer->views[0].style.blue);
+  EXPECT_FALSE(renderer->last<request::SetViews>().views[0].style.red);
+  EXPECT_TRUE(renderer->last<request::SetViews>().views[0].style.blue);
   QTest::mouseClick(buttons, Qt::RightButton, {}, buttons->button(2).center());
-  EXPECT_TRUE(renderer->views[0].style.red && renderer->views[0].style.green);
+  EXPECT_TRUE(renderer->last<request::SetViews>().views[0].style.red &&
+              renderer->last<request::SetViews>().views[0].style.green);
 }
 
 TEST_F(Window, ABrokenFileIsToldAndKeepsThePicture) {
@@ -336,7 +339,7 @@ TEST_F(Window, KeysAreListedAndCommandsAreFound) {
       << "a word that could be anything says what it is";
   QTest::keyClicks(field, "reload");
   QTest::keyClick(field, Qt::Key_Return);
-  EXPECT_TRUE(test::waitFor([&] { return renderer->reloads == 1; }, 5000));
+  EXPECT_TRUE(test::waitFor([&] { return renderer->all<request::ReloadShaders>().size() == 1u; }, 5000));
 }
 
 TEST_F(Window, TheManualHoldsBothTablesAndFindsWords) {
@@ -406,11 +409,11 @@ TEST_F(Window, LinksOfTheManualOpenItsPages) {
 
 TEST_F(Window, F5ReloadsShadersAndTypingDoesNotTriggerKeys) {
   key(Qt::Key_F5);
-  EXPECT_EQ(renderer->reloads, 1);
+  EXPECT_EQ(renderer->all<request::ReloadShaders>().size(), 1u);
   key(Qt::Key_F, Qt::ControlModifier);
   const int frame = renderer->status.info.frame;
   QTest::keyClicks(QApplication::focusWidget(), "v.,");
-  EXPECT_EQ(renderer->views.size(), 2u);
+  EXPECT_EQ(renderer->last<request::SetViews>().views.size(), 2u);
   EXPECT_EQ(renderer->status.info.frame, frame);
 }
 

@@ -71,9 +71,9 @@ TEST_F(ParameterPanel, EditingAnyControlSendsExactlyThatSetting) {
   window.pipeline()->setAllExpanded(true);
   for (ParameterRow* row : window.pipeline()->parameterRows()) {
     const Settings before = session.presets().settings();
-    const int sent = renderer->settingsSent;
+    const auto sent = renderer->all<request::SetSettings>().size();
     change(*row);
-    EXPECT_EQ(renderer->settingsSent, sent + 1) << row->path().toStdString();
+    EXPECT_EQ(renderer->all<request::SetSettings>().size(), sent + 1) << row->path().toStdString();
     for (const Parameter& parameter : parameters()) {
       const bool isEdited = parameter.path == row->row().path;
       EXPECT_EQ(parameter.get(renderer->status.settings) != parameter.get(before), isEdited)
@@ -198,7 +198,7 @@ TEST_F(IntermediateList, EveryRowIsReachedByAClick) {
     QTest::mouseClick(row, Qt::LeftButton);
     EXPECT_EQ(window.views()->view(0)->id(), row->id());
     EXPECT_TRUE(row->shownIn().contains('A'));
-    EXPECT_EQ(renderer->views.at(0).id, row->id());
+    EXPECT_EQ(renderer->last<request::SetViews>().views.at(0).id, row->id());
   }
 }
 
@@ -220,9 +220,9 @@ TEST_F(ParameterPanel, PreparesAChoiceTheMouseStaysOn) {
   Settings expected = session.presets().settings();
   parameter("neighborhood.box").set(expected, other);
   QTest::mouseMove(buttons, buttons->segment(other).center());
-  ASSERT_TRUE(test::waitFor([&] { return renderer->prepared.has_value(); }));
-  EXPECT_EQ(*renderer->prepared, expected);
-  EXPECT_EQ(renderer->settingsSent, 0);
+  ASSERT_TRUE(test::waitFor([&] { return !renderer->all<request::Prepare>().empty(); }));
+  EXPECT_EQ(renderer->last<request::Prepare>().settings, expected);
+  EXPECT_TRUE(renderer->all<request::SetSettings>().empty());
 }
 
 TEST_F(ParameterPanel, PreparesAChoiceOfAMenuAndAPreset) {
@@ -236,8 +236,9 @@ TEST_F(ParameterPanel, PreparesAChoiceOfAMenuAndAPreset) {
   for (QAction* action : menu->actions())
     if (!action->isSeparator()) choices << action;
   menu->setActiveAction(choices[other]);
-  ASSERT_TRUE(test::waitFor([&] { return renderer->prepared.has_value(); }));
-  EXPECT_EQ(*renderer->prepared, builtinPresets()[static_cast<std::size_t>(other)].settings);
+  ASSERT_TRUE(test::waitFor([&] { return !renderer->all<request::Prepare>().empty(); }));
+  EXPECT_EQ(renderer->last<request::Prepare>().settings,
+            builtinPresets()[static_cast<std::size_t>(other)].settings);
   menu->close();
 }
 
@@ -253,7 +254,7 @@ TEST_F(ParameterPanel, HeadingsSayWhatStagesDidToTheFrame) {
   session.seek(0);
   settle();
   EXPECT_EQ(note("validate_history"), "no history yet");
-  session.setPlaying(true);
+  session.post(request::SetPlaying{true});
   settle();
   EXPECT_EQ(note("validate_history"), "") << "it was true of another frame";
 }

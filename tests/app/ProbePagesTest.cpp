@@ -26,10 +26,10 @@ using ProbePages = test::FakeWindow;
 TEST_F(ProbePages, AreOpenedByKeysAndAskForWhatTheyShow) {
   session.probes().setPixel(glm::ivec2(12, 7));
   settle();
-  EXPECT_FALSE(renderer->probes.whatIf);
+  EXPECT_FALSE(renderer->last<request::SetProbes>().whatIf);
   key(Qt::Key_F4);
   EXPECT_EQ(window.probe()->tab(), ProbeTab::WhatIf);
-  EXPECT_TRUE(renderer->probes.whatIf);
+  EXPECT_TRUE(renderer->last<request::SetProbes>().whatIf);
   settle();
   const auto& rows = window.probe()->whatIf()->table()->rows();
   EXPECT_EQ(rows.size(), variantsOf(session.presets().settings()).size());
@@ -51,7 +51,7 @@ TEST_F(ProbePages, AreOpenedByKeysAndAskForWhatTheyShow) {
   key(Qt::Key_Home, Qt::ControlModifier | Qt::AltModifier);
   EXPECT_EQ(window.probe()->colorSpace()->view()->turn(), app::SpaceTurn{});
   key(Qt::Key_F2);
-  EXPECT_FALSE(renderer->probes.whatIf) << "nothing is worked out that nobody looks at";
+  EXPECT_FALSE(renderer->last<request::SetProbes>().whatIf) << "nothing is worked out that nobody looks at";
   EXPECT_TRUE(window.probe()->table()->isVisible());
 }
 
@@ -85,7 +85,7 @@ TEST(ProbeReport, OfTheWindowIsThatOfTheCommandLine) {
   Session session;
   app::test::TestWindow window(session, nullptr);
   window.show();
-  session.setSize(64, 36);
+  session.post(request::SetSize{64, 36});
   session.open(QStringLiteral("builtin:fan"), false);
   ASSERT_TRUE(test::waitFor([&] { return session.isOpen() && session.status().width == 64; }));
   session.seek(5);

@@ -204,7 +204,7 @@ TEST_F(ProbeTableTest, GoesAwayWithEscape) {
   EXPECT_TRUE(window.probe()->table()->isVisible());
   key(Qt::Key_Escape);
   EXPECT_FALSE(session.probes().pixel());
-  EXPECT_TRUE(renderer->probes.all.empty());
+  EXPECT_TRUE(renderer->last<request::SetProbes>().all.empty());
   EXPECT_FALSE(window.probe()->table()->isVisible());
 }
 
@@ -213,21 +213,21 @@ TEST_F(ProbeTableTest, GoesToTheNextWorstPixelByAKey) {
   settle();
   window.views()->active()->setIntermediate(IntermediateId::errorGhost);
   key(Qt::Key_W, Qt::ShiftModifier);
-  ASSERT_EQ(renderer->worstAsked.size(), 1u);
-  EXPECT_EQ(renderer->worstAsked[0].row, IntermediateId::errorGhost);
-  EXPECT_FALSE(renderer->worstAsked[0].after) << "there is no probe";
+  ASSERT_EQ(renderer->all<request::FindWorst>().size(), 1u);
+  EXPECT_EQ(renderer->all<request::FindWorst>()[0].row, IntermediateId::errorGhost);
+  EXPECT_FALSE(renderer->all<request::FindWorst>()[0].after) << "there is no probe";
   EXPECT_EQ(session.probes().pixel(), glm::ivec2(1, 2));
   key(Qt::Key_W, Qt::ShiftModifier);
-  ASSERT_EQ(renderer->worstAsked.size(), 2u);
-  EXPECT_EQ(renderer->worstAsked[1].after, glm::ivec2(1, 2));
+  ASSERT_EQ(renderer->all<request::FindWorst>().size(), 2u);
+  EXPECT_EQ(renderer->all<request::FindWorst>()[1].after, glm::ivec2(1, 2));
   EXPECT_EQ(session.probes().pixel(), glm::ivec2(2, 2));
-  EXPECT_EQ(renderer->worstAsked[1].step, WorstStep::Pixel);
+  EXPECT_EQ(renderer->all<request::FindWorst>()[1].step, WorstStep::Pixel);
   EXPECT_EQ(window.statusLine()->hover().toStdString(),
             "Worst pixel 2 of 5 by History verdict: " +
                 std::string(categoryText(IntermediateId::verdictMap, 2)));
   key(Qt::Key_W, Qt::AltModifier);
-  ASSERT_EQ(renderer->worstAsked.size(), 3u);
-  EXPECT_EQ(renderer->worstAsked[2].step, WorstStep::Category);
+  ASSERT_EQ(renderer->all<request::FindWorst>().size(), 3u);
+  EXPECT_EQ(renderer->all<request::FindWorst>()[2].step, WorstStep::Category);
 }
 
 TEST_F(ProbeTableTest, GoesToRejectedClippedAndNaNPixelsByKeys) {
@@ -235,10 +235,10 @@ TEST_F(ProbeTableTest, GoesToRejectedClippedAndNaNPixelsByKeys) {
   key(Qt::Key_J, Qt::AltModifier | Qt::ShiftModifier);
   EXPECT_EQ(window.statusLine()->hover().toStdString(), "Clipped pixel 2 of 5, moved 50 % of the way");
   key(Qt::Key_X, Qt::AltModifier);
-  ASSERT_EQ(renderer->worstAsked.size(), 3u);
-  EXPECT_EQ(renderer->worstAsked[0].step, WorstStep::Rejected);
-  EXPECT_EQ(renderer->worstAsked[1].step, WorstStep::Clipped);
-  EXPECT_EQ(renderer->worstAsked[2].step, WorstStep::NoNumber);
+  ASSERT_EQ(renderer->all<request::FindWorst>().size(), 3u);
+  EXPECT_EQ(renderer->all<request::FindWorst>()[0].step, WorstStep::Rejected);
+  EXPECT_EQ(renderer->all<request::FindWorst>()[1].step, WorstStep::Clipped);
+  EXPECT_EQ(renderer->all<request::FindWorst>()[2].step, WorstStep::NoNumber);
   EXPECT_EQ(session.probes().pixel(), glm::ivec2(3, 2));
 }
 

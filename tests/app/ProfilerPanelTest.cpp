@@ -67,14 +67,14 @@ TEST(ValueTable, TellsOfAllItsRowsAtOnce) {
 }
 
 TEST_F(Profiler, TimesOnlyWhileItIsShown) {
-  EXPECT_FALSE(renderer->profiling);
+  EXPECT_FALSE(renderer->last<request::SetProfiling>().on);
   EXPECT_FALSE(window.profiler()->isVisible());
   open();
   EXPECT_TRUE(window.profiler()->isVisible());
-  EXPECT_TRUE(renderer->profiling);
+  EXPECT_TRUE(renderer->last<request::SetProfiling>().on);
   open();
   EXPECT_FALSE(window.profiler()->isVisible());
-  EXPECT_FALSE(renderer->profiling);
+  EXPECT_FALSE(renderer->last<request::SetProfiling>().on);
 }
 
 // In the smaller of the usual windows.
@@ -117,7 +117,7 @@ TEST_F(Profiler, ShowsPassesOfThisFrameTheirMedianAndShare) {
 TEST_F(Profiler, NamesKeepSevenLettersOnTheSmallestScreen) {
   window.resize(1024, 600);
   open();
-  session.measureStages();
+  session.post(request::MeasureStages{});
   session.seek(3);
   settle();
   settle();
@@ -247,9 +247,9 @@ class StageThumbnails : public test::FakeWindow {
 } // namespace
 
 TEST_F(StageThumbnails, StandInTheHeadingsAndFollowTheFrame) {
-  ASSERT_GT(renderer->thumbnails.x, 0);
+  ASSERT_GT(renderer->last<request::SetThumbnails>().width, 0);
   const double ratio = window.devicePixelRatioF();
-  EXPECT_LE(renderer->thumbnails.x, 96 * ratio);
+  EXPECT_LE(renderer->last<request::SetThumbnails>().width, 96 * ratio);
   session.seek(7);
   ASSERT_TRUE(test::waitFor([&] { return window.pipeline()->hasThumbnailsOf(7); }));
   for (const StageInfo& stage : kStages) {
@@ -275,13 +275,13 @@ TEST_F(StageThumbnails, AreClickedToShowTheirRowAndNotToFold) {
 
 TEST_F(StageThumbnails, AreNotDrawnWhereNobodySeesThem) {
   key(Qt::Key_F9);
-  EXPECT_EQ(renderer->thumbnails, glm::ivec2(0));
+  EXPECT_EQ(renderer->last<request::SetThumbnails>().width, 0);
   key(Qt::Key_F9);
-  EXPECT_GT(renderer->thumbnails.x, 0);
+  EXPECT_GT(renderer->last<request::SetThumbnails>().width, 0);
   const int high = header("blend")->height();
   key(Qt::Key_T);
-  EXPECT_EQ(renderer->thumbnails, glm::ivec2(0));
+  EXPECT_EQ(renderer->last<request::SetThumbnails>().width, 0);
   EXPECT_LT(header("blend")->height(), high);
   key(Qt::Key_T);
-  EXPECT_GT(renderer->thumbnails.x, 0);
+  EXPECT_GT(renderer->last<request::SetThumbnails>().width, 0);
 }

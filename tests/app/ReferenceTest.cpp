@@ -37,15 +37,15 @@ TEST_F(ReferenceKeys, ShowItAndGoBack) {
   window.showIntermediate(before);
   settle();
   key(Qt::Key_U);
-  EXPECT_EQ(renderer->views.at(0).id, IntermediateId::reference);
+  EXPECT_EQ(renderer->last<request::SetViews>().views.at(0).id, IntermediateId::reference);
   key(Qt::Key_U, Qt::ShiftModifier);
-  EXPECT_EQ(renderer->views.at(0).id, IntermediateId::referenceError);
+  EXPECT_EQ(renderer->last<request::SetViews>().views.at(0).id, IntermediateId::referenceError);
   EXPECT_TRUE(actionOf(window, "Show the error against it")->isChecked());
   key(Qt::Key_U, Qt::ControlModifier);
-  EXPECT_EQ(renderer->views.at(0).id, IntermediateId::referenceErrorAbs);
-  EXPECT_EQ(renderer->views.at(0).style.map, ColorMap::Inferno);
+  EXPECT_EQ(renderer->last<request::SetViews>().views.at(0).id, IntermediateId::referenceErrorAbs);
+  EXPECT_EQ(renderer->last<request::SetViews>().views.at(0).style.map, ColorMap::Inferno);
   key(Qt::Key_U, Qt::ControlModifier);
-  EXPECT_EQ(renderer->views.at(0).id, before);
+  EXPECT_EQ(renderer->last<request::SetViews>().views.at(0).id, before);
 }
 
 TEST_F(ReferenceKeys, TheMenuSaysHowManySamplesThereShallBe) {
@@ -61,9 +61,8 @@ TEST_F(ReferenceKeys, TheMenuSaysHowManySamplesThereShallBe) {
 
 TEST_F(ReferenceKeys, MetricsArriveForEachFrame) {
   std::vector<FrameMetrics> arrived;
-  QObject::connect(&session, &Session::metricsArrived, &window,
-                   [&](const FrameMetrics& metrics) { arrived.push_back(metrics); });
-  session.setMetrics({Metric::Rmse});
+  session.onArrival<FrameMetrics>(&window, [&](const FrameMetrics& metrics) { arrived.push_back(metrics); });
+  session.post(request::SetMetrics{{Metric::Rmse}});
   session.seek(5);
   session.seek(6);
   settle();

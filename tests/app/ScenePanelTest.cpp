@@ -119,21 +119,21 @@ TEST_F(SceneTreeTest, SelectsTheObjectOfAProbedPixel) {
   session.probes().setPixel(glm::ivec2(2, 0)); // the fake's object 2
   settle();
   EXPECT_EQ(tree()->currentIndex(), row("rotor & hub"));
-  EXPECT_EQ(renderer->located, std::vector<int>{2});
+  EXPECT_EQ(renderer->last<request::Locate>().objects, std::vector<int>{2});
   EXPECT_TRUE(waitFor([&] { return window.scene()->infoText().contains("12 pixels around (21, 6)"); }, 5000))
       << qPrintable(window.scene()->infoText());
   // It stays while time runs on under the probe.
-  session.step(-1);
-  session.step(1);
+  session.post(request::Step{-1});
+  session.post(request::Step{1});
   settle();
   EXPECT_EQ(tree()->currentIndex(), row("rotor & hub"));
   click(row("floor"));
-  EXPECT_EQ(renderer->located, std::vector<int>{1});
+  EXPECT_EQ(renderer->last<request::Locate>().objects, std::vector<int>{1});
   key(Qt::Key_J, Qt::ControlModifier);
   EXPECT_EQ(session.probes().pixel(), glm::ivec2(11, 6));
   EXPECT_EQ(tree()->currentIndex(), row("floor")) << "it was asked for";
   key(Qt::Key_F8);
-  EXPECT_TRUE(renderer->located.empty()) << "nobody sees it";
+  EXPECT_TRUE(renderer->last<request::Locate>().objects.empty()) << "nobody sees it";
 }
 
 TEST_F(SceneTreeTest, FindsObjectsByTheirNames) {

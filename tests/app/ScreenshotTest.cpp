@@ -158,7 +158,7 @@ TEST(RealWindow, ProbesWhatTheInspectorProbes) {
   app::test::TestWindow window(session, nullptr);
   window.resize(1280, 800);
   window.show();
-  session.setSize(96, 54);
+  session.post(request::SetSize{96, 54});
   session.open("builtin:fan", false);
   session.seek(6);
   const glm::ivec2 pixel(60, 20);
@@ -196,7 +196,7 @@ TEST(RealWindow, StepsBackToTheSamePicture) {
   app::test::TestWindow window(session, nullptr);
   window.resize(1280, 800);
   window.show();
-  session.setSize(96, 54);
+  session.post(request::SetSize{96, 54});
   session.open("builtin:fan", false);
   const auto pictureOf = [&](int frame) {
     EXPECT_TRUE(taa::app::test::waitFor([&] {
@@ -208,8 +208,8 @@ TEST(RealWindow, StepsBackToTheSamePicture) {
   };
   session.seek(4);
   const auto before = pictureOf(4);
-  session.step(1);
+  session.post(request::Step{1});
   EXPECT_NE(pictureOf(5), before);
-  session.step(-1);
+  session.post(request::Step{-1});
   EXPECT_EQ(pictureOf(4), before);
 }

@@ -64,12 +64,12 @@ TEST(StatusLineTest, CallsNoPictureExactBeforeItIsThere) {
 
 TEST_F(Truth, TheBadgeWaitsForTheFirstPictureOfAScene) {
   EXPECT_EQ(window.statusLine()->badge(), "history from these settings");
-  const std::vector<ViewRequest> views = std::exchange(renderer->views, {});
+  const auto views = std::exchange(renderer->all<request::SetViews>(), {});
   window.openSource("builtin:fence");
   settle();
   ASSERT_EQ(session.status().source, "builtin:fence");
   EXPECT_EQ(window.statusLine()->badge(), "no picture yet");
-  renderer->post(request::SetViews{views});
+  renderer->post(views.back());
   settle();
   EXPECT_EQ(window.statusLine()->badge(), "history from these settings");
 }
@@ -77,7 +77,7 @@ TEST_F(Truth, TheBadgeWaitsForTheFirstPictureOfAScene) {
 TEST_F(Truth, StagePicturesOfTheSceneBeforeAreNotShown) {
   ASSERT_GT(thumbnailCount(), 5);
   const std::uint64_t before = session.status().shotVersion;
-  const glm::ivec2 size = std::exchange(renderer->thumbnails, glm::ivec2(0)); // none while it plays
+  const auto sizes = std::exchange(renderer->all<request::SetThumbnails>(), {}); // none while it plays
   window.openSource("builtin:fence");
   settle();
   ASSERT_EQ(session.status().source, "builtin:fence");
@@ -90,7 +90,7 @@ TEST_F(Truth, StagePicturesOfTheSceneBeforeAreNotShown) {
   renderer->tell(late);
   settle();
   EXPECT_EQ(thumbnailCount(), 1);
-  renderer->post(request::SetThumbnails{size.x, size.y});
+  renderer->post(sizes.back());
   settle();
   EXPECT_GT(thumbnailCount(), 5);
 }

@@ -356,12 +356,12 @@ TEST_F(WhatIfInTheWindow, KeysOpenItChooseARowAndTryIt) {
 TEST_F(WhatIfInTheWindow, HasTheReferenceDrawnByAKeyWhileThePageIsOpen) {
   session.probes().setPixel(glm::ivec2(12, 7));
   settle();
-  EXPECT_FALSE(renderer->probes.reference);
+  EXPECT_FALSE(renderer->last<request::SetProbes>().reference);
   key(Qt::Key_F4, Qt::ShiftModifier);
   EXPECT_EQ(window.probe()->tab(), ProbeTab::WhatIf);
-  EXPECT_TRUE(renderer->probes.reference);
+  EXPECT_TRUE(renderer->last<request::SetProbes>().reference);
   key(Qt::Key_F2);
-  EXPECT_FALSE(renderer->probes.reference);
+  EXPECT_FALSE(renderer->last<request::SetProbes>().reference);
 }
 
 } // namespace taa::app::test

@@ -171,7 +171,7 @@ void FakeWindow::SetUp() {
   window.activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
   ASSERT_TRUE(waitFor([&] { return session.isOpen() && session.status().playing; }));
-  session.setPlaying(false);
+  session.post(request::SetPlaying{false});
   for (QAbstractItemModel* model : {window.scene()->tree()->model(), window.probe()->table()->model()})
     new QAbstractItemModelTester(model, QAbstractItemModelTester::FailureReportingMode::Fatal, model);
   QTest::mouseMove(&window, {1, 1}); // not where the last test left it

@@ -52,7 +52,7 @@ class RecordingThread : public taa::test::onThread::RenderThreadTest {
     setClock(0.0);
     thread->post(taa::request::Seek{frame});
     thread->waitUntilIdle();
-    first = recorder.read([&] { return recorder.statuses.back().pose; });
+    first = recorder.last<taa::Status>().pose;
   }
   void flyAt(double seconds, const CameraPose& pose, double took) {
     setClock(seconds);
@@ -168,10 +168,10 @@ TEST_F(SceneChoices, OfFramesKeptToCompareWithThoseThatItChangesGo) {
 TEST_F(FlightThread, RestsWhereItWasFlownTo) {
   thread->post(taa::request::Seek{3});
   thread->waitUntilIdle();
-  const CameraPose start = recorder.read([&] { return recorder.statuses.back().pose; });
+  const CameraPose start = recorder.last<taa::Status>().pose;
   for (int step = 1; step < 5; ++step) thread->post(taa::request::Fly{shifted(start, step)});
   thread->waitUntilIdle();
-  const taa::Status status = recorder.read([&] { return recorder.statuses.back(); });
+  const taa::Status status = recorder.last<taa::Status>();
   EXPECT_EQ(status.camera, taa::kFreeCamera);
   EXPECT_EQ(status.pose, shifted(start, 4));
   EXPECT_TRUE(status.exact);
@@ -179,7 +179,7 @@ TEST_F(FlightThread, RestsWhereItWasFlownTo) {
   EXPECT_EQ(status.tracks[0]->poses.size(), 1u);
   thread->post(taa::request::SetCamera{"orbit"});
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.read([&] { return recorder.statuses.back().camera; }), "orbit");
+  EXPECT_EQ(recorder.last<taa::Status>().camera, "orbit");
 }
 
 // Three seconds on the clock of whoever flies, of which this machine shows as many frames as it can.
@@ -187,13 +187,13 @@ TEST_F(RecordingThread, HasAPoseForEachFrameOfTheShotsClock) {
   startAt(20);
   thread->post(taa::request::SetRecording{true});
   for (int told = 1; told <= 10; ++told) flyAt(0.1 * told, shifted(first, told), 0.1); // then it waits
-  ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().recording; }));
-  EXPECT_TRUE(recorder.read([&] { return recorder.statuses.back().playing; }));
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.all<taa::Status>().back().recording; }));
+  EXPECT_TRUE(recorder.last<taa::Status>().playing);
   flyAt(3.0, shifted(first, 20), 0.5);
-  ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().recordedFrames == 181; }));
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.all<taa::Status>().back().recordedFrames == 181; }));
   thread->post(taa::request::SetRecording{false});
   thread->waitUntilIdle();
-  const taa::Status status = recorder.read([&] { return recorder.statuses.back(); });
+  const taa::Status status = recorder.last<taa::Status>();
   EXPECT_FALSE(status.recording);
   EXPECT_FALSE(status.playing) << "it was at rest";
   EXPECT_EQ(status.camera, "Recorded 1");
@@ -219,35 +219,35 @@ TEST_F(RecordingThread, WhatItShowsAtItsEndIsWhatSeekingShows) {
   for (int told = 1; told <= 5; ++told) flyAt(0.1 * told, shifted(first, told * told), 0.1);
   thread->post(taa::request::SetRecording{false});
   thread->waitUntilIdle();
-  const auto shown = recorder.read([&] { return recorder.pictures.back(); });
+  const auto shown = recorder.last<taa::ViewResult>();
   EXPECT_EQ(shown.frame, 33);
   EXPECT_TRUE(shown.exact);
   thread->post(taa::request::Seek{0});
   thread->post(taa::request::ReloadShaders{}); // nothing is kept after it
   thread->post(taa::request::Seek{33});
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.read([&] { return recorder.pictures.back().picture.rgba; }), shown.picture.rgba);
+  EXPECT_EQ(recorder.last<taa::ViewResult>().picture.rgba, shown.picture.rgba);
 }
 
 TEST_F(RecordingThread, EndsWithTheShotAndGoesOnPlayingWhereItPlayed) {
   startAt(200);
   thread->post(taa::request::SetLooping{false});
   thread->post(taa::request::SetRecording{true});
-  ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().recording; }));
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.all<taa::Status>().back().recording; }));
   flyAt(5.0, shifted(first, 4), 5.0);
   // It ends by the clock, which no wish waits for.
   ASSERT_TRUE(recorder.waitFor([&] {
-    const taa::Status& status = recorder.statuses.back();
+    const taa::Status& status = recorder.all<taa::Status>().back();
     return !status.recording && !status.playing && status.info.frame == 239;
   }));
-  taa::Status status = recorder.read([&] { return recorder.statuses.back(); });
+  taa::Status status = recorder.last<taa::Status>();
   EXPECT_EQ(status.tracks[0]->poses.size(), 40u) << "frames 200 to 239";
   EXPECT_EQ(status.info.frame, 239);
   EXPECT_FALSE(status.playing);
   thread->post(taa::request::SetRecording{true});
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.errors.size(), 1u) << "there is no frame after it";
-  EXPECT_EQ(recorder.failures.back().kind, taa::RequestKind::Recording);
+  EXPECT_EQ(recorder.all<taa::Failure>().size(), 1u) << "there is no frame after it";
+  EXPECT_EQ(recorder.all<taa::Failure>().back().kind, taa::RequestKind::Recording);
 }
 
 TEST_F(RecordingThread, APauseAStepAndAJumpEndIt) {
@@ -261,7 +261,7 @@ TEST_F(RecordingThread, APauseAStepAndAJumpEndIt) {
     flyAt(0.5, shifted(first, 3), 0.25);
     ends[way]();
     thread->waitUntilIdle();
-    const taa::Status status = recorder.read([&] { return recorder.statuses.back(); });
+    const taa::Status status = recorder.last<taa::Status>();
     EXPECT_FALSE(status.recording) << way;
     EXPECT_FALSE(way < 2 && status.playing) << way;
     if (status.playing) thread->post(taa::request::SetPlaying{false});
@@ -277,14 +277,15 @@ TEST_F(FlightThread, WhatIsKnownOfTheFramesBeforeStaysTrueWhileItIsFlown) {
     thread->post(taa::request::Seek{0});
     if (isRecorded) thread->post(taa::request::SetRecording{true});
     thread->waitUntilIdle();
-    const CameraPose start = recorder.read([&] { return recorder.statuses.back().pose; });
+    const CameraPose start = recorder.last<taa::Status>().pose;
     thread->post(taa::request::SetPlaying{true});
-    ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().playing; }));
+    ASSERT_TRUE(recorder.waitFor([&] { return recorder.all<taa::Status>().back().playing; }));
     std::vector<std::uint64_t> shotVersions;
     for (int step = 1; step < 6; ++step) {
       thread->post(taa::request::Fly{shifted(start, step)});
-      ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().pose == shifted(start, step); }));
-      shotVersions.push_back(recorder.read([&] { return recorder.statuses.back().shotVersion; }));
+      ASSERT_TRUE(
+          recorder.waitFor([&] { return recorder.all<taa::Status>().back().pose == shifted(start, step); }));
+      shotVersions.push_back(recorder.last<taa::Status>().shotVersion);
     }
     EXPECT_EQ(std::ranges::count(shotVersions, shotVersions.front()), 5) << "dropped once, when it began";
     thread->post(taa::request::SetPlaying{false});
@@ -292,7 +293,7 @@ TEST_F(FlightThread, WhatIsKnownOfTheFramesBeforeStaysTrueWhileItIsFlown) {
     thread->waitUntilIdle();
     thread->post(taa::request::SetCamera{"orbit"});
     thread->waitUntilIdle();
-    EXPECT_GT(recorder.read([&] { return recorder.statuses.back().shotVersion; }), shotVersions.back());
+    EXPECT_GT(recorder.last<taa::Status>().shotVersion, shotVersions.back());
   }
 }
 
@@ -322,8 +323,8 @@ TEST_F(SceneChoices, ARenamedCameraShowsTheSameAndARemovedOneNothing) {
 }
 
 TEST_F(FlightThread, SaysWhereObjectsAreSeen) {
-  const std::vector<taa::ObjectArea>& areas = recorder.areas;
-  const auto outline = recorder.read([&] { return recorder.statuses.back().outline; });
+  const std::vector<taa::ObjectArea>& areas = recorder.all<taa::ObjectArea>();
+  const auto outline = recorder.last<taa::Status>().outline;
   ASSERT_TRUE(outline);
   taa::RenderThread other(recorder.listener());
   other.post(taa::request::SetSize{64, 36});

@@ -75,7 +75,7 @@ QByteArray screensIn(const QString& folder) {
 
 void beginAnew(Session& session) {
   session.open(QStringLiteral("builtin:fan"), false);
-  session.setSize(kSize.x, kSize.y);
+  session.post(request::SetSize{kSize.x, kSize.y});
   session.presets().setPreset(QStringLiteral("balanced"));
 }
 

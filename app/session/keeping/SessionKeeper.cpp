@@ -240,9 +240,9 @@ void SessionKeeper::startAnew() {
   path_.clear();
   const glm::ivec2 size = firstSize(session_.status().driver);
   session_.open(QString::fromLatin1(kFirstSource));
-  session_.setSize(size.x, size.y);
+  session_.post(request::SetSize{size.x, size.y});
   session_.presets().setPreset(QString::fromStdString(builtinPresets().front().id));
-  session_.setCheckpointBudget(kDefaultCheckpointBudget);
+  session_.post(request::SetCheckpointBudget{kDefaultCheckpointBudget});
   state_.apply(firstState_);
 }
 

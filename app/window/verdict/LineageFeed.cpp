@@ -17,10 +17,10 @@ LineageFeed::LineageFeed(Session& session, LineagePanel& panel, ViewArea& views)
     : session_(session), panel_(panel), views_(views) {
   connect(&panel_, &LineagePanel::seekRequested, &session_, &Session::seek);
   connect(&panel_, &LineagePanel::shownChanged, this, [this](bool shown) {
-    session_.setLineage(shown ? kLineageFrames : 0);
+    session_.post(request::SetLineage{shown ? kLineageFrames : 0});
     show();
   });
-  connect(&session_, &Session::lineageArrived, this, &LineageFeed::take);
+  session_.onArrival<LineageDelivery>(this, &LineageFeed::take);
   connect(&session_, &Session::statusChanged, this, &LineageFeed::show);
   connect(&session_.probes(), &ProbeChoices::changed, this, &LineageFeed::forgetOther);
 }

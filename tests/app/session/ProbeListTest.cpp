@@ -62,7 +62,7 @@ TEST_F(ProbeWindow, AreSetWithShiftAndChosenByNumber) {
   rightClick({10, 5});
   rightClick({20, 6}, Qt::ShiftModifier);
   rightClick({30, 7}, Qt::ShiftModifier);
-  ASSERT_EQ(renderer->probes.all.size(), 3u);
+  ASSERT_EQ(renderer->last<request::SetProbes>().all.size(), 3u);
   EXPECT_EQ(session.probes().active(), 2);
   key(Qt::Key_N, Qt::ControlModifier);
   EXPECT_EQ(session.probes().pixel(), glm::ivec2(10, 5));
@@ -71,12 +71,13 @@ TEST_F(ProbeWindow, AreSetWithShiftAndChosenByNumber) {
   QTest::mouseClick(window.probe()->bar()->button(1), Qt::LeftButton);
   EXPECT_EQ(session.probes().pixel(), glm::ivec2(20, 6));
   rightClick({21, 8});
-  EXPECT_EQ(renderer->probes.all[1].pixel, glm::ivec2(21, 8)) << "without Shift the active one moves";
+  EXPECT_EQ(renderer->last<request::SetProbes>().all[1].pixel, glm::ivec2(21, 8))
+      << "without Shift the active one moves";
   key(Qt::Key_Escape);
   EXPECT_EQ(session.probes().all().size(), 2u);
   EXPECT_EQ(session.probes().pixel(), glm::ivec2(30, 7)) << "the next one takes its number";
   key(Qt::Key_Escape, Qt::ShiftModifier);
-  EXPECT_TRUE(renderer->probes.all.empty());
+  EXPECT_TRUE(renderer->last<request::SetProbes>().all.empty());
   EXPECT_FALSE(window.probe()->table()->isVisible());
 }
 

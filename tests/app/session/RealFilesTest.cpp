@@ -42,7 +42,7 @@ class RealFiles : public testing::Test {
     // A note takes room from the views: one that went while a test runs would change the size of their
     // pictures.
     window->messages()->setNoteTime(std::chrono::hours(1));
-    session->setSize(96, 54);
+    session->post(request::SetSize{96, 54});
     session->open("builtin:fan", false);
     session->seek(6);
     settled(6);
@@ -127,13 +127,13 @@ TEST_F(RealFiles, AReopenedSessionShowsTheSamePicture) {
   session->presets().setParameter("weight.minimum", 0.3);
   session->scene().setCamera("orbit");
   session->scene().setMotionMode("rotor", MotionMode::None);
-  session->setSize(120, 68);
+  session->post(request::SetSize{120, 68});
   session->seek(9);
   settled(9);
   window->keeper()->saveTo(path("it.taa.json"));
   const auto before = settled(9);
   session->presets().setPreset("minimal");
-  session->setSize(64, 36);
+  session->post(request::SetSize{64, 36});
   session->open("builtin:thin", false);
   session->seek(2);
   EXPECT_NE(settled(2), before);
@@ -255,9 +255,9 @@ TEST_F(RealFiles, AnEditedShaderShowsAndABrokenOneIsNamed) {
       1 + std::count(text.begin(), text.begin() + static_cast<long>(text.find("blended.colour")), '\n');
   EXPECT_TRUE(window->messages()->text().contains(QStringLiteral("taa/resolve.frag:%1:").arg(number)))
       << window->messages()->text().toStdString();
-  session->step(1); // the last good one goes on
+  session->post(request::Step{1}); // the last good one goes on
   settled(7);
-  session->step(-1);
+  session->post(request::Step{-1});
   EXPECT_EQ(values(), edited);
   shaders.replace("taa/resolve.frag", "blended.colour", "blended.color");
   ASSERT_TRUE(taa::app::test::waitFor([&] { return window->messages()->text().contains("compile again"); }));

@@ -157,7 +157,7 @@ TEST_F(Refusals, AMissingFileLeavesWhatWasAskedOfTheSceneThatIsOpen) {
 
 TEST_F(Refusals, ASessionWhoseSceneCannotBeReadLeavesEverythingAsItWas) {
   session.presets().setPreset("fsr2");
-  session.setSize(96, 54);
+  session.post(request::SetSize{96, 54});
   session.seek(7);
   settle();
   SessionFile other = session.file();
@@ -193,7 +193,8 @@ TEST_F(Refusals, ASceneBeyondTheBudgetIsOpenedAnywayWhereThatIsAsked) {
   EXPECT_EQ(renderer->status.source, taa::app::test::kFakeLarge);
   EXPECT_EQ(window.messages()->text(), "");
   EXPECT_FALSE(anyway());
-  EXPECT_LT(renderer->sceneBudget.triangles, taa::app::test::kTrianglesOfLarge) << "for this source alone";
+  EXPECT_LT(renderer->last<request::SetSceneBudget>().budget.triangles, taa::app::test::kTrianglesOfLarge)
+      << "for this source alone";
   session.choose({"", 100});
   settle();
   EXPECT_EQ(renderer->status.frameCount, 100) << "it opens again";

@@ -104,7 +104,7 @@ TEST_F(SessionFiles, KeepTheAnimationAndTheLengthThatAreChosenInTheMenu) {
   settle();
   session.scene().setCamera("pan");
   session.scene().addCameraTrack({"flown", 0, {CameraPose{}}});
-  session.setSize(96, 54);
+  session.post(request::SetSize{96, 54});
   session.seek(33);
   settle();
   const auto action = [&](const QString& text) {
@@ -175,7 +175,7 @@ TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
   session.presets().setPreset("fsr2");
   session.presets().setParameter("weight.minimum", 0.25);
   session.scene().setCamera("pan");
-  session.setSize(96, 54);
+  session.post(request::SetSize{96, 54});
   session.scene().setMotionMode("rotor & hub", MotionMode::None);
   session.seek(33);
   settle();
@@ -189,7 +189,7 @@ TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
 
   session.presets().setPreset("minimal");
   session.scene().setCamera("still");
-  session.setSize(64, 36);
+  session.post(request::SetSize{64, 36});
   session.scene().setMotionMode("rotor & hub", MotionMode::PerObject);
   session.seek(3);
   session.probes().removeAll();
@@ -364,12 +364,12 @@ TEST_F(SessionFiles, ARangeIsAskedForAndItsEndIsSaid) {
   target->setText(path("out"));
   EXPECT_TRUE(start->isEnabled());
   QTest::mouseClick(start, Qt::LeftButton);
-  ASSERT_TRUE(renderer->exported);
-  EXPECT_EQ(renderer->exported->kind, SequenceKind::Gif);
-  EXPECT_EQ(renderer->exported->target, path("out.gif").toStdString());
-  EXPECT_EQ(renderer->exported->first, 3);
-  EXPECT_EQ(renderer->exported->last, 8);
-  EXPECT_EQ(renderer->exported->picture.width, 64);
+  ASSERT_FALSE(renderer->all<request::ExportSequence>().empty());
+  EXPECT_EQ(renderer->last<request::ExportSequence>().sequence.kind, SequenceKind::Gif);
+  EXPECT_EQ(renderer->last<request::ExportSequence>().sequence.target, path("out.gif").toStdString());
+  EXPECT_EQ(renderer->last<request::ExportSequence>().sequence.first, 3);
+  EXPECT_EQ(renderer->last<request::ExportSequence>().sequence.last, 8);
+  EXPECT_EQ(renderer->last<request::ExportSequence>().sequence.picture.width, 64);
   renderer->tell(ExportResult{path("out.gif").toStdString(), 6});
   settle();
   EXPECT_TRUE(own->messages()->text().contains("out.gif"));
@@ -426,17 +426,17 @@ TEST_F(SessionFiles, ARangeAsksOnceBeforeItReplacesFiles) {
     ASSERT_EQ(boxes.size(), 1);
     EXPECT_TRUE(boxes[0]->text().contains("2 of 6") && boxes[0]->text().contains("out.0004.png"))
         << boxes[0]->text().toStdString();
-    EXPECT_FALSE(renderer->exported);
+    EXPECT_TRUE(renderer->all<request::ExportSequence>().empty());
     for (QAbstractButton* button : boxes[0]->buttons())
       if (button->text().remove('&') == text) QTest::mouseClick(button, Qt::LeftButton);
     QTest::qWait(50);
   };
   answer("Cancel");
-  EXPECT_FALSE(renderer->exported);
+  EXPECT_TRUE(renderer->all<request::ExportSequence>().empty());
   ASSERT_TRUE(dialog->isVisible()) << "another place can be chosen";
   answer("Replace");
-  ASSERT_TRUE(renderer->exported);
-  EXPECT_EQ(renderer->exported->first, 3);
+  ASSERT_FALSE(renderer->all<request::ExportSequence>().empty());
+  EXPECT_EQ(renderer->last<request::ExportSequence>().sequence.first, 3);
 }
 
 // Without a desktop's own dialogs; those ask by themselves.

@@ -138,7 +138,7 @@ TEST_F(SessionPanels, AHiddenColumnAndTheSceneInPlaceOfThePipelineComeBack) {
 
 TEST_F(SessionPanels, EverythingElseIsTheSameStateAgain) {
   session.probes().setPixel(glm::ivec2(20, 10));
-  session.setReferenceSamples(16);
+  session.post(request::SetReferenceSamples{16});
   window.messages()->setNoteTime(std::chrono::milliseconds(1)); // a strip takes from the heights
   ViewArea* views = window.views();
   views->setViewCount(2);
@@ -176,7 +176,7 @@ TEST_F(SessionPanels, EverythingElseIsTheSameStateAgain) {
   timeline->setStripMetric({});
   timeline->setSpeed(2.0);
   timeline->clearRange();
-  session.setReferenceSamples(64);
+  session.post(request::SetReferenceSamples{64});
   session.probes().setPixel({});
   settle();
   const QJsonObject changed = window.state();

@@ -36,10 +36,10 @@ TEST(Mailbox, PostsOnceForAnyNumberOfResultsAndKeepsTheNewest) {
     mailbox.put({0, Failure{"error " + std::to_string(frame)}});
   }
   EXPECT_EQ(posts, 1);
-  const Delivery delivery = mailbox.take();
-  EXPECT_FALSE(delivery.pictures[0]);
-  EXPECT_EQ(delivery.pictures[1]->frame, 4);
-  EXPECT_EQ(delivery.errors.size(), 5u) << "no error is lost";
+  const ListsOf<Result> arrived = mailbox.take();
+  ASSERT_EQ(arrived.all<ViewResult>().size(), 1u);
+  EXPECT_EQ(arrived.all<ViewResult>()[0].frame, 4);
+  EXPECT_EQ(arrived.all<Failure>().size(), 5u) << "no error is lost";
   mailbox.put({0, Work{}});
   EXPECT_EQ(posts, 2);
 }

@@ -56,7 +56,7 @@ class UndoTest : public test::FakeViews {
   }
   std::vector<glm::ivec2> pixels() {
     std::vector<glm::ivec2> all;
-    for (const Probe& probe : renderer->probes.all) all.push_back(probe.pixel);
+    for (const Probe& probe : renderer->last<request::SetProbes>().all) all.push_back(probe.pixel);
     return all;
   }
   using Pixels = std::vector<glm::ivec2>;
@@ -147,23 +147,23 @@ TEST_F(UndoTest, ProbesComeBack) {
   press(Qt::Key_Delete);
   ASSERT_EQ(pixels(), (Pixels{{30, 6}}));
   press(Qt::Key_Escape, Qt::ShiftModifier);
-  ASSERT_TRUE(renderer->probes.all.empty());
+  ASSERT_TRUE(renderer->last<request::SetProbes>().all.empty());
   EXPECT_EQ(command("Undo")->text().remove(u'&'), "Undo: removal of all probes");
   undo();
   EXPECT_EQ(pixels(), (Pixels{{30, 6}}));
   undo();
-  ASSERT_EQ(renderer->probes.all.size(), 2u);
-  EXPECT_EQ(renderer->probes.all[1].follow, Follow::Surface);
+  ASSERT_EQ(renderer->last<request::SetProbes>().all.size(), 2u);
+  EXPECT_EQ(renderer->last<request::SetProbes>().all[1].follow, Follow::Surface);
   EXPECT_EQ(session.probes().active(), 1);
   undo();
-  EXPECT_EQ(renderer->probes.all[1].follow, Follow::Screen);
+  EXPECT_EQ(renderer->last<request::SetProbes>().all[1].follow, Follow::Screen);
   undo();
   EXPECT_EQ(pixels(), (Pixels{{30, 6}}));
   undo();
   EXPECT_EQ(pixels(), (Pixels{{10, 5}})) << "a drag is one step";
   EXPECT_FALSE(command("Undo")->isEnabled());
   for (int step = 0; step < 3; ++step) redo();
-  EXPECT_EQ(renderer->probes.all[1].follow, Follow::Surface);
+  EXPECT_EQ(renderer->last<request::SetProbes>().all[1].follow, Follow::Surface);
 }
 
 TEST_F(UndoTest, ViewsComeBack) {
@@ -176,9 +176,9 @@ TEST_F(UndoTest, ViewsComeBack) {
   press(Qt::Key_X, Qt::ShiftModifier);
   press(Qt::Key_M);
   press(Qt::Key_V);
-  ASSERT_EQ(renderer->views.size(), 4u);
+  ASSERT_EQ(renderer->last<request::SetViews>().views.size(), 4u);
   undo();
-  EXPECT_EQ(renderer->views.size(), 2u);
+  EXPECT_EQ(renderer->last<request::SetViews>().views.size(), 2u);
   undo();
   EXPECT_EQ(view()->style().map, defaultStyle(intermediate(IntermediateId::alpha)).map);
   EXPECT_TRUE(view()->shows(Overlay::Clipped));
@@ -331,7 +331,7 @@ TEST_F(UndoTest, EscapeInTheSearchFieldEndsTheSearchOnly) {
   EXPECT_TRUE(viewport()->hasFocus());
   EXPECT_EQ(pixels(), (Pixels{{10, 5}}));
   press(Qt::Key_Escape);
-  EXPECT_TRUE(renderer->probes.all.empty());
+  EXPECT_TRUE(renderer->last<request::SetProbes>().all.empty());
   undo();
   EXPECT_EQ(pixels(), (Pixels{{10, 5}}));
 }
@@ -340,7 +340,7 @@ TEST_F(UndoTest, EscapeStopsWorkAndLeavesTheProbe) {
   renderer->tell(Work{WorkKind::Replay, "Going to frame 200", 3, 200});
   settle();
   press(Qt::Key_Escape);
-  EXPECT_EQ(renderer->cancels, 1);
+  EXPECT_EQ(renderer->all<request::Cancel>().size(), 1u);
   renderer->tell(Work{});
   settle();
   press(Qt::Key_Escape); // a moment too late
@@ -350,13 +350,13 @@ TEST_F(UndoTest, EscapeStopsWorkAndLeavesTheProbe) {
   session.seek(0);
   settle();
   press(Qt::Key_Escape);
-  EXPECT_EQ(renderer->cancels, 3);
+  EXPECT_EQ(renderer->all<request::Cancel>().size(), 3u);
   EXPECT_EQ(pixels(), (Pixels{{10, 5}}));
   renderer->status.goal.reset();
   session.seek(0);
   settle();
   press(Qt::Key_Escape);
-  EXPECT_TRUE(renderer->probes.all.empty());
+  EXPECT_TRUE(renderer->last<request::SetProbes>().all.empty());
 }
 
 TEST_F(UndoTest, EscapeEndsFlightThenComparisonThenProbe) {
@@ -370,7 +370,7 @@ TEST_F(UndoTest, EscapeEndsFlightThenComparisonThenProbe) {
   EXPECT_FALSE(view()->comparison());
   EXPECT_EQ(pixels(), (Pixels{{10, 5}}));
   press(Qt::Key_Escape);
-  EXPECT_TRUE(renderer->probes.all.empty());
+  EXPECT_TRUE(renderer->last<request::SetProbes>().all.empty());
   press(Qt::Key_Escape);
   undo();
   undo();

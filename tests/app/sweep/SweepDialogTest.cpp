@@ -37,7 +37,7 @@ class SweepDialogTest : public FakeWindow {
  protected:
   void SetUp() override {
     FakeWindow::SetUp();
-    session.setReferenceSamples(16); // the fake renderer begins with none
+    session.post(request::SetReferenceSamples{16}); // the fake renderer begins with none
     settle();
     dialog_ = new SweepDialog(session, {}, &window,
                               [this](const ShotSweepRequest& request, const SettingsMeasured& measured,

@@ -29,7 +29,7 @@ class TuneDialogTest : public FakeWindow {
  protected:
   void SetUp() override {
     FakeWindow::SetUp();
-    session.setReferenceSamples(16); // the fake renderer begins with none
+    session.post(request::SetReferenceSamples{16}); // the fake renderer begins with none
     settle();
     dialog_ = new TuneDialog(session,
                              {[this](const Settings& found) { saved_.push_back(found); },

@@ -283,11 +283,11 @@ TEST_F(VerdictPanel, ARemedyIsOneStepOfUndo) {
   Settings expected = before;
   for (const char* change : {"validate.object=on", "rectify.method=clamp"}) applyAssignment(expected, change);
   ASSERT_FALSE(before == expected);
-  const int sent = renderer->settingsSent;
+  const auto sent = renderer->all<request::SetSettings>().size();
   click(details()->remedies()[0]);
   EXPECT_TRUE(settings() == expected);
   EXPECT_TRUE(renderer->status.settings == expected);
-  EXPECT_EQ(renderer->settingsSent, sent + 1);
+  EXPECT_EQ(renderer->all<request::SetSettings>().size(), sent + 1);
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(settings() == before);
 }
@@ -386,19 +386,19 @@ TEST_F(VerdictPanel, DrawsThePartsOfTheErrorAndTheirSum) {
 
 TEST_F(VerdictPanel, IsWantedWhereItIsSeenAndNotWhileItPlays) {
   probe();
-  EXPECT_TRUE(renderer->verdicts);
+  EXPECT_TRUE(renderer->last<request::SetVerdicts>().on);
   key(Qt::Key_F3);
-  EXPECT_FALSE(renderer->verdicts) << "another page of the probe is open";
+  EXPECT_FALSE(renderer->last<request::SetVerdicts>().on) << "another page of the probe is open";
   key(Qt::Key_F2);
-  EXPECT_TRUE(renderer->verdicts);
+  EXPECT_TRUE(renderer->last<request::SetVerdicts>().on);
   key(Qt::Key_F10);
-  EXPECT_FALSE(renderer->verdicts) << "the panel is closed";
+  EXPECT_FALSE(renderer->last<request::SetVerdicts>().on) << "the panel is closed";
   key(Qt::Key_F10);
-  session.setPlaying(true);
+  session.post(request::SetPlaying{true});
   settle();
   EXPECT_FALSE(line()->isVisible());
   EXPECT_FALSE(details()->isVisible());
-  session.setPlaying(false);
+  session.post(request::SetPlaying{false});
   settle();
   EXPECT_TRUE(line()->isVisible());
 }
@@ -406,7 +406,7 @@ TEST_F(VerdictPanel, IsWantedWhereItIsSeenAndNotWhileItPlays) {
 TEST_F(VerdictPanel, IsSwitchedOffAndStaysSo) {
   probe();
   key(Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_FALSE(renderer->verdicts);
+  EXPECT_FALSE(renderer->last<request::SetVerdicts>().on);
   EXPECT_FALSE(line()->isVisible());
   EXPECT_FALSE(details()->isVisible());
   const QJsonObject state = window.state();

@@ -56,17 +56,17 @@ TEST(ComparisonTest, TextsAndMeaningsBelongTogether) {
 }
 
 TEST_F(ComparingTest, VShowsOneTwoOrFourViewsAndHiddenOnesCostNothing) {
-  EXPECT_EQ(renderer->views.size(), 2u);
+  EXPECT_EQ(renderer->last<request::SetViews>().views.size(), 2u);
   key(Qt::Key_V);
-  ASSERT_EQ(renderer->views.size(), 4u);
+  ASSERT_EQ(renderer->last<request::SetViews>().views.size(), 4u);
   for (std::size_t index = 0; index < 4; ++index) EXPECT_GT(asked(index).width, 0) << index;
   EXPECT_EQ(view(2)->mapTo(&window, QPoint()).x(), view(0)->mapTo(&window, QPoint()).x());
   EXPECT_GT(view(2)->mapTo(&window, QPoint()).y(), view(0)->mapTo(&window, QPoint()).y());
   EXPECT_EQ(view(3)->mapTo(&window, QPoint()).x(), view(1)->mapTo(&window, QPoint()).x());
   key(Qt::Key_V);
-  EXPECT_EQ(renderer->views.size(), 1u);
+  EXPECT_EQ(renderer->last<request::SetViews>().views.size(), 1u);
   key(Qt::Key_V);
-  EXPECT_EQ(renderer->views.size(), 2u);
+  EXPECT_EQ(renderer->last<request::SetViews>().views.size(), 2u);
   key(Qt::Key_4, Qt::ControlModifier);
   EXPECT_EQ(window.views()->viewCount(), 4) << "a view that is not there comes with its key";
   EXPECT_EQ(window.views()->activeIndex(), 3);
@@ -212,10 +212,10 @@ TEST_F(ComparingTest, EachOfFourViewsHasAPresetOfItsOwnToCompareWith) {
   for (int index = 0; index < 4; ++index)
     view(index)->setComparison({OtherKind::Preset, {}, presets[index].toStdString()});
   settle();
-  ASSERT_EQ(renderer->otherLanes.size(), 4u);
+  ASSERT_EQ(renderer->last<request::SetOtherLanes>().lanes.size(), 4u);
   const std::vector<ViewRequest> requests = window.views()->requests();
   for (int index = 0; index < 4; ++index) {
-    EXPECT_TRUE(renderer->otherLanes[static_cast<std::size_t>(index)] ==
+    EXPECT_TRUE(renderer->last<request::SetOtherLanes>().lanes[static_cast<std::size_t>(index)] ==
                 preset(presets[index].toStdString()).settings);
     ASSERT_TRUE(requests[static_cast<std::size_t>(index)].other) << index;
     EXPECT_EQ(requests[static_cast<std::size_t>(index)].other->lane, index + 1);
@@ -224,15 +224,15 @@ TEST_F(ComparingTest, EachOfFourViewsHasAPresetOfItsOwnToCompareWith) {
 
 TEST_F(ComparingTest, APresetIsALaneBesideTheSettings) {
   compareWith(kSharp);
-  ASSERT_EQ(renderer->otherLanes.size(), 1u);
-  EXPECT_TRUE(renderer->otherLanes[0] == preset("sharp").settings);
+  ASSERT_EQ(renderer->last<request::SetOtherLanes>().lanes.size(), 1u);
+  EXPECT_TRUE(renderer->last<request::SetOtherLanes>().lanes[0] == preset("sharp").settings);
   EXPECT_EQ(asked().other->lane, 1);
   view(1)->setComparison({OtherKind::Preset, {}, "stable"});
   settle();
-  EXPECT_EQ(renderer->otherLanes.size(), 2u);
+  EXPECT_EQ(renderer->last<request::SetOtherLanes>().lanes.size(), 2u);
   EXPECT_EQ(asked(1).other->lane, 2);
   compareWith({});
-  EXPECT_EQ(renderer->otherLanes.size(), 1u) << "a lane nobody looks at is not run";
+  EXPECT_EQ(renderer->last<request::SetOtherLanes>().lanes.size(), 1u) << "a lane nobody looks at is not run";
   EXPECT_EQ(asked(1).other->lane, 1);
 }
 
@@ -253,7 +253,7 @@ TEST_F(ComparingTest, WhilePlayingTheFrameBeforeStaysAndSaysSo) {
   key(Qt::Key_C, Qt::ShiftModifier);
   const int right = viewport()->width() - 12;
   ASSERT_EQ(grayAt(right, middleY()), FakeRenderer::kOtherGray);
-  session.setPlaying(true);
+  session.post(request::SetPlaying{true});
   session.seek(24);
   settle();
   EXPECT_EQ(viewport()->label(true).toStdString(),
@@ -263,7 +263,7 @@ TEST_F(ComparingTest, WhilePlayingTheFrameBeforeStaysAndSaysSo) {
   EXPECT_TRUE(viewport()->picture(false).isNull()) << "no file shows a pair that is none";
   compareWith({OtherKind::FramesBefore, {}, {}, 3});
   EXPECT_EQ(viewport()->label(true).toStdString(), "Resolved · balanced · comes when it is paused");
-  session.setPlaying(false);
+  session.post(request::SetPlaying{false});
   settle();
   EXPECT_EQ(viewport()->label(true).toStdString(), "Resolved · balanced · frame 21");
 }
@@ -324,7 +324,7 @@ TEST_F(ComparingTest, AStateIsRestoredAsItWas) {
   view(1)->viewport()->setCamera({false, 8.0, {10.0, 12.0}});
   settle();
   const QJsonObject state = window.views()->state();
-  const std::vector<ViewRequest> before = renderer->views;
+  const std::vector<ViewRequest> before = renderer->last<request::SetViews>().views;
   for (int index = 0; index < 4; ++index) {
     view(index)->setComparison({});
     view(index)->resetStyle();
@@ -333,10 +333,10 @@ TEST_F(ComparingTest, AStateIsRestoredAsItWas) {
   view(2)->setIntermediate(IntermediateId::lock);
   window.views()->setViewCount(1);
   settle();
-  ASSERT_NE(renderer->views, before);
+  ASSERT_NE(renderer->last<request::SetViews>().views, before);
   window.views()->setState(state);
   settle();
-  EXPECT_EQ(renderer->views, before);
+  EXPECT_EQ(renderer->last<request::SetViews>().views, before);
   EXPECT_EQ(window.views()->state(), state);
   EXPECT_FALSE(window.views()->areLinked());
   EXPECT_EQ(view(3)->viewport()->divider(), 0.25);

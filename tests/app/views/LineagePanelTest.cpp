@@ -39,15 +39,15 @@ class LineagePage : public test::FakeWindow {
 TEST_F(LineagePage, AsksForSamplesOnlyWhileItIsOpen) {
   session.probes().setPixel(glm::ivec2(20, 10));
   settle();
-  EXPECT_EQ(renderer->lineageFrames, 0);
+  EXPECT_EQ(renderer->last<request::SetLineage>().frames, 0);
   EXPECT_TRUE(path().empty());
   open();
   EXPECT_TRUE(window.lineage()->isVisible());
   EXPECT_TRUE(window.lower()->shows(LowerPage::Lineage));
-  EXPECT_EQ(renderer->lineageFrames, kLineageFrames);
+  EXPECT_EQ(renderer->last<request::SetLineage>().frames, kLineageFrames);
   EXPECT_EQ(path().size(), 10u) << "from frame 9 to frame 0";
   key(Qt::Key_F7, Qt::ControlModifier);
-  EXPECT_EQ(renderer->lineageFrames, 0);
+  EXPECT_EQ(renderer->last<request::SetLineage>().frames, 0);
   EXPECT_TRUE(path().empty()) << "nor is its way shown";
 }
 
@@ -114,7 +114,7 @@ TEST_F(LineagePage, ShowsNothingOfAnotherPixelAndSaysWhatIsOld) {
   renderer->deliver();
   settle();
   EXPECT_EQ(path().size(), 10u);
-  renderer->lineageFrames = 0; // none of the next frame
+  renderer->all<request::SetLineage>().clear(); // none of the next frame
   session.seek(12);
   settle();
   EXPECT_TRUE(path().empty()) << "it is the way to another frame";

@@ -111,24 +111,24 @@ TEST_F(Plots, StandAboveTheTimelineFrameByFrame) {
 }
 
 TEST_F(Plots, AreFilledInInIdleTimeUntilSomebodyStopsThem) {
-  EXPECT_EQ(renderer->idleTraces.first, 0);
-  EXPECT_EQ(renderer->idleTraces.last, 239);
-  renderer->idleTraces = {};
+  EXPECT_EQ(renderer->last<request::TraceInIdleTime>().first, 0);
+  EXPECT_EQ(renderer->last<request::TraceInIdleTime>().last, 239);
+  renderer->all<request::TraceInIdleTime>().clear();
   goTo(3);
-  EXPECT_EQ(renderer->idleTraces.last, -1) << "asked for once";
+  EXPECT_EQ(renderer->last<request::TraceInIdleTime>().last, -1) << "asked for once";
   session.probes().setPixel(glm::ivec2(8, 5));
   settle();
-  EXPECT_EQ(renderer->idleTraces.last, 239) << "of another pixel anew";
+  EXPECT_EQ(renderer->last<request::TraceInIdleTime>().last, 239) << "of another pixel anew";
 }
 
 TEST_F(Plots, CostNothingWhileTheyAreHidden) {
-  EXPECT_TRUE(renderer->tracing);
+  EXPECT_TRUE(renderer->last<request::SetTracing>().on);
   key(Qt::Key_F11, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_FALSE(renderer->tracing);
+  EXPECT_FALSE(renderer->last<request::SetTracing>().on);
   key(Qt::Key_F7, Qt::ShiftModifier);
-  EXPECT_TRUE(renderer->tracing) << "weights are measured at the probe, too";
+  EXPECT_TRUE(renderer->last<request::SetTracing>().on) << "weights are measured at the probe, too";
   key(Qt::Key_F7, Qt::ShiftModifier);
-  EXPECT_FALSE(renderer->tracing);
+  EXPECT_FALSE(renderer->last<request::SetTracing>().on);
 }
 
 TEST_F(Plots, MeasuredWeightsSayWhatTheyDoNotTell) {

@@ -210,7 +210,7 @@ TEST_F(TimelineTest, ReadoutStaysInPlaceWhileTimeGoesOnAt1280) {
 TEST_F(TimelineTest, AChosenMetricIsAskedForAndDrawnUnderTheRuler) {
   window.timeline()->setStripMetric(Metric::MeanAlpha);
   settle();
-  EXPECT_EQ(renderer->metrics, std::vector{Metric::MeanAlpha});
+  EXPECT_EQ(renderer->last<request::SetMetrics>().metrics, std::vector{Metric::MeanAlpha});
   session.seek(40);
   settle();
   session.seek(50);
@@ -226,6 +226,6 @@ TEST_F(TimelineTest, AChosenMetricIsAskedForAndDrawnUnderTheRuler) {
   EXPECT_EQ(window.timeline()->state()["metric"].toString(), "meanAlpha");
   window.timeline()->setStripMetric({});
   settle();
-  EXPECT_TRUE(renderer->metrics.empty());
+  EXPECT_TRUE(renderer->last<request::SetMetrics>().metrics.empty());
   EXPECT_TRUE(timeline()->strip().name.isEmpty());
 }

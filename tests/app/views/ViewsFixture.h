@@ -13,7 +13,9 @@ class FakeViews : public FakeWindow {
  protected:
   ViewPanel* view(int index = 0) { return window.views()->view(index); }
   Viewport* viewport() { return view()->viewport(); }
-  const ViewRequest& asked(std::size_t index = 0) { return renderer->views.at(index); }
+  const ViewRequest& asked(std::size_t index = 0) {
+    return renderer->last<request::SetViews>().views.at(index);
+  }
   /// The gray at a place of the first view, logical px.
   int grayAt(int x, int y) { return qRed(viewport()->grab().toImage().pixel(x, y)); }
   int middleY() { return viewport()->height() / 2 + 40; } // below the handle

@@ -37,14 +37,15 @@ TEST_F(RenderAnswersTest, AnErrorSaysWhatItAnswersAndNothingElseIsDropped) {
       thread->post(taa::request::SetMotionModes{{{"nobody", taa::MotionMode::None}}});
   thread->waitUntilIdle();
   EXPECT_LT(settings, exported);
-  ASSERT_EQ(recorder.failures.size(), 2u);
-  std::ranges::sort(recorder.failures, {}, &taa::Failure::request); // some may be taken up together
-  EXPECT_EQ(recorder.failures[0].kind, taa::RequestKind::Export);
-  EXPECT_EQ(recorder.failures[0].request, exported);
-  EXPECT_EQ(recorder.failures[1].kind, taa::RequestKind::MotionModes);
-  EXPECT_EQ(recorder.failures[1].request, modes);
-  EXPECT_EQ(recorder.statuses.back().settings, otherJitter());
-  EXPECT_EQ(recorder.pictures.back().request.id, IntermediateId::alpha);
+  ASSERT_EQ(recorder.all<taa::Failure>().size(), 2u);
+  // Some may be taken up together.
+  std::ranges::sort(recorder.all<taa::Failure>(), {}, &taa::Failure::request);
+  EXPECT_EQ(recorder.all<taa::Failure>()[0].kind, taa::RequestKind::Export);
+  EXPECT_EQ(recorder.all<taa::Failure>()[0].request, exported);
+  EXPECT_EQ(recorder.all<taa::Failure>()[1].kind, taa::RequestKind::MotionModes);
+  EXPECT_EQ(recorder.all<taa::Failure>()[1].request, modes);
+  EXPECT_EQ(recorder.all<taa::Status>().back().settings, otherJitter());
+  EXPECT_EQ(recorder.all<taa::ViewResult>().back().request.id, IntermediateId::alpha);
 }
 
 TEST_F(RenderAnswersTest, AFailingShaderAnswersTheSettingsThatNeedIt) {
@@ -57,11 +58,11 @@ TEST_F(RenderAnswersTest, AFailingShaderAnswersTheSettingsThatNeedIt) {
     const taa::RequestId refused = thread->post(taa::request::SetSettings{wanted});
     thread->post(taa::request::SetMotionModes{{{"rotor", taa::MotionMode::None}}});
     thread->waitUntilIdle();
-    ASSERT_FALSE(recorder.failures.empty());
-    EXPECT_EQ(recorder.failures[0].kind, taa::RequestKind::Settings);
-    EXPECT_EQ(recorder.failures[0].request, refused);
+    ASSERT_FALSE(recorder.all<taa::Failure>().empty());
+    EXPECT_EQ(recorder.all<taa::Failure>()[0].kind, taa::RequestKind::Settings);
+    EXPECT_EQ(recorder.all<taa::Failure>()[0].request, refused);
   }
-  EXPECT_EQ(recorder.statuses.back().settings, taa::Settings{}) << "says what is in force";
+  EXPECT_EQ(recorder.all<taa::Status>().back().settings, taa::Settings{}) << "says what is in force";
 }
 
 namespace {
@@ -160,7 +161,7 @@ TEST_F(RenderAnswersTest, AnExportOfNothingIsNotDoneOfWhatIsOpenedLater) {
   other.waitUntilIdle();
   other.post(taa::request::Open{"builtin:fan"});
   other.waitUntilIdle();
-  EXPECT_TRUE(recorder.exports.empty());
+  EXPECT_TRUE(recorder.all<taa::ExportResult>().empty());
 }
 
 // Requests come out turn by turn, as they were asked for within one.
@@ -187,9 +188,9 @@ TEST_F(RenderAnswersTest, SaysWhyItReplays) {
     recorder.clear();
     wish();
     thread->waitUntilIdle();
-    EXPECT_TRUE(recorder.statuses.back().exact);
-    EXPECT_TRUE(recorder.statuses.back().inexactSince.empty());
-    return recorder.works.empty() ? std::string() : recorder.works.front().what;
+    EXPECT_TRUE(recorder.all<taa::Status>().back().exact);
+    EXPECT_TRUE(recorder.all<taa::Status>().back().inexactSince.empty());
+    return recorder.all<taa::Work>().empty() ? std::string() : recorder.all<taa::Work>().front().what;
   };
   EXPECT_EQ(saidAfter([&] { thread->post(taa::request::SetCamera{"orbit"}); }),
             "Replaying with the new camera");
@@ -224,14 +225,14 @@ TEST_F(RenderAnswersTest, PicturesAndThumbnailsSayWhichShotVersionTheyAreOf) {
   thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
   thread->post(taa::request::SetThumbnails{16, 9});
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.pictures.back().shotVersion, recorder.statuses.back().shotVersion);
-  ASSERT_TRUE(recorder.waitFor([&] { return !recorder.thumbnails.empty(); }));
-  const std::uint64_t before = recorder.read([&] { return recorder.statuses.back().shotVersion; });
-  EXPECT_EQ(recorder.read([&] { return recorder.thumbnails.back().shotVersion; }), before);
+  EXPECT_EQ(recorder.all<taa::ViewResult>().back().shotVersion,
+            recorder.all<taa::Status>().back().shotVersion);
+  ASSERT_TRUE(recorder.waitFor([&] { return !recorder.all<taa::Thumbnail>().empty(); }));
+  const std::uint64_t before = recorder.last<taa::Status>().shotVersion;
+  EXPECT_EQ(recorder.last<taa::Thumbnail>().shotVersion, before);
   const taa::RequestId request = thread->post(taa::request::Open{"builtin:fence"});
   thread->waitUntilIdle();
-  EXPECT_GT(recorder.read([&] { return recorder.statuses.back().shotVersion; }), before);
-  EXPECT_EQ(recorder.read([&] { return recorder.statuses.back().opened; }), request);
-  EXPECT_EQ(recorder.read([&] { return recorder.pictures.back().shotVersion; }),
-            recorder.read([&] { return recorder.statuses.back().shotVersion; }));
+  EXPECT_GT(recorder.last<taa::Status>().shotVersion, before);
+  EXPECT_EQ(recorder.last<taa::Status>().opened, request);
+  EXPECT_EQ(recorder.last<taa::ViewResult>().shotVersion, recorder.last<taa::Status>().shotVersion);
 }

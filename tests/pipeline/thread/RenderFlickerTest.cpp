@@ -23,7 +23,8 @@ class RenderFlickerTest : public taa::test::onThread::RenderThreadTest {
     thread->waitUntilIdle();
   }
   bool wasTold() const {
-    return std::ranges::any_of(recorder.works, [](const taa::Work& work) { return work.kind == kWork; });
+    return std::ranges::any_of(recorder.all<taa::Work>(),
+                               [](const taa::Work& work) { return work.kind == kWork; });
   }
 };
 
@@ -32,35 +33,36 @@ TEST_F(RenderFlickerTest, IsMeasuredWhileAViewShowsIt) {
   EXPECT_FALSE(wasTold()) << "nobody looks";
   thread->post(taa::request::SetViews{{viewOf(IntermediateId::deviationOverTime)}});
   thread->waitUntilIdle();
-  ASSERT_EQ(recorder.pictures.size(), 2u);
-  EXPECT_FALSE(recorder.pictures.front().overTimeSamples) << "at once, as far as it is known";
-  EXPECT_EQ(recorder.pictures.back().overTimeSamples, 0) << "no reference was drawn for it";
-  const std::optional<double> deviation = recorder.pictures.back().number;
+  ASSERT_EQ(recorder.all<taa::ViewResult>().size(), 2u);
+  EXPECT_FALSE(recorder.all<taa::ViewResult>().front().overTimeSamples) << "at once, as far as it is known";
+  EXPECT_EQ(recorder.all<taa::ViewResult>().back().overTimeSamples, 0) << "no reference was drawn for it";
+  const std::optional<double> deviation = recorder.all<taa::ViewResult>().back().number;
   ASSERT_TRUE(deviation);
   thread->post(taa::request::SetViews{{viewOf(IntermediateId::flicker)}});
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.pictures.back().overTimeSamples, kSamples);
-  ASSERT_TRUE(recorder.pictures.back().number);
-  EXPECT_LE(*recorder.pictures.back().number, *deviation);
+  EXPECT_EQ(recorder.all<taa::ViewResult>().back().overTimeSamples, kSamples);
+  ASSERT_TRUE(recorder.all<taa::ViewResult>().back().number);
+  EXPECT_LE(*recorder.all<taa::ViewResult>().back().number, *deviation);
   EXPECT_TRUE(wasTold());
-  EXPECT_TRUE(recorder.works.back().what.empty());
-  EXPECT_TRUE(recorder.errors.empty());
+  EXPECT_TRUE(recorder.all<taa::Work>().back().what.empty());
+  EXPECT_TRUE(recorder.all<taa::Failure>().empty());
 }
 
 TEST_F(RenderFlickerTest, StopsWhenItIsTold) {
   goTo(8);
-  recorder.onWork = [&](const taa::Work& work) {
+  recorder.on<taa::Work>([&](const taa::Work& work) {
     if (work.kind == kWork && work.done == 2) thread->post(taa::request::Cancel{});
-  };
+  });
   thread->post(taa::request::SetViews{{viewOf(IntermediateId::flicker)}});
   thread->waitUntilIdle();
   EXPECT_TRUE(wasTold());
-  EXPECT_FALSE(recorder.pictures.back().overTimeSamples);
-  EXPECT_TRUE(recorder.works.back().what.empty());
-  recorder.onWork = {};
+  EXPECT_FALSE(recorder.all<taa::ViewResult>().back().overTimeSamples);
+  EXPECT_TRUE(recorder.all<taa::Work>().back().what.empty());
+  recorder.on<taa::Work>([](const taa::Work&) {});
   thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.pictures.back().overTimeSamples, kSamples) << "another frame starts again by itself";
+  EXPECT_EQ(recorder.all<taa::ViewResult>().back().overTimeSamples, kSamples)
+      << "another frame starts again by itself";
 }
 
 TEST_F(RenderFlickerTest, MetricsOfAllPlayedFramesHaveIt) {
@@ -69,10 +71,10 @@ TEST_F(RenderFlickerTest, MetricsOfAllPlayedFramesHaveIt) {
   thread->post(taa::request::SetMetrics{{Metric::Flicker, Metric::Deviation}});
   thread->waitUntilIdle();
   std::vector<std::optional<double>> flicker(5);
-  for (const taa::FrameMetrics& metrics : recorder.metrics)
+  for (const taa::FrameMetrics& metrics : recorder.all<taa::FrameMetrics>())
     if (metrics.flickerSamples == kSamples)
       flicker.at(static_cast<std::size_t>(metrics.frame)) = metrics.at(Metric::Flicker);
   EXPECT_FALSE(flicker[0]) << "nothing was seen before";
   for (std::size_t frame = 1; frame < flicker.size(); ++frame) EXPECT_TRUE(flicker[frame]) << frame;
-  EXPECT_TRUE(recorder.works.back().what.empty());
+  EXPECT_TRUE(recorder.all<taa::Work>().back().what.empty());
 }

@@ -14,63 +14,63 @@ using RenderIdleTest = taa::test::onThread::RenderThreadTest;
 TEST_F(RenderIdleTest, ProfilesFramesWhileItIsAskedFor) {
   thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
-  EXPECT_TRUE(recorder.profiles.empty());
+  EXPECT_TRUE(recorder.all<taa::FrameProfile>().empty());
   thread->post(taa::request::SetProfiling{true});
   thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
-  ASSERT_EQ(recorder.profiles.size(), 1u);
-  EXPECT_EQ(recorder.profiles[0].frame, 2);
-  EXPECT_GT(recorder.profiles[0].totalMs, 0.0);
+  ASSERT_EQ(recorder.all<taa::FrameProfile>().size(), 1u);
+  EXPECT_EQ(recorder.all<taa::FrameProfile>()[0].frame, 2);
+  EXPECT_GT(recorder.all<taa::FrameProfile>()[0].totalMs, 0.0);
   thread->post(taa::request::SetProfiling{false});
   thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.profiles.size(), 1u);
+  EXPECT_EQ(recorder.all<taa::FrameProfile>().size(), 1u);
 }
 
 TEST_F(RenderIdleTest, MeasuresStagesAndAnswersRequestsMeanwhile) {
   bool asked = false;
-  recorder.onWork = [&](const taa::Work& work) {
+  recorder.on<taa::Work>([&](const taa::Work& work) {
     if (work.kind != taa::WorkKind::Stages || asked) return;
     asked = true;
     thread->post(taa::request::SetViews{{viewOf(IntermediateId::alpha)}});
-  };
+  });
   thread->post(taa::request::MeasureStages{});
   thread->waitUntilIdle();
-  ASSERT_EQ(recorder.costs.size(), 1u);
-  EXPECT_EQ(recorder.costs[0].frame, 0);
-  EXPECT_EQ(recorder.pictures.size(), 1u);
-  EXPECT_TRUE(recorder.works.back().what.empty());
-  EXPECT_TRUE(recorder.errors.empty());
+  ASSERT_EQ(recorder.all<taa::StageCosts>().size(), 1u);
+  EXPECT_EQ(recorder.all<taa::StageCosts>()[0].frame, 0);
+  EXPECT_EQ(recorder.all<taa::ViewResult>().size(), 1u);
+  EXPECT_TRUE(recorder.all<taa::Work>().back().what.empty());
+  EXPECT_TRUE(recorder.all<taa::Failure>().empty());
 }
 
 TEST_F(RenderIdleTest, StopsMeasuringStages) {
-  recorder.onWork = [&](const taa::Work& work) {
+  recorder.on<taa::Work>([&](const taa::Work& work) {
     if (work.kind == taa::WorkKind::Stages) thread->post(taa::request::Cancel{});
-  };
+  });
   thread->post(taa::request::MeasureStages{});
   thread->waitUntilIdle();
-  EXPECT_TRUE(recorder.costs.empty());
-  EXPECT_TRUE(recorder.works.back().what.empty());
+  EXPECT_TRUE(recorder.all<taa::StageCosts>().empty());
+  EXPECT_TRUE(recorder.all<taa::Work>().back().what.empty());
 }
 
 TEST_F(RenderIdleTest, DrawsThumbnailsOfEveryStageWhenIdle) {
   thread->post(taa::request::SetThumbnails{16, 9});
   const std::size_t stages = taa::mainRows().size();
-  ASSERT_TRUE(recorder.waitFor([&] { return recorder.thumbnails.size() >= stages; }));
-  const std::vector<taa::Thumbnail> first = recorder.read([&] { return recorder.thumbnails; });
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.all<taa::Thumbnail>().size() >= stages; }));
+  const std::vector<taa::Thumbnail> first = recorder.read([&] { return recorder.all<taa::Thumbnail>(); });
   for (std::size_t place = 0; place < stages; ++place) {
     EXPECT_EQ(first[place].id, taa::mainRows()[place]);
     EXPECT_EQ(first[place].picture.width, 16);
     EXPECT_EQ(first[place].picture.height, 9);
   }
-  recorder.read([&] { recorder.thumbnails.clear(); });
+  recorder.read([&] { recorder.all<taa::Thumbnail>().clear(); });
   thread->post(taa::request::Step{2});
   thread->waitUntilIdle();
-  ASSERT_TRUE(recorder.waitFor([&] { return recorder.thumbnails.size() >= stages; }));
-  EXPECT_EQ(recorder.read([&] { return recorder.thumbnails.back().frame; }), 2);
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.all<taa::Thumbnail>().size() >= stages; }));
+  EXPECT_EQ(recorder.last<taa::Thumbnail>().frame, 2);
   thread->post(taa::request::SetThumbnails{0, 0});
   thread->waitUntilIdle();
-  EXPECT_TRUE(recorder.errors.empty());
+  EXPECT_TRUE(recorder.all<taa::Failure>().empty());
 }
 
 // A shader that cannot be compiled any more shows who still has to.
@@ -83,34 +83,35 @@ TEST_F(RenderIdleTest, CompilesAheadWhatIsLookedAtAndNothingElseChanges) {
   recorder.clear();
   thread->post(taa::request::Prepare{wanted});
   thread->waitUntilIdle();
-  EXPECT_TRUE(recorder.read([&] { return recorder.pictures.empty() && recorder.statuses.empty(); }));
+  EXPECT_TRUE(recorder.read(
+      [&] { return recorder.all<taa::ViewResult>().empty() && recorder.all<taa::Status>().empty(); }));
   const taa::test::ShaderFolder folder;
   folder.write("taa/resolve.frag", "#error no more\n");
   thread->post(taa::request::SetSettings{wanted});
   thread->waitUntilIdle();
-  EXPECT_TRUE(recorder.errors.empty());
-  EXPECT_EQ(recorder.read([&] { return recorder.statuses.back().settings; }), wanted);
+  EXPECT_TRUE(recorder.all<taa::Failure>().empty());
+  EXPECT_EQ(recorder.last<taa::Status>().settings, wanted);
   taa::applyAssignment(wanted, "rectify.method=none");
   thread->post(taa::request::SetSettings{wanted});
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.errors.size(), 1u);
+  EXPECT_EQ(recorder.all<taa::Failure>().size(), 1u);
 }
 
 TEST_F(RenderIdleTest, CompilesAheadBesideAPlayThatGoesOn) {
   taa::Settings wanted;
   taa::applyAssignment(wanted, "rectify.method=clamp");
   thread->post(taa::request::SetPlaying{true});
-  ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().playing; }));
-  const std::size_t told = recorder.read([&] { return recorder.statuses.size(); });
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.all<taa::Status>().back().playing; }));
+  const std::size_t told = recorder.read([&] { return recorder.all<taa::Status>().size(); });
   thread->post(taa::request::Prepare{wanted});
-  ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.size() >= told + 3; }));
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.all<taa::Status>().size() >= told + 3; }));
   thread->post(taa::request::SetPlaying{false});
   thread->waitUntilIdle();
   const taa::test::ShaderFolder folder;
   folder.write("taa/resolve.frag", "#error no more\n");
   thread->post(taa::request::SetSettings{wanted});
   thread->waitUntilIdle();
-  EXPECT_TRUE(recorder.errors.empty());
+  EXPECT_TRUE(recorder.all<taa::Failure>().empty());
 }
 
 TEST_F(RenderIdleTest, ForgetsWhatWasLookedAtOnceSomethingIsChosen) {
@@ -118,7 +119,7 @@ TEST_F(RenderIdleTest, ForgetsWhatWasLookedAtOnceSomethingIsChosen) {
   taa::applyAssignment(wanted, "rectify.method=clamp");
   taa::applyAssignment(chosen, "rectify.method=none");
   thread->post(taa::request::SetPlaying{true});
-  ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().playing; }));
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.all<taa::Status>().back().playing; }));
   thread->post(taa::request::Prepare{wanted});
   thread->post(taa::request::SetSettings{chosen});
   thread->post(taa::request::SetPlaying{false});
@@ -129,7 +130,7 @@ TEST_F(RenderIdleTest, ForgetsWhatWasLookedAtOnceSomethingIsChosen) {
   folder.write("taa/resolve.frag", "#error no more\n");
   thread->post(taa::request::SetSettings{wanted});
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.errors.size(), 1u);
+  EXPECT_EQ(recorder.all<taa::Failure>().size(), 1u);
 }
 
 TEST_F(RenderIdleTest, SaysNothingOfWhatCannotBeCompiledAhead) {
@@ -139,5 +140,5 @@ TEST_F(RenderIdleTest, SaysNothingOfWhatCannotBeCompiledAhead) {
   folder.write("taa/resolve.frag", "#error no more\n");
   thread->post(taa::request::Prepare{wanted});
   thread->waitUntilIdle();
-  EXPECT_TRUE(recorder.errors.empty());
+  EXPECT_TRUE(recorder.all<taa::Failure>().empty());
 }

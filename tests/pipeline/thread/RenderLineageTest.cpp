@@ -15,30 +15,30 @@ TEST_F(RenderLineageTest, ComesForEachFrameThatRestsAndEachProbe) {
   thread->post(taa::request::SetProbes{{{.pixel = {10, 5}}, {.pixel = {20, 9}}}, 0});
   thread->post(taa::request::Seek{5});
   thread->waitUntilIdle();
-  EXPECT_TRUE(recorder.lineages.empty()) << "nobody looks";
+  EXPECT_TRUE(recorder.all<LineageDelivery>().empty()) << "nobody looks";
   thread->post(taa::request::SetLineage{4});
   thread->waitUntilIdle();
-  ASSERT_EQ(recorder.lineages.size(), 1u);
-  EXPECT_EQ(recorder.lineages[0].frame, 5);
-  ASSERT_TRUE(recorder.lineages[0].lineage);
-  const Lineage& first = *recorder.lineages[0].lineage;
+  ASSERT_EQ(recorder.all<LineageDelivery>().size(), 1u);
+  EXPECT_EQ(recorder.all<LineageDelivery>()[0].frame, 5);
+  ASSERT_TRUE(recorder.all<LineageDelivery>()[0].lineage);
+  const Lineage& first = *recorder.all<LineageDelivery>()[0].lineage;
   EXPECT_EQ(first.pixel, glm::ivec2(10, 5));
   EXPECT_LE(first.frames.size(), 4u);
   EXPECT_NEAR(first.weight + first.rectified + first.older + first.pruned + first.blank, 1.0, 1e-9);
   thread->post(taa::request::SetProbes{{{.pixel = {10, 5}}, {.pixel = {20, 9}}}, 1});
   thread->waitUntilIdle();
-  ASSERT_EQ(recorder.lineages.size(), 2u);
-  EXPECT_EQ(recorder.lineages[1].lineage->pixel, glm::ivec2(20, 9));
+  ASSERT_EQ(recorder.all<LineageDelivery>().size(), 2u);
+  EXPECT_EQ(recorder.all<LineageDelivery>()[1].lineage->pixel, glm::ivec2(20, 9));
   thread->post(taa::request::Seek{7});
   thread->waitUntilIdle();
-  ASSERT_EQ(recorder.lineages.size(), 3u);
-  EXPECT_EQ(recorder.lineages[2].frame, 7);
-  EXPECT_EQ(recorder.lineages[2].lineage->frames[0].frame, 7);
+  ASSERT_EQ(recorder.all<LineageDelivery>().size(), 3u);
+  EXPECT_EQ(recorder.all<LineageDelivery>()[2].frame, 7);
+  EXPECT_EQ(recorder.all<LineageDelivery>()[2].lineage->frames[0].frame, 7);
   thread->post(taa::request::SetLineage{0});
   thread->post(taa::request::Seek{8});
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.lineages.size(), 3u);
-  EXPECT_TRUE(recorder.errors.empty());
+  EXPECT_EQ(recorder.all<LineageDelivery>().size(), 3u);
+  EXPECT_TRUE(recorder.all<taa::Failure>().empty());
 }
 
 TEST_F(RenderLineageTest, IsOfSettingsThatHold) {
@@ -46,8 +46,8 @@ TEST_F(RenderLineageTest, IsOfSettingsThatHold) {
   thread->post(taa::request::SetLineage{4});
   thread->post(taa::request::Seek{5});
   thread->waitUntilIdle();
-  ASSERT_FALSE(recorder.lineages.empty());
-  const LineageDelivery before = recorder.lineages.back();
+  ASSERT_FALSE(recorder.all<LineageDelivery>().empty());
+  const LineageDelivery before = recorder.all<LineageDelivery>().back();
   taa::Settings settings;
   taa::applyAssignment(settings, "weight.source=constant");
   taa::applyAssignment(settings, "weight.alpha=0.5");
@@ -55,7 +55,7 @@ TEST_F(RenderLineageTest, IsOfSettingsThatHold) {
   taa::applyAssignment(settings, "blend.tone=none");
   thread->post(taa::request::SetSettings{settings});
   thread->waitUntilIdle();
-  const LineageDelivery& after = recorder.lineages.back();
+  const LineageDelivery& after = recorder.all<LineageDelivery>().back();
   EXPECT_EQ(after.frame, 5);
   EXPECT_GT(after.shotVersion, before.shotVersion);
   EXPECT_EQ(after.lineage->frames[0].weight, 0.5);
@@ -65,7 +65,7 @@ TEST_F(RenderLineageTest, KnowsAProbeThatIsNotInThePicture) {
   thread->post(taa::request::SetLineage{4});
   thread->post(taa::request::SetProbes{{{.pixel = {200, 5}}}, 0}); // of a larger picture
   thread->waitUntilIdle();
-  ASSERT_EQ(recorder.lineages.size(), 1u);
-  EXPECT_EQ(recorder.lineages[0].probe.pixel, glm::ivec2(200, 5));
-  EXPECT_FALSE(recorder.lineages[0].lineage);
+  ASSERT_EQ(recorder.all<LineageDelivery>().size(), 1u);
+  EXPECT_EQ(recorder.all<LineageDelivery>()[0].probe.pixel, glm::ivec2(200, 5));
+  EXPECT_FALSE(recorder.all<LineageDelivery>()[0].lineage);
 }

@@ -27,7 +27,7 @@ class RenderMetricsTest : public taa::test::onThread::RenderThreadTest {
   /// Those that are whole, in the order they came.
   std::vector<FrameMetrics> whole() {
     std::vector<FrameMetrics> metrics;
-    for (const FrameMetrics& one : recorder.metrics)
+    for (const FrameMetrics& one : recorder.all<FrameMetrics>())
       if (one.exact && one.at(Metric::Rmse)) metrics.push_back(one);
     return metrics;
   }
@@ -73,16 +73,16 @@ TEST_F(RenderMetricsTest, AllFramesThatArePlayedAreMeasuredAsIfTheyWereVisited) 
     EXPECT_LE(std::abs(metrics[index].frame - 15), 8) << "the nearest first";
   for (const FrameMetrics& one : metrics)
     if (one.frame % 5 == 1) {
-      const FrameMetrics there = visited(recorder.statuses.back(), one.frame);
+      const FrameMetrics there = visited(recorder.all<taa::Status>().back(), one.frame);
       for (const Metric metric : kWanted) EXPECT_EQ(one.at(metric), there.at(metric)) << one.frame;
     }
-  for (const taa::ViewResult& picture : recorder.pictures)
+  for (const taa::ViewResult& picture : recorder.all<taa::ViewResult>())
     EXPECT_EQ(picture.frame, 15) << "what is shown stays";
-  EXPECT_TRUE(recorder.works.back().what.empty());
-  EXPECT_TRUE(std::ranges::any_of(recorder.works, [](const taa::Work& work) {
+  EXPECT_TRUE(recorder.all<taa::Work>().back().what.empty());
+  EXPECT_TRUE(std::ranges::any_of(recorder.all<taa::Work>(), [](const taa::Work& work) {
     return work.kind == kWork && work.done > 8 && work.total == 17;
   }));
-  EXPECT_TRUE(recorder.errors.empty());
+  EXPECT_TRUE(recorder.all<taa::Failure>().empty());
 }
 
 TEST_F(RenderMetricsTest, WhatTakesSecondsIsNotMadeWithThePicture) {
@@ -92,51 +92,52 @@ TEST_F(RenderMetricsTest, WhatTakesSecondsIsNotMadeWithThePicture) {
   thread->post(taa::request::SetMetrics{{Metric::Flip, Metric::HdrFlip}});
   thread->waitUntilIdle();
   std::set<int> frames;
-  for (const FrameMetrics& one : recorder.metrics)
+  for (const FrameMetrics& one : recorder.all<FrameMetrics>())
     if (one.at(Metric::HdrFlip)) {
       frames.insert(one.frame);
       EXPECT_TRUE(one.at(Metric::Flip)) << "all of them come together";
     }
   EXPECT_EQ(frames, (std::set<int>{3, 4})) << "while nothing else is to be done";
   const auto first = std::ranges::find_if(
-      recorder.metrics, [](const FrameMetrics& one) { return one.at(Metric::Flip).has_value(); });
-  ASSERT_NE(first, recorder.metrics.end());
+      recorder.all<FrameMetrics>(), [](const FrameMetrics& one) { return one.at(Metric::Flip).has_value(); });
+  ASSERT_NE(first, recorder.all<FrameMetrics>().end());
   EXPECT_FALSE(first->at(Metric::HdrFlip)) << "of the frame on show what is cheap comes first";
 }
 
 TEST_F(RenderMetricsTest, RequestsAreAnsweredMeanwhileAndCancelEndsIt) {
   bool asked = false;
-  recorder.onWork = [&](const taa::Work& work) {
+  recorder.on<taa::Work>([&](const taa::Work& work) {
     if (work.kind != kWork || work.done < 3 || asked) return;
     asked = true;
     thread->post(taa::request::SetProbes{.all = {{.pixel = {3, 4}}}, .active = 0});
     thread->post(taa::request::Cancel{});
-  };
+  });
   measure(0, 60, 30);
   thread->waitUntilIdle();
   EXPECT_TRUE(asked);
-  EXPECT_EQ(recorder.probes.size(), 1u);
+  EXPECT_EQ(recorder.all<taa::ProbeResult>().size(), 1u);
   EXPECT_LT(whole().size(), 6u);
-  EXPECT_TRUE(recorder.works.back().what.empty());
+  EXPECT_TRUE(recorder.all<taa::Work>().back().what.empty());
   thread->post(taa::request::SetMetrics{{Metric::MeanAlpha}}); // asked again: from the beginning
   thread->waitUntilIdle();
-  EXPECT_TRUE(std::ranges::any_of(recorder.metrics, [](const FrameMetrics& one) { return one.frame == 60; }));
+  EXPECT_TRUE(std::ranges::any_of(recorder.all<FrameMetrics>(),
+                                  [](const FrameMetrics& one) { return one.frame == 60; }));
 }
 
 TEST_F(RenderMetricsTest, NothingIsMeasuredWhileItPlays) {
   thread->post(taa::request::SetPlayback{{.range = std::pair(0, 40)}});
   thread->post(taa::request::SetPlaying{true});
   thread->post(taa::request::SetMetrics{{Metric::MeanAlpha}});
-  ASSERT_TRUE(recorder.waitFor([&] { return recorder.metrics.size() > 6; }));
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.all<FrameMetrics>().size() > 6; }));
   recorder.read([&] {
-    for (const taa::Work& work : recorder.works) EXPECT_NE(work.kind, kWork);
+    for (const taa::Work& work : recorder.all<taa::Work>()) EXPECT_NE(work.kind, kWork);
   });
   thread->post(taa::request::SetPlaying{false});
   thread->waitUntilIdle();
   std::set<int> frames;
-  for (const FrameMetrics& one : recorder.metrics) frames.insert(one.frame);
+  for (const FrameMetrics& one : recorder.all<FrameMetrics>()) frames.insert(one.frame);
   EXPECT_EQ(frames.size(), 41u) << "those that were played are known";
   std::vector<int> times(41, 0);
-  for (const FrameMetrics& one : recorder.metrics) ++times[static_cast<std::size_t>(one.frame)];
+  for (const FrameMetrics& one : recorder.all<FrameMetrics>()) ++times[static_cast<std::size_t>(one.frame)];
   EXPECT_LT(std::ranges::count_if(times, [](int count) { return count > 1; }), 41);
 }

@@ -42,7 +42,7 @@ class RenderPreviewTest : public taa::test::onThread::RenderThreadTest {
     return std::ranges::any_of(shownBy(settings), &ViewResult::isPreview);
   }
   std::vector<ViewResult> shown() {
-    return recorder.read([&] { return recorder.pictures; });
+    return recorder.read([&] { return recorder.all<ViewResult>(); });
   }
 };
 
@@ -109,9 +109,9 @@ TEST_F(RenderPreviewTest, GivesWayToWhatWasInForce) {
   const std::vector<ViewResult> before = shown();
   ASSERT_FALSE(before.empty());
   recorder.clear();
-  recorder.onPicture = [&](const ViewResult& result) {
+  recorder.on<ViewResult>([&](const ViewResult& result) {
     if (result.isPreview) thread->post(taa::request::SetSettings{{}});
-  };
+  });
   thread->post(taa::request::SetPreviews{0.0});
   thread->post(taa::request::SetSettings{other()});
   thread->waitUntilIdle();

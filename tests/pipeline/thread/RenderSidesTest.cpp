@@ -69,7 +69,9 @@ class RenderSidesTest : public taa::test::onThread::RenderThreadTest {
   }
   ViewResult last() {
     thread->waitUntilIdle();
-    return recorder.read([&] { return recorder.pictures.empty() ? ViewResult{} : recorder.pictures.back(); });
+    return recorder.read([&] {
+      return recorder.all<ViewResult>().empty() ? ViewResult{} : recorder.all<ViewResult>().back();
+    });
   }
 };
 
@@ -87,7 +89,7 @@ TEST_F(RenderSidesTest, BothSidesOfALaneAreThePicturesThatEachPresetGivesAlone) 
   EXPECT_EQ(result.picture.rgba, alone(Settings{}, IntermediateId::resolved, 5).rgba);
   EXPECT_EQ(result.other->picture.rgba, alone(otherSettings(), IntermediateId::resolved, 5).rgba);
   EXPECT_NE(result.picture.rgba, result.other->picture.rgba);
-  EXPECT_TRUE(recorder.errors.empty());
+  EXPECT_TRUE(recorder.all<taa::Failure>().empty());
 }
 
 TEST_F(RenderSidesTest, ALaneFollowsItsSettingsAndTheFirstFollowsThose) {
@@ -109,7 +111,7 @@ TEST_F(RenderSidesTest, ALaneThatGoesTakesItsSideWithIt) {
   ASSERT_TRUE(last().other);
   thread->post(taa::request::SetOtherLanes{{}});
   EXPECT_FALSE(last().other);
-  EXPECT_TRUE(recorder.errors.empty());
+  EXPECT_TRUE(recorder.all<taa::Failure>().empty());
 }
 
 TEST_F(RenderSidesTest, AnotherFrameIsThatFrameAndFollowsChanges) {
@@ -144,7 +146,7 @@ TEST_F(RenderSidesTest, AFrameBeyondTheEndIsTheLast) {
   thread->post(taa::request::SetViews{{comparing(ofFrame(1000000))}});
   const ViewResult result = last();
   ASSERT_TRUE(result.other);
-  EXPECT_EQ(result.other->frame, recorder.read([&] { return recorder.statuses.back().frameCount; }) - 1);
+  EXPECT_EQ(result.other->frame, recorder.last<taa::Status>().frameCount - 1);
 }
 
 TEST_F(RenderSidesTest, ADifferenceBringsItsValues) {
@@ -174,9 +176,9 @@ TEST_F(RenderSidesTest, ADifferenceOfOtherChannelsIsRefused) {
   view.asDifference = view.withValues = true;
   thread->post(taa::request::SetViews{{view}});
   thread->waitUntilIdle();
-  ASSERT_EQ(recorder.failures.size(), 1u);
-  EXPECT_EQ(recorder.failures[0].kind, taa::RequestKind::Views);
-  EXPECT_EQ(recorder.failures[0].sentence,
+  ASSERT_EQ(recorder.all<taa::Failure>().size(), 1u);
+  EXPECT_EQ(recorder.all<taa::Failure>()[0].kind, taa::RequestKind::Views);
+  EXPECT_EQ(recorder.all<taa::Failure>()[0].sentence,
             "there is no difference between resolved and depth: one has more channels");
 }
 
@@ -210,7 +212,7 @@ TEST_F(RenderSidesTest, TheFrameBeforeAlongTheMotionSaysWhereThereIsNone) {
                                      kWidth, kHeight);
   };
   EXPECT_EQ(third.picture.rgba, std::async(std::launch::async, make).get().rgba);
-  EXPECT_TRUE(recorder.errors.empty());
+  EXPECT_TRUE(recorder.all<taa::Failure>().empty());
 }
 
 TEST_F(RenderSidesTest, TheActiveProbeComesWithTheOtherSide) {
@@ -220,7 +222,7 @@ TEST_F(RenderSidesTest, TheActiveProbeComesWithTheOtherSide) {
   thread->post(taa::request::SetProbes{.all = {{.pixel = {5, 6}}}, .active = 0, .other = before});
   thread->post(taa::request::Step{3});
   thread->waitUntilIdle();
-  const auto lastProbe = [this] { return recorder.read([&] { return recorder.probes.back(); }); };
+  const auto lastProbe = [this] { return recorder.last<taa::ProbeResult>(); };
   const taa::ProbeResult probe = lastProbe();
   ASSERT_TRUE(probe.compared);
   EXPECT_EQ(probe.frame, 3);
@@ -228,25 +230,25 @@ TEST_F(RenderSidesTest, TheActiveProbeComesWithTheOtherSide) {
   thread->post(taa::request::SetProbes{.all = {{.pixel = {5, 6}}}, .active = 0});
   thread->waitUntilIdle();
   EXPECT_FALSE(lastProbe().compared);
-  EXPECT_TRUE(recorder.errors.empty());
+  EXPECT_TRUE(recorder.all<taa::Failure>().empty());
 }
 
 TEST_F(RenderSidesTest, WhatIsUnderWayCanBeStoppedAndIsNotStartedAgain) {
-  recorder.onWork = [&](const taa::Work& work) {
+  recorder.on<taa::Work>([&](const taa::Work& work) {
     if (work.kind == taa::WorkKind::Comparing && work.done > 2) thread->post(taa::request::Cancel{});
-  };
+  });
   const ViewRequest view = comparing(ofFrame(200));
   thread->post(taa::request::SetViews{{view}});
   EXPECT_FALSE(last().other);
-  recorder.onWork = nullptr;
+  recorder.on<taa::Work>([](const taa::Work&) {});
   recorder.clear();
   thread->post(taa::request::SetViews{{view, viewOf(IntermediateId::alpha)}});
   EXPECT_FALSE(last().other);
-  for (const taa::Work& work : recorder.works) EXPECT_TRUE(work.what.empty()) << work.what;
+  for (const taa::Work& work : recorder.all<taa::Work>()) EXPECT_TRUE(work.what.empty()) << work.what;
   thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   EXPECT_TRUE(recorder.read([&] {
-    for (const ViewResult& picture : recorder.pictures)
+    for (const ViewResult& picture : recorder.all<ViewResult>())
       if (picture.other && picture.other->frame == 200) return true;
     return false;
   })) << "another frame on show asks for it again";

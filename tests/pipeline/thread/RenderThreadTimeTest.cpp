@@ -31,13 +31,13 @@ TEST_F(RenderThreadTimeTest, AnswersNewSettingsAtOnceAndThenExactly) {
   recorder.clear();
   thread->post(taa::request::SetSettings{otherJitter()});
   thread->waitUntilIdle();
-  ASSERT_EQ(recorder.pictures.size(), 2u);
-  EXPECT_FALSE(recorder.pictures[0].exact);
-  EXPECT_TRUE(recorder.pictures[1].exact);
-  EXPECT_EQ(recorder.statuses.back().settings, otherJitter());
-  EXPECT_EQ(recorder.statuses.back().jitterPeriod, 8);
-  EXPECT_TRUE(recorder.statuses.back().exact);
-  const taa::Picture refined = recorder.pictures[1].picture;
+  ASSERT_EQ(recorder.all<taa::ViewResult>().size(), 2u);
+  EXPECT_FALSE(recorder.all<taa::ViewResult>()[0].exact);
+  EXPECT_TRUE(recorder.all<taa::ViewResult>()[1].exact);
+  EXPECT_EQ(recorder.all<taa::Status>().back().settings, otherJitter());
+  EXPECT_EQ(recorder.all<taa::Status>().back().jitterPeriod, 8);
+  EXPECT_TRUE(recorder.all<taa::Status>().back().exact);
+  const taa::Picture refined = recorder.all<taa::ViewResult>()[1].picture;
   thread.reset();
   taa::Inspector inspector;
   inspector.shot().setSize(kWidth, kHeight);
@@ -51,17 +51,17 @@ TEST_F(RenderThreadTimeTest, AnswersNewSettingsAtOnceAndThenExactly) {
 
 TEST_F(RenderThreadTimeTest, StopsLongWorkWhenToldTo) {
   bool isAsked = false;
-  recorder.onWork = [&](const taa::Work& work) {
+  recorder.on<taa::Work>([&](const taa::Work& work) {
     if (isAsked || work.done < 2) return;
     isAsked = true;
     thread->post(taa::request::Cancel{});
-  };
+  });
   thread->post(taa::request::Seek{100});
   thread->waitUntilIdle();
   EXPECT_TRUE(isAsked);
   EXPECT_EQ(recorder.frame(), 0);
-  EXPECT_TRUE(recorder.works.back().what.empty()) << "nothing is under way";
-  EXPECT_TRUE(recorder.errors.empty());
+  EXPECT_TRUE(recorder.all<taa::Work>().back().what.empty()) << "nothing is under way";
+  EXPECT_TRUE(recorder.all<taa::Failure>().empty());
   thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.frame(), 1);
@@ -71,27 +71,27 @@ TEST_F(RenderThreadTimeTest, StopsRefiningWhenToldToAndKeepsTheBadge) {
   thread->post(taa::request::Seek{30});
   thread->waitUntilIdle();
   bool isAsked = false;
-  recorder.onWork = [&](const taa::Work& work) {
+  recorder.on<taa::Work>([&](const taa::Work& work) {
     if (isAsked || work.done < 2) return;
     isAsked = true;
     thread->post(taa::request::Cancel{});
-  };
+  });
   thread->post(taa::request::SetSettings{otherJitter()});
   thread->waitUntilIdle();
   EXPECT_TRUE(isAsked);
-  EXPECT_FALSE(recorder.statuses.back().exact);
+  EXPECT_FALSE(recorder.all<taa::Status>().back().exact);
   EXPECT_EQ(recorder.frame(), 30);
 }
 
 TEST_F(RenderThreadTimeTest, LeavesASeekThatANewerOneMakesUseless) {
   bool isAsked = false;
   int furthest = 0;
-  recorder.onWork = [&](const taa::Work& work) {
+  recorder.on<taa::Work>([&](const taa::Work& work) {
     furthest = std::max(furthest, work.done);
     if (isAsked || work.done < 3) return;
     isAsked = true;
     thread->post(taa::request::Seek{2});
-  };
+  });
   thread->post(taa::request::Seek{200});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.frame(), 2);
@@ -106,26 +106,26 @@ TEST_F(RenderThreadTimeTest, ShowsTheNearestCachedFrameBeforeTheRequestedOne) {
   thread->waitUntilIdle();
   recorder.clear();
   bool isMixed = false;
-  recorder.onWork = [&](const taa::Work& work) {
+  recorder.on<taa::Work>([&](const taa::Work& work) {
     if (work.what.empty() || work.done < 1) return;
-    isMixed = isMixed || recorder.read([&] { return recorder.statuses.back().goal != 75; });
-  };
+    isMixed = isMixed || recorder.read([&] { return recorder.all<taa::Status>().back().goal != 75; });
+  });
   thread->post(taa::request::Seek{75});
   thread->waitUntilIdle();
   EXPECT_FALSE(isMixed);
-  ASSERT_EQ(recorder.pictures.size(), 2u);
-  EXPECT_EQ(recorder.pictures[0].frame, 61) << "one frame from what is kept";
-  EXPECT_TRUE(recorder.pictures[0].exact);
-  EXPECT_EQ(recorder.pictures[1].frame, 75);
-  EXPECT_EQ(recorder.statuses.back().info.frame, 75);
-  EXPECT_EQ(recorder.statuses.back().goal, std::nullopt);
+  ASSERT_EQ(recorder.all<taa::ViewResult>().size(), 2u);
+  EXPECT_EQ(recorder.all<taa::ViewResult>()[0].frame, 61) << "one frame from what is kept";
+  EXPECT_TRUE(recorder.all<taa::ViewResult>()[0].exact);
+  EXPECT_EQ(recorder.all<taa::ViewResult>()[1].frame, 75);
+  EXPECT_EQ(recorder.all<taa::Status>().back().info.frame, 75);
+  EXPECT_EQ(recorder.all<taa::Status>().back().goal, std::nullopt);
   bool isTold = false;
-  for (const taa::Status& status : recorder.statuses) {
+  for (const taa::Status& status : recorder.all<taa::Status>()) {
     isTold = isTold || status.info.frame == 61;
     EXPECT_TRUE(status.info.frame != 61 || status.goal == 75);
   }
   EXPECT_TRUE(isTold);
-  EXPECT_NE(recorder.pictures[0].picture.rgba, recorder.pictures[1].picture.rgba);
+  EXPECT_NE(recorder.all<taa::ViewResult>()[0].picture.rgba, recorder.all<taa::ViewResult>()[1].picture.rgba);
 }
 
 TEST_F(RenderThreadTimeTest, ShowsFramesThatAreKeptWithoutAnotherBefore) {
@@ -135,9 +135,9 @@ TEST_F(RenderThreadTimeTest, ShowsFramesThatAreKeptWithoutAnotherBefore) {
   recorder.clear();
   thread->post(taa::request::Seek{20});
   thread->waitUntilIdle();
-  ASSERT_EQ(recorder.pictures.size(), 1u);
-  EXPECT_EQ(recorder.pictures[0].frame, 20);
-  for (const taa::Status& status : recorder.statuses) EXPECT_EQ(status.goal, std::nullopt);
+  ASSERT_EQ(recorder.all<taa::ViewResult>().size(), 1u);
+  EXPECT_EQ(recorder.all<taa::ViewResult>()[0].frame, 20);
+  for (const taa::Status& status : recorder.all<taa::Status>()) EXPECT_EQ(status.goal, std::nullopt);
 }
 
 TEST_F(RenderThreadTimeTest, RefinesWhereTheScrubbingEnds) {
@@ -146,37 +146,37 @@ TEST_F(RenderThreadTimeTest, RefinesWhereTheScrubbingEnds) {
   thread->post(taa::request::SetCheckpointBudget{20 * kWidth * kHeight * 16});
   thread->post(taa::request::Seek{239});
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.statuses.back().checkpointBudget, std::size_t{20 * kWidth * kHeight * 16});
+  EXPECT_EQ(recorder.all<taa::Status>().back().checkpointBudget, std::size_t{20 * kWidth * kHeight * 16});
   recorder.clear();
   int next = 230;
   // As a mouse that is dragged while it replays: each time the first frame of the way is done.
-  recorder.onWork = [&](const taa::Work& work) {
+  recorder.on<taa::Work>([&](const taa::Work& work) {
     if (work.done != 1 || next < 70) return;
     thread->post(taa::request::Seek{next});
     next -= 31;
-  };
+  });
   thread->post(taa::request::Seek{235 - 31});
   thread->waitUntilIdle();
   EXPECT_LT(next, 70);
   EXPECT_EQ(recorder.frame(), next + 31);
-  EXPECT_EQ(recorder.pictures.back().frame, next + 31);
-  EXPECT_TRUE(recorder.pictures.back().exact);
-  EXPECT_GT(recorder.pictures.size(), 2u) << "frames near the mouse on the way";
-  EXPECT_EQ(recorder.statuses.back().goal, std::nullopt);
+  EXPECT_EQ(recorder.all<taa::ViewResult>().back().frame, next + 31);
+  EXPECT_TRUE(recorder.all<taa::ViewResult>().back().exact);
+  EXPECT_GT(recorder.all<taa::ViewResult>().size(), 2u) << "frames near the mouse on the way";
+  EXPECT_EQ(recorder.all<taa::Status>().back().goal, std::nullopt);
 }
 
 TEST_F(RenderThreadTimeTest, TakesBackTheGoalWhenToldToStop) {
   bool isAsked = false;
-  recorder.onWork = [&](const taa::Work& work) {
+  recorder.on<taa::Work>([&](const taa::Work& work) {
     if (std::exchange(isAsked, isAsked || work.done >= 2) || !isAsked) return;
     thread->post(taa::request::Cancel{});
-  };
+  });
   thread->post(taa::request::Seek{100});
   thread->waitUntilIdle();
   EXPECT_TRUE(isAsked);
   const auto told = [](const taa::Status& status) { return status.goal == 100; };
-  EXPECT_TRUE(std::ranges::any_of(recorder.statuses, told));
-  EXPECT_EQ(recorder.statuses.back().goal, std::nullopt);
+  EXPECT_TRUE(std::ranges::any_of(recorder.all<taa::Status>(), told));
+  EXPECT_EQ(recorder.all<taa::Status>().back().goal, std::nullopt);
   EXPECT_EQ(recorder.frame(), 0);
 }
 
@@ -189,25 +189,25 @@ TEST_F(RenderThreadTimeTest, StartsAgainWhenSettingsChangeWhileItReplays) {
   taa::applyAssignment(third, "rectify.method=clamp");
   bool isAsked = false;
   int furthest = 0;
-  recorder.onWork = [&](const taa::Work& work) {
+  recorder.on<taa::Work>([&](const taa::Work& work) {
     if (!isAsked) furthest = std::max(furthest, work.done);
     if (isAsked || work.done < 20) return;
     isAsked = true;
     thread->post(taa::request::SetSettings{third});
-  };
+  });
   thread->post(taa::request::SetSettings{otherJitter()});
   thread->waitUntilIdle();
   EXPECT_EQ(furthest, 20);
   const auto isWholeWay = [](const taa::Work& work) { return work.done == 200 && work.total == 201; };
-  EXPECT_EQ(std::ranges::count_if(recorder.works, isWholeWay), 1) << "once, with progress";
-  EXPECT_EQ(recorder.works.front().what, "Replaying with the new settings");
-  ASSERT_EQ(recorder.pictures.size(), 3u) << "at once, at once again, exactly";
+  EXPECT_EQ(std::ranges::count_if(recorder.all<taa::Work>(), isWholeWay), 1) << "once, with progress";
+  EXPECT_EQ(recorder.all<taa::Work>().front().what, "Replaying with the new settings");
+  ASSERT_EQ(recorder.all<taa::ViewResult>().size(), 3u) << "at once, at once again, exactly";
   for (std::size_t index = 0; index < 3; ++index) {
-    EXPECT_EQ(recorder.pictures[index].frame, 200);
-    EXPECT_EQ(recorder.pictures[index].exact, index == 2);
+    EXPECT_EQ(recorder.all<taa::ViewResult>()[index].frame, 200);
+    EXPECT_EQ(recorder.all<taa::ViewResult>()[index].exact, index == 2);
   }
-  EXPECT_EQ(recorder.statuses.back().settings, third);
-  EXPECT_TRUE(recorder.statuses.back().exact);
+  EXPECT_EQ(recorder.all<taa::Status>().back().settings, third);
+  EXPECT_TRUE(recorder.all<taa::Status>().back().exact);
 }
 
 TEST_F(RenderThreadTimeTest, SaysThatAPictureIsNotExactBeforeItCanBeSeen) {

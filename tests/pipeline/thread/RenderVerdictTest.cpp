@@ -81,12 +81,12 @@ class RenderVerdictTest : public taa::test::onThread::RenderThreadTest {
 TEST_F(RenderVerdictTest, SaysWhatTheInspectorSaysAndThenWhatMendsIt) {
   judge(kWrong);
   thread->waitUntilIdle();
-  ASSERT_EQ(recorder.verdicts.size(), 3u);
-  const Verdict& there = askedOf(recorder.statuses.back());
-  for (const VerdictDelivery& delivery : recorder.verdicts) {
+  ASSERT_EQ(recorder.all<VerdictDelivery>().size(), 3u);
+  const Verdict& there = askedOf(recorder.all<Status>().back());
+  for (const VerdictDelivery& delivery : recorder.all<VerdictDelivery>()) {
     EXPECT_EQ(delivery.frame, kFrame);
     EXPECT_EQ(delivery.pixel, kWrong);
-    EXPECT_EQ(delivery.shotVersion, recorder.statuses.back().shotVersion);
+    EXPECT_EQ(delivery.shotVersion, recorder.all<Status>().back().shotVersion);
     EXPECT_EQ(delivery.whyNot, "");
     ASSERT_TRUE(delivery.answer);
     EXPECT_EQ(delivery.answer->sentence, there.answer.sentence);
@@ -95,13 +95,14 @@ TEST_F(RenderVerdictTest, SaysWhatTheInspectorSaysAndThenWhatMendsIt) {
     EXPECT_EQ(delivery.answer->error.error(), there.answer.error.error());
     EXPECT_EQ(delivery.answer->error.sum, there.answer.error.sum);
   }
-  EXPECT_FALSE(recorder.verdicts[0].remedies) << "the sentence does not wait for them";
-  ASSERT_TRUE(recorder.verdicts[1].remedies);
-  EXPECT_FALSE(recorder.verdicts[1].remedies->picture) << "nor do they wait for what they cost";
-  ASSERT_TRUE(recorder.verdicts[2].remedies);
-  const RemedyAnswer& remedies = *recorder.verdicts[2].remedies;
+  EXPECT_FALSE(recorder.all<VerdictDelivery>()[0].remedies) << "the sentence does not wait for them";
+  ASSERT_TRUE(recorder.all<VerdictDelivery>()[1].remedies);
+  EXPECT_FALSE(recorder.all<VerdictDelivery>()[1].remedies->picture) << "nor do they wait for what they cost";
+  ASSERT_TRUE(recorder.all<VerdictDelivery>()[2].remedies);
+  const RemedyAnswer& remedies = *recorder.all<VerdictDelivery>()[2].remedies;
   EXPECT_FALSE(remedies.best.empty());
-  EXPECT_LE(remedies.best.size(), recorder.verdicts[1].remedies->best.size()) << "what helps after all";
+  EXPECT_LE(remedies.best.size(), recorder.all<VerdictDelivery>()[1].remedies->best.size())
+      << "what helps after all";
   EXPECT_GT(remedies.tried, 0);
   EXPECT_EQ(remedies.tried, there.remedies.tried);
   EXPECT_TRUE(isSame(remedies.pixel, there.remedies.pixel));
@@ -109,76 +110,78 @@ TEST_F(RenderVerdictTest, SaysWhatTheInspectorSaysAndThenWhatMendsIt) {
   ASSERT_EQ(remedies.best.size(), there.remedies.best.size());
   for (std::size_t index = 0; index < remedies.best.size(); ++index)
     EXPECT_TRUE(isSame(remedies.best[index], there.remedies.best[index])) << index;
-  EXPECT_EQ(recorder.works.back().what, "");
-  EXPECT_TRUE(recorder.errors.empty());
+  EXPECT_EQ(recorder.all<Work>().back().what, "");
+  EXPECT_TRUE(recorder.all<Failure>().empty());
 }
 
 // Each request interrupts what is under way.
 TEST_F(RenderVerdictTest, RequestsAreAnsweredMeanwhileAndChangeNothingOfIt) {
   int asked = 0; // three times while the reason is looked for, and three while remedies are
-  recorder.onWork = [&](const Work& work) {
-    if (work.kind != WorkKind::Verdict || work.done == 0 || asked == (recorder.verdicts.empty() ? 3 : 6))
+  recorder.on<Work>([&](const Work& work) {
+    if (work.kind != WorkKind::Verdict || work.done == 0 ||
+        asked == (recorder.all<VerdictDelivery>().empty() ? 3 : 6))
       return;
     thread->post(
         request::SetViews{{viewOf(++asked % 2 == 0 ? IntermediateId::alpha : IntermediateId::resolved)}});
-  };
+  });
   judge(kWrong);
   thread->waitUntilIdle();
   EXPECT_EQ(asked, 6);
-  ASSERT_EQ(recorder.verdicts.size(), 3u);
-  ASSERT_TRUE(recorder.verdicts[2].answer && recorder.verdicts[2].remedies);
-  const Verdict& there = askedOf(recorder.statuses.back());
-  EXPECT_EQ(recorder.verdicts[2].answer->sentence, there.answer.sentence);
-  EXPECT_EQ(recorder.verdicts[2].remedies->tried, there.remedies.tried);
-  ASSERT_EQ(recorder.verdicts[2].remedies->best.size(), there.remedies.best.size());
+  ASSERT_EQ(recorder.all<VerdictDelivery>().size(), 3u);
+  ASSERT_TRUE(recorder.all<VerdictDelivery>()[2].answer && recorder.all<VerdictDelivery>()[2].remedies);
+  const Verdict& there = askedOf(recorder.all<Status>().back());
+  EXPECT_EQ(recorder.all<VerdictDelivery>()[2].answer->sentence, there.answer.sentence);
+  EXPECT_EQ(recorder.all<VerdictDelivery>()[2].remedies->tried, there.remedies.tried);
+  ASSERT_EQ(recorder.all<VerdictDelivery>()[2].remedies->best.size(), there.remedies.best.size());
   for (std::size_t index = 0; index < there.remedies.best.size(); ++index)
-    EXPECT_TRUE(isSame(recorder.verdicts[2].remedies->best[index], there.remedies.best[index])) << index;
-  EXPECT_GE(recorder.pictures.size(), 2u);
-  for (const ViewResult& picture : recorder.pictures)
+    EXPECT_TRUE(isSame(recorder.all<VerdictDelivery>()[2].remedies->best[index], there.remedies.best[index]))
+        << index;
+  EXPECT_GE(recorder.all<ViewResult>().size(), 2u);
+  for (const ViewResult& picture : recorder.all<ViewResult>())
     EXPECT_EQ(picture.frame, kFrame) << "what is shown stays";
 }
 
 TEST_F(RenderVerdictTest, CancelEndsItUntilSomethingElseIsProbed) {
   bool asked = false;
-  recorder.onWork = [&](const Work& work) {
+  recorder.on<Work>([&](const Work& work) {
     if (work.kind != WorkKind::Verdict || asked) return;
     asked = true;
     thread->post(request::Cancel{});
-  };
+  });
   judge(kPixel);
   thread->waitUntilIdle();
-  ASSERT_EQ(recorder.verdicts.size(), 1u);
-  EXPECT_FALSE(recorder.verdicts[0].answer);
-  EXPECT_NE(recorder.verdicts[0].whyNot, "");
-  EXPECT_EQ(recorder.works.back().what, "");
+  ASSERT_EQ(recorder.all<VerdictDelivery>().size(), 1u);
+  EXPECT_FALSE(recorder.all<VerdictDelivery>()[0].answer);
+  EXPECT_NE(recorder.all<VerdictDelivery>()[0].whyNot, "");
+  EXPECT_EQ(recorder.all<Work>().back().what, "");
   thread->post(request::SetProbes{.all = {{.pixel = kPixel + 1}}, .active = 0});
   thread->waitUntilIdle();
-  ASSERT_GE(recorder.verdicts.size(), 2u);
-  EXPECT_TRUE(recorder.verdicts[1].answer);
-  EXPECT_EQ(recorder.verdicts[1].pixel, kPixel + 1);
+  ASSERT_GE(recorder.all<VerdictDelivery>().size(), 2u);
+  EXPECT_TRUE(recorder.all<VerdictDelivery>()[1].answer);
+  EXPECT_EQ(recorder.all<VerdictDelivery>()[1].pixel, kPixel + 1);
 }
 
 TEST_F(RenderVerdictTest, FollowsFrameAndSettingsAndRestsWhileItPlays) {
   judge(kRight);
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.verdicts.back().frame, kFrame);
+  EXPECT_EQ(recorder.all<VerdictDelivery>().back().frame, kFrame);
   thread->post(request::Step{1});
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.verdicts.back().frame, kFrame + 1);
-  const std::uint64_t version = recorder.verdicts.back().shotVersion;
+  EXPECT_EQ(recorder.all<VerdictDelivery>().back().frame, kFrame + 1);
+  const std::uint64_t version = recorder.all<VerdictDelivery>().back().shotVersion;
   thread->post(request::SetSettings{Settings{}});
   thread->waitUntilIdle();
-  EXPECT_GT(recorder.verdicts.back().shotVersion, version);
+  EXPECT_GT(recorder.all<VerdictDelivery>().back().shotVersion, version);
   recorder.clear();
   thread->post(request::SetPlaying{true});
-  ASSERT_TRUE(recorder.waitFor([&] { return recorder.probes.size() > 4; }));
-  recorder.read([&] { EXPECT_TRUE(recorder.verdicts.empty()); });
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.all<ProbeResult>().size() > 4; }));
+  recorder.read([&] { EXPECT_TRUE(recorder.all<VerdictDelivery>().empty()); });
   thread->post(request::SetPlaying{false});
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.verdicts.back().frame, recorder.frame());
+  EXPECT_EQ(recorder.all<VerdictDelivery>().back().frame, recorder.frame());
   recorder.clear();
   thread->post(request::SetVerdicts{false});
   thread->post(request::Step{-1});
   thread->waitUntilIdle();
-  EXPECT_TRUE(recorder.verdicts.empty()) << "nobody wants it any more";
+  EXPECT_TRUE(recorder.all<VerdictDelivery>().empty()) << "nobody wants it any more";
 }

@@ -44,14 +44,15 @@ class TraceTest : public taa::test::onThread::RenderThreadTest {
   std::vector<int> frames() {
     return recorder.read([&] {
       std::vector<int> frames;
-      for (const TraceDelivery& trace : recorder.traces) frames.push_back(trace.frame);
+      for (const TraceDelivery& trace : recorder.all<TraceDelivery>()) frames.push_back(trace.frame);
       return frames;
     });
   }
   ProbeTrace trace() {
     return recorder.read([&] {
       ProbeTrace traced{probe, {}};
-      for (const TraceDelivery& each : recorder.traces) traced.trace.add(each.frame, each.sample);
+      for (const TraceDelivery& each : recorder.all<TraceDelivery>())
+        traced.trace.add(each.frame, each.sample);
       return traced;
     });
   }
@@ -66,7 +67,8 @@ TEST_F(TraceTest, EveryExactFrameOnShowAddsWhatItsProbeSays) {
   thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   EXPECT_EQ(frames(), (std::vector{0, 1, 2}));
-  EXPECT_TRUE(isSame(recorder.traces.back().sample.record, recorder.probes.back().around[4]));
+  EXPECT_TRUE(isSame(recorder.all<TraceDelivery>().back().sample.record,
+                     recorder.all<ProbeResult>().back().around[4]));
   thread->post(taa::request::SetTracing{false});
   thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
@@ -82,16 +84,17 @@ TEST_F(TraceTest, IsFilledInBesideWhatIsOnShowWithTheSameBits) {
   thread->waitUntilIdle();
   const std::vector<int> filled = frames();
   EXPECT_EQ(filled, (std::vector{3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 14})) << "12 was known";
-  EXPECT_TRUE(recorder.pictures.empty()) << "what is shown stays";
-  EXPECT_EQ(recorder.works.back().what, "");
-  EXPECT_TRUE(
-      std::ranges::any_of(recorder.works, [](const Work& work) { return work.kind == WorkKind::Traces; }));
+  EXPECT_TRUE(recorder.all<ViewResult>().empty()) << "what is shown stays";
+  EXPECT_EQ(recorder.all<Work>().back().what, "");
+  EXPECT_TRUE(std::ranges::any_of(recorder.all<Work>(),
+                                  [](const Work& work) { return work.kind == WorkKind::Traces; }));
   const ProbeTrace traced = trace();
   for (const int frame : {3, 8, 14}) {
     thread->post(taa::request::Seek{frame});
     thread->waitUntilIdle();
-    EXPECT_EQ(recorder.probes.back().frame, frame);
-    EXPECT_TRUE(isSame(recorder.probes.back().around[4], traced.trace.at(frame)->record)) << frame;
+    EXPECT_EQ(recorder.all<ProbeResult>().back().frame, frame);
+    EXPECT_TRUE(isSame(recorder.all<ProbeResult>().back().around[4], traced.trace.at(frame)->record))
+        << frame;
   }
   recorder.clear();
   thread->post(taa::request::FillTraces{3, 14});
@@ -112,7 +115,8 @@ TEST_F(TraceTest, IsFilledInInIdleTimeWithoutProgressAndStops) {
   std::vector<int> filled = frames();
   std::ranges::sort(filled);
   EXPECT_EQ(filled, (std::vector{2, 3, 4, 5, 6}));
-  for (const Work& work : recorder.works) EXPECT_NE(work.kind, WorkKind::Traces) << "nobody waits for it";
+  for (const Work& work : recorder.all<Work>())
+    EXPECT_NE(work.kind, WorkKind::Traces) << "nobody waits for it";
   recorder.clear();
   thread->post(taa::request::Cancel{});
   thread->post(taa::request::SetSettings{test::otherJitter()});
@@ -125,16 +129,16 @@ TEST_F(TraceTest, IsFilledInInIdleTimeWithoutProgressAndStops) {
 TEST_F(TraceTest, WhatIsKnownEndsWithTheSettings) {
   thread->post(taa::request::FillTraces{0, 3});
   thread->waitUntilIdle();
-  const std::uint64_t before = recorder.statuses.back().shotVersion;
+  const std::uint64_t before = recorder.all<Status>().back().shotVersion;
   recorder.clear();
   thread->post(taa::request::SetSettings{test::otherJitter()});
   thread->waitUntilIdle();
-  EXPECT_GT(recorder.statuses.back().shotVersion, before);
+  EXPECT_GT(recorder.all<Status>().back().shotVersion, before);
   thread->post(taa::request::FillTraces{0, 3});
   thread->waitUntilIdle();
   EXPECT_EQ(frames(), (std::vector{0, 1, 2, 3}));
-  for (const TraceDelivery& each : recorder.traces)
-    EXPECT_EQ(each.shotVersion, recorder.statuses.back().shotVersion);
+  for (const TraceDelivery& each : recorder.all<TraceDelivery>())
+    EXPECT_EQ(each.shotVersion, recorder.all<Status>().back().shotVersion);
 }
 
 // Of a range that ends before the shot begins; a frame before the first one has no history to look for.
@@ -146,27 +150,27 @@ TEST_F(TraceTest, NothingIsFilledInWhereNoFrameIs) {
     thread->post(taa::request::FillTraces{first, last});
     thread->waitUntilIdle();
   }
-  EXPECT_TRUE(recorder.traces.empty());
+  EXPECT_TRUE(recorder.all<TraceDelivery>().empty());
 }
 
 TEST_F(TraceTest, FillingInIsCancelledAndAnswersRequestsMeanwhile) {
   bool isAsked = false;
-  recorder.onWork = [&](const Work& work) {
+  recorder.on<Work>([&](const Work& work) {
     if (work.kind != WorkKind::Traces || work.done < 5 || isAsked) return;
     isAsked = true;
     thread->post(taa::request::Cancel{});
-  };
+  });
   thread->post(taa::request::FillTraces{0, 100});
   thread->waitUntilIdle();
   EXPECT_TRUE(isAsked);
   EXPECT_LT(frames().size(), 20u);
   isAsked = false;
   recorder.clear();
-  recorder.onWork = [&](const Work& work) {
+  recorder.on<Work>([&](const Work& work) {
     if (work.kind != WorkKind::Traces || isAsked) return;
     isAsked = true;
     thread->post(taa::request::Step{1});
-  };
+  });
   thread->post(taa::request::FillTraces{0, 20});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.frame(), 1);
@@ -225,7 +229,7 @@ TEST_F(TraceTest, APartOfTheShotRepeats) {
   std::vector<int> shown;
   const bool repeats = recorder.waitFor([&] {
     shown.clear();
-    for (const Status& status : recorder.statuses)
+    for (const Status& status : recorder.all<Status>())
       if (shown.empty() || shown.back() != status.info.frame) shown.push_back(status.info.frame);
     return std::ranges::count(shown, 4) >= 3;
   });
@@ -239,7 +243,7 @@ TEST_F(TraceTest, APartOfTheShotRepeats) {
     expected = expected == 7 ? 4 : expected + 1;
   }
   EXPECT_EQ(std::vector(shown.begin(), start), std::vector{0}) << "frames before it lead into it";
-  const Status last = recorder.statuses.back();
+  const Status last = recorder.all<Status>().back();
   EXPECT_TRUE(std::ranges::binary_search(last.keptFrames, last.info.frame));
   EXPECT_EQ(last.playback.range, std::pair(4, 7));
 }
@@ -250,7 +254,7 @@ TEST_F(TraceTest, ThePartIsPlayedOnceWithoutRepeating) {
       taa::request::SetPlayback{{.framesPerSecond = 1000.0, .speed = 1.0, .range = std::pair(0, 3)}});
   thread->post(taa::request::SetPlaying{true});
   ASSERT_TRUE(recorder.waitFor([&] {
-    return !recorder.statuses.empty() && !recorder.statuses.back().playing &&
-           recorder.statuses.back().info.frame == 3;
+    return !recorder.all<Status>().empty() && !recorder.all<Status>().back().playing &&
+           recorder.all<Status>().back().info.frame == 3;
   }));
 }
