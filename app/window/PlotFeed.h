@@ -2,6 +2,7 @@
 // as long as somebody looks.
 #pragma once
 
+#include "app/models/ChartMath.h"
 #include "app/models/TimelineStrip.h"
 
 #include "core/measure/Metrics.h"
@@ -16,6 +17,7 @@
 #include <vector>
 
 namespace taa {
+struct FrameMetrics;
 struct TraceDelivery;
 }
 
