@@ -17,7 +17,6 @@
 #include <vector>
 
 namespace taa {
-struct FrameMetrics;
 struct TraceDelivery;
 }
 
