@@ -380,7 +380,8 @@ TEST_F(Window, TheManualIsSearchedOverAllItsPages) {
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(found[0]).center());
   EXPECT_TRUE(page->toPlainText().startsWith("Techniques"));
   EXPECT_TRUE(page->toPlainText().contains("Catmull-Rom 5"));
-  EXPECT_EQ(page->textCursor().selectedText().toLower(), "rotated grid") << "it is found on the page that is opened";
+  EXPECT_EQ(page->textCursor().selectedText().toLower(), "rotated grid")
+      << "it is found on the page that is opened";
 }
 
 TEST_F(Window, LinksOfTheManualOpenItsPages) {

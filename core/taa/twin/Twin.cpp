@@ -22,7 +22,7 @@ void set(PixelRecord& record, IntermediateId id, float value) {
   at(record, id) = glm::vec4(value, 0.0f, 0.0f, 0.0f);
 }
 
-void recordInputs(PixelRecord& record, const Inputs& inputs, const NearestSample& place) {
+void recordInputs(PixelRecord& record, const Inputs& inputs, const Place& place) {
   const glm::ivec2& p = place.texel;
   const float depth = inputs.depth.texel(p.x, p.y).x;
   set(record, IntermediateId::color, glm::vec3(inputs.color.texel(p.x, p.y)));
@@ -162,8 +162,7 @@ CurrentSettings currentSettings(const Settings& settings) {
   return {.filter = CurrentFilter::Center};
 }
 
-CurrentColor filteredAt(const Inputs& inputs, const Settings& settings, const NearestSample& place,
-                        float speed) {
+CurrentColor filteredAt(const Inputs& inputs, const Settings& settings, const Place& place, float speed) {
   if (!isTaaOn(settings)) return {currentColor(inputs, place.texel), 1.0f};
   if (!isUpsampled(settings))
     return {filterCurrent(inputs, settings.current, place.texel, settings.space.luma), 1.0f};
@@ -181,7 +180,7 @@ glm::vec2 maskAt(const Inputs& inputs, const glm::ivec2& texel) {
 namespace {
 
 /// What the filters of this frame and of history weigh and how much.
-void describeTaps(const Inputs& inputs, const Settings& settings, const NearestSample& place,
+void describeTaps(const Inputs& inputs, const Settings& settings, const Place& place,
                   const HistorySample& history, Details& details) {
   const bool isSmaller = isUpsampled(settings) && isTaaOn(settings);
   const CurrentSettings current = currentSettings(settings);
@@ -214,8 +213,7 @@ void describeAround(const Inputs& inputs, const glm::ivec2& pixel, Details& deta
 
 PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::ivec2& p, KeptLayers* kept,
                      Details* details) {
-  const NearestSample place =
-      isUpsampled(settings) ? placeOf(inputs, p) : NearestSample{p, glm::vec2(0.0f), p};
+  const Place place = isUpsampled(settings) ? placeOf(inputs, p) : Place{p, glm::vec2(0.0f), p};
   const glm::ivec2& texel = place.texel;
   PixelRecord record{};
   recordInputs(record, inputs, place);

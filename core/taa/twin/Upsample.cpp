@@ -87,9 +87,9 @@ glm::vec2 pictureMotion(const Inputs& inputs, const glm::vec2& motion) {
   return motion.x == kNoPreviousPosition ? motion : motion / renderRatio(inputs);
 }
 
-NearestSample placeOf(const Inputs& inputs, const glm::ivec2& pixel) {
+Place placeOf(const Inputs& inputs, const glm::ivec2& pixel) {
   const glm::vec2 center = (glm::vec2(pixel) + 0.5f) * renderRatio(inputs);
-  NearestSample place;
+  Place place;
   // Texel k holds the scene at k + ½ − j, which is nearest where k is the floor of x + j.
   const glm::ivec2 nearest(static_cast<int>(std::floor(center.x + inputs.jitterPx.x)),
                            static_cast<int>(std::floor(center.y + inputs.jitterPx.y)));
@@ -100,7 +100,7 @@ NearestSample placeOf(const Inputs& inputs, const glm::ivec2& pixel) {
   return place;
 }
 
-Taps upsampleTaps(const Inputs& inputs, UpsampleKernel chosen, const NearestSample& place) {
+Taps upsampleTaps(const Inputs& inputs, UpsampleKernel chosen, const Place& place) {
   Taps taps;
   if (chosen == UpsampleKernel::SampleWeight) return taps;
   const glm::vec2 ratio = renderRatio(inputs);
@@ -120,7 +120,7 @@ Taps upsampleTaps(const Inputs& inputs, UpsampleKernel chosen, const NearestSamp
   return taps;
 }
 
-CurrentColor upsample(const Inputs& inputs, UpsampleKernel chosen, const NearestSample& place, float speed) {
+CurrentColor upsample(const Inputs& inputs, UpsampleKernel chosen, const Place& place, float speed) {
   const glm::vec3 nearest = currentColor(inputs, place.texel);
   const glm::vec2 ratio = renderRatio(inputs);
   if (chosen == UpsampleKernel::SampleWeight) return {nearest, nearestConfidence(place.offset, ratio, speed)};

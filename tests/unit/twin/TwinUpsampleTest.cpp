@@ -110,7 +110,7 @@ TEST(TwinUpsample, HdrpsGaussianTrustsASampleByItsDistance) {
   EXPECT_NEAR(kappa(0.5f, -0.5f), 4.0 * std::exp2(-6.25), 2e-8);
   EXPECT_NEAR(kappa(0.25f, 0.375f), 4.0 * std::exp2(-3.125 * (0.25 + 0.5625)), 2e-7);
   // Samples weigh what HDRP's others do.
-  const twin::NearestSample place{{3, 3}, {0.125f, 0.25f}, {3, 3}};
+  const twin::Place place{{3, 3}, {0.125f, 0.25f}, {3, 3}};
   EXPECT_EQ(upsample(half(), UpsampleKernel::HdrpGaussian, place, 0.0f).color,
             upsample(half(), UpsampleKernel::Hdrp, place, 0.0f).color);
 }
