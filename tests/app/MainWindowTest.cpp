@@ -20,6 +20,7 @@
 #include "tests/app/WindowFixture.h"
 
 #include <QAction>
+#include <QDialog>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QLabel>
