@@ -13,7 +13,6 @@
 #include "core/io/SessionFile.h"
 
 #include <QApplication>
-#include <QLocale>
 #include <QSettings>
 
 #include <unistd.h>

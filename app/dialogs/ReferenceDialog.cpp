@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QStringList>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextDocument>
@@ -125,36 +126,38 @@ void ReferenceDialog::scrollTo(const std::string& anchor) {
   }
 }
 
-// From the start when there is no further one below.
-bool ReferenceDialog::findInPage(bool fromHere) {
-  if (!fromHere) browser_->moveCursor(QTextCursor::Start);
-  if (browser_->find(search_->text())) return true;
-  browser_->moveCursor(QTextCursor::Start);
-  return browser_->find(search_->text());
-}
-
-std::vector<int> ReferenceDialog::pagesWith(const QString& text) const {
+// Found where it is read: in Markdown a page's links and marks would be found, too.
+std::vector<int> ReferenceDialog::pagesWith(const QString& text) {
+  if (texts_.empty())
+    for (const ManualPage& page : pages_) {
+      QTextDocument document;
+      document.setMarkdown(QString::fromStdString(page.text));
+      texts_.push_back(document.toPlainText());
+    }
   std::vector<int> rows;
   const auto count = static_cast<int>(pages_.size());
   for (int step = 1; step < count; ++step) {
     const int row = (list_->currentRow() + step) % count;
-    const std::string& page = pages_[static_cast<std::size_t>(row)].text;
-    if (QString::fromStdString(page).contains(text, Qt::CaseInsensitive)) rows.push_back(row);
+    if (texts_[static_cast<std::size_t>(row)].contains(text, Qt::CaseInsensitive)) rows.push_back(row);
   }
   return rows;
 }
 
-// Enter goes on to the next page that has it.
+// Enter goes on to the next place, on the next page that has it where this one has no further one.
 void ReferenceDialog::find(bool fromHere) {
   const QString text = search_->text();
-  const bool found = text.isEmpty() || findInPage(fromHere);
-  missed_->setVisible(!found);
-  if (found) return;
+  missed_->hide();
+  if (text.isEmpty()) return;
+  if (!fromHere) browser_->moveCursor(QTextCursor::Start);
+  if (browser_->find(text)) return;
   const std::vector<int> rows = pagesWith(text);
   if (fromHere && !rows.empty()) {
     list_->setCurrentRow(rows.front());
     return;
   }
+  browser_->moveCursor(QTextCursor::Start);
+  if (browser_->find(text)) return;
+  missed_->show();
   QStringList titles;
   for (const int row : rows) titles << list_->item(row)->text();
   missed_->setText(

@@ -4,7 +4,6 @@
 #include "core/report/ManualPages.h"
 
 #include <QDialog>
-#include <QStringList>
 
 #include <string>
 #include <vector>
@@ -28,11 +27,11 @@ class ReferenceDialog : public QDialog {
   void follow(const QUrl& link);
   void scrollTo(const std::string& anchor);
   void find(bool fromHere);
-  bool findInPage(bool fromHere);
   /// Rows of the pages that have a text, those below the one on show first.
-  std::vector<int> pagesWith(const QString& text) const;
+  std::vector<int> pagesWith(const QString& text);
 
   std::vector<ManualPage> pages_; ///< as the list has them
+  std::vector<QString> texts_;    ///< of them, as they are read; empty: not needed so far
   QListWidget* list_ = nullptr;
   QLineEdit* search_ = nullptr;
   QLabel* missed_ = nullptr; ///< that nothing was found, and where it is

@@ -30,7 +30,7 @@ class LearnPanel : public QWidget {
     bool isDone = false;     ///< its task was solved
     bool isAsked = false;    ///< for a check, a hint or numbers: the end of the text has to be seen
     bool isChecking = false; ///< its task, or what it speaks of
-    QString answer{};        ///< of the last check, in the reader's language
+    QString answer{};        ///< of the last check
     QString numbers{};       ///< that it speaks of, as measured last: Markdown
     int hints = 0;           ///< so many of them are shown
     bool isSolutionShown = false;

@@ -116,7 +116,7 @@ LessonText::LessonText(QWidget* parent) : QTextBrowser(parent) {
 void LessonText::setText(const QString& markdown) {
   if (markdown == markdown_) return;
   markdown_ = markdown;
-  keepsEnd_ = false; // of the text before: layout may come before whoever shows this one says so
+  keepsEnd_ = false; // the new text may be laid out before setKeepsEnd() is called for it
   document()->setMarkdown(markdown, QTextDocument::MarkdownFeatures(QTextDocument::MarkdownDialectGitHub) |
                                         QTextDocument::MarkdownNoHTML);
   setType();

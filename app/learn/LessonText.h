@@ -15,7 +15,7 @@ class LessonText : public QTextBrowser {
   explicit LessonText(QWidget* parent = nullptr);
   /// Another one is shown from its beginning; the same one stays where it was scrolled to.
   void setText(const QString& markdown);
-  /// Shows its end rather than its beginning, also when it gets less room.
+  /// Shows its end rather than its beginning, also when it gets less room, until another text is set.
   void setKeepsEnd(bool keepsEnd);
   /// Where a row of a table leads, that is where the first link in it does; empty: nowhere. `position` in the
   /// viewport.

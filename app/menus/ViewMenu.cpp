@@ -115,17 +115,18 @@ void ViewMenu::addLowerPages(LowerArea& lower) {
 // Of the probes over frames; their page is opened if need be.
 void ViewMenu::addPlots(LowerArea& lower, PlotsPanel& plots) {
   QMenu* menu = addMenu(tr("P&lots"));
-  const auto add = [&](const QString& text, const QList<QKeySequence>& shortcuts, void (PlotsPanel::*act)()) {
+  const auto addPlot = [&](const QString& text, const QList<QKeySequence>& shortcuts,
+                           void (PlotsPanel::*act)()) {
     commands_.add(menu, text, shortcuts, [&lower, &plots, act] {
       lower.setShown(LowerPage::Plots, true);
       (plots.*act)();
     });
   };
-  add(tr("&Add a plot…"), keys({"Shift+F6"}), &PlotsPanel::chooseRow);
-  add(tr("&Fill in the frames that were not shown"), keys({"Ctrl+F6"}), &PlotsPanel::requestFill);
-  add(tr("&Show all frames"), keys({"Ctrl+0"}), &PlotsPanel::resetZoom);
-  add(tr("&Copy values as CSV"), {}, &PlotsPanel::copyCsv);
-  add(tr("Sa&ve values as CSV…"), {}, &PlotsPanel::saveCsv);
+  addPlot(tr("&Add a plot…"), keys({"Shift+F6"}), &PlotsPanel::chooseRow);
+  addPlot(tr("&Fill in the frames that were not shown"), keys({"Ctrl+F6"}), &PlotsPanel::requestFill);
+  addPlot(tr("&Show all frames"), keys({"Ctrl+0"}), &PlotsPanel::resetZoom);
+  addPlot(tr("&Copy values as CSV"), {}, &PlotsPanel::copyCsv);
+  addPlot(tr("Sa&ve values as CSV…"), {}, &PlotsPanel::saveCsv);
 }
 
 void ViewMenu::addArrangement(ViewArea& views) {

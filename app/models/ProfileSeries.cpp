@@ -1,6 +1,8 @@
 // The profiles of the last frames.
 #include "app/models/ProfileSeries.h"
 
+#include "app/session/Mailbox.h"
+
 #include "core/base/Median.h"
 
 #include <algorithm>

@@ -9,8 +9,6 @@
 
 namespace taa::app {
 
-inline constexpr std::size_t kProfiledFrames = 120;
-
 class ProfileSeries {
  public:
   struct Row {

@@ -5,7 +5,9 @@
 #include "core/requests/Results.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
+#include <limits>
 #include <mutex>
 #include <type_traits>
 #include <utility>
@@ -13,6 +15,35 @@
 #include <vector>
 
 namespace taa::app {
+
+/// Profiles of so many frames are shown.
+inline constexpr std::size_t kProfiledFrames = 120;
+
+/// Of the results of a type that nobody has looked at yet, the first `max` are kept.
+struct KeepFirst {
+  std::size_t max = std::numeric_limits<std::size_t>::max();
+};
+/// Only the newest one is kept.
+struct KeepNewest {
+  bool operator()(const auto&) const { return true; }
+};
+/// What is kept of results of type T; where it is a member: the newest one of each value of that member.
+template <class T>
+inline constexpr auto kKept = KeepNewest{};
+template <>
+inline constexpr auto kKept<ViewResult> = &ViewResult::view;
+template <>
+inline constexpr auto kKept<ProbeResult> = &ProbeResult::probe;
+template <>
+inline constexpr auto kKept<Thumbnail> = &Thumbnail::id;
+template <>
+inline constexpr auto kKept<Failure> = KeepFirst{};
+template <>
+inline constexpr auto kKept<TraceDelivery> = KeepFirst{}; // each is of a frame
+template <>
+inline constexpr auto kKept<FrameProfile> = KeepFirst{.max = kProfiledFrames};
+template <>
+inline constexpr auto kKept<FrameMetrics> = KeepFirst{.max = 4096}; // some seconds while the window is busy
 
 /// Any number of results between two looks cost one post, so that a busy window is never flooded.
 class Mailbox {
@@ -41,7 +72,7 @@ class Mailbox {
   template <class T>
   void keep(T newest) {
     std::vector<T>& kept = kept_.all<T>();
-    if constexpr (std::is_same_v<decltype(kKept<T>), const KeepAll>) {
+    if constexpr (std::is_same_v<decltype(kKept<T>), const KeepFirst>) {
       if (kept.size() < kKept<T>.max) kept.push_back(std::move(newest));
     } else {
       const auto old = std::ranges::find(kept, std::invoke(kKept<T>, newest), kKept<T>);

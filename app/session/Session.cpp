@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -248,9 +247,7 @@ void Session::setPlayback(const Playback& playback) {
 }
 
 void Session::seek(int frame) {
-  // Before something is open its length is not known; the render thread clamps as well.
-  const int last = isOpen() ? status_.frameCount - 1 : std::numeric_limits<int>::max();
-  post(request::Seek{std::clamp(frame, 0, last)});
+  post(request::Seek{frame}); // clamped where it is known what is open by then
 }
 
 void Session::setViews(const std::vector<ViewRequest>& views) {

@@ -17,10 +17,10 @@
 #include <QString>
 
 #include <array>
-#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -84,7 +84,7 @@ class Session : public QObject {
   void setLooping(bool looping);
   void setPlayback(const Playback& playback);
   void setTracing(bool tracing);
-  void seek(int frame); ///< clamped to what is open
+  void seek(int frame); ///< or to the nearest there is
   void setViews(const std::vector<ViewRequest>& views);
   /// What the picture depends on; `window` is left empty.
   SessionFile file() const;
@@ -92,9 +92,14 @@ class Session : public QObject {
   void restore(const SessionFile& file);
 
   /// Calls `act`, a function or a member of `receiver`, with each result of this type that arrives. Of
-  /// status, work, pictures, probes and verdicts the session and its parts have signals of their own.
+  /// failures, status, work, pictures, probes and verdicts the session and its parts have signals of their
+  /// own.
   template <class T, class Receiver, class Act>
   void onArrival(Receiver* receiver, Act act) {
+    static_assert(!(std::is_same_v<T, Failure> || std::is_same_v<T, Status> || std::is_same_v<T, Work> ||
+                    std::is_same_v<T, ViewResult> || std::is_same_v<T, ProbeResult> ||
+                    std::is_same_v<T, VerdictDelivery>),
+                  "its arrival is said by another signal");
     connect(this, &Session::arrived, receiver, [receiver, act](const Result& result) {
       const T* each = std::get_if<T>(&result);
       if (!each) return;

@@ -1,9 +1,12 @@
-// Pictures of core as images of Qt.
+// Pictures and colors of core as those of Qt.
 #pragma once
 
+#include "core/base/Light.h"
 #include "core/picture/Visualizer.h"
 
+#include <QColor>
 #include <QImage>
+#include <glm/vec3.hpp>
 
 namespace taa::app {
 
@@ -11,6 +14,11 @@ namespace taa::app {
 inline QImage imageOver(const Picture& picture) {
   if (picture.rgba.empty()) return {};
   return {picture.rgba.data(), picture.width, picture.height, 4 * picture.width, QImage::Format_RGBA8888};
+}
+
+/// As a screen shows it; what is brighter than white, or negative, at its end.
+inline QColor shownColor(const glm::vec3& linear) {
+  return {srgbByte(linear.x), srgbByte(linear.y), srgbByte(linear.z)};
 }
 
 } // namespace taa::app

@@ -4,7 +4,7 @@
 #include "app/views/legend/Legend.h"
 
 #include "core/inspect/Comparison.h"
-#include "core/jobs/RenderThread.h"
+#include "core/picture/ViewRequest.h"
 
 #include <QCoreApplication>
 #include <QImage>

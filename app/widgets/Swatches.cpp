@@ -1,9 +1,9 @@
 #include "app/widgets/Swatches.h"
 
 #include "app/style/Numbers.h"
+#include "app/style/PictureImage.h"
 #include "app/style/Theme.h"
 
-#include "core/base/Light.h"
 #include "core/picture/ColorMap.h"
 #include "core/taa/twin/Color.h"
 
@@ -29,7 +29,7 @@ Swatches::Swatches(const QString& caption, QWidget* parent) : QWidget(parent), c
 void Swatches::setColors(const std::optional<Colors>& linear) {
   values_ = linear;
   for (std::size_t i = 0; linear && i < colors_.size(); ++i)
-    colors_[i] = QColor(srgbByte((*linear)[i][0]), srgbByte((*linear)[i][1]), srgbByte((*linear)[i][2]));
+    colors_[i] = shownColor({(*linear)[i][0], (*linear)[i][1], (*linear)[i][2]});
   QStringList texts;
   for (int cell = 0; linear && cell < 9; ++cell) texts << cellText(cell);
   if (!linear) texts << tr("no color");

@@ -12,7 +12,8 @@ namespace taa {
 namespace {
 
 std::string written(auto value, auto... format) {
-  std::array<char, 384> text{}; // the largest number has 309 digits before its point
+  if (std::isnan(value)) return "nan"; // of either sign
+  std::array<char, 384> text{};        // the largest number has 309 digits before its point
   const auto result = std::to_chars(text.data(), text.data() + text.size(), value, format...);
   assert(result.ec == std::errc());
   return {text.data(), result.ptr};

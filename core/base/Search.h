@@ -29,7 +29,7 @@ struct SearchedChoice {
   std::string id, label, text;
 };
 
-/// What a row of a list can be found by; texts in the reader's language.
+/// What a row of a list can be found by.
 struct SearchedRow {
   std::string label{};
   std::string id{};    ///< "rectify.method"

@@ -1,4 +1,5 @@
 // taa-batch list: the tables, for people and for programs.
+#include "core/base/NumberText.h"
 #include "core/cli/Command.h"
 #include "core/cli/Options.h"
 #include "core/cli/Table.h"
@@ -38,7 +39,8 @@ Listing listIntermediates() {
 std::string allowedText(const Parameter& row) {
   if (row.kind == ParameterKind::Toggle) return "on|off";
   if (row.kind != ParameterKind::Choice)
-    return floatText(static_cast<float>(row.minimum)) + ".." + floatText(static_cast<float>(row.maximum));
+    return shortestText(static_cast<float>(row.minimum)) + ".." +
+           shortestText(static_cast<float>(row.maximum));
   std::string text;
   for (const Choice& choice : row.choices) text += (text.empty() ? "" : "|") + std::string(choice.id);
   return text;

@@ -28,7 +28,7 @@ struct MetricsCommand final : Command {
   bool flicker = false;           ///< also what is over time: frames before those, and their references
   bool parts = false;             ///< also what the error is made of, over those frames
   std::vector<std::string> named; ///< ids of these alone; empty: all that are not costly
-  int flickerFrames = 16;
+  int flickerFrames = kFlickerFrames;
   bool json = false, csv = false;
 
   MetricsCommand() : Command("metrics") {

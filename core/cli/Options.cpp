@@ -82,8 +82,8 @@ void checkReferenceSamples(int samples) {
                      std::to_string(kMinReferenceSamples) + " to " + std::to_string(kMaxReferenceSamples));
 }
 
-void addJson(CLI::App& command, bool& json) {
-  command.add_flag("--json", json, "Print JSON");
+CLI::Option* addJson(CLI::App& command, bool& json) {
+  return command.add_flag("--json", json, "Print JSON");
 }
 
 void addForce(CLI::App& command, bool& force) {

@@ -55,7 +55,7 @@ glm::ivec2 parsePixel(const std::string& text);  ///< "X,Y"
 std::vector<IntermediateId> parseEmit(const std::vector<std::string>& names);
 void checkReferenceSamples(int samples);
 
-void addJson(CLI::App& command, bool& json);
+CLI::Option* addJson(CLI::App& command, bool& json);
 void addForce(CLI::App& command, bool& force);
 void addFrame(CLI::App& command, int& frame);
 CLI::Option* addPixel(CLI::App& command, std::string& pixel);

@@ -1,4 +1,5 @@
 // taa-batch probe: one pixel of one frame.
+#include "core/base/NumberText.h"
 #include "core/cli/Command.h"
 #include "core/cli/Shot.h"
 #include "core/cli/Table.h"
@@ -21,11 +22,11 @@ namespace taa::cli {
 namespace {
 
 /// What --find takes.
-const std::vector<std::pair<std::string, WorstStep>> kFound = {
+const std::vector<std::pair<std::string, WorstStep>> kFindSteps = {
     {"rejected", WorstStep::Rejected}, {"clipped", WorstStep::Clipped}, {"nan", WorstStep::NoNumber}};
 
 /// A region with its rows.
-struct AskedRegion {
+struct RegionRequest {
   gl::Rect rect;
   std::vector<IntermediateId> rows;
 };
@@ -38,7 +39,7 @@ struct ProbeCommand final : Command {
   bool whatIf = false;                    ///< also the pixel under other choices
   std::string compare;                    ///< the other side; empty: none
   std::string region;                     ///< X,Y,WxH instead of a pixel; empty: none
-  std::string find;                       ///< of kFound, instead of a pixel; empty: none
+  std::string find;                       ///< of kFindSteps, instead of a pixel; empty: none
   std::vector<std::string> emit;          ///< of a region; empty: all of the frame's own resolve
   int referenceSamples = kVerdictSamples; ///< of rows of the reference that are named
 
@@ -51,7 +52,7 @@ struct ProbeCommand final : Command {
     add_option("--find", find,
                "In place of --pixel: the worst pixel whose history is rejected, the one whose history is "
                "moved farthest (clipped), or the first one that is NaN or infinite in the output (nan)")
-        ->check(CLI::IsMember(kFound));
+        ->check(CLI::IsMember(kFindSteps));
     add_option("--region", region,
                "X,Y,WxH in place of --pixel: least and greatest value, mean, deviation, percentiles and "
                "histogram of each row there, and how many are NaN, infinite or absent");
@@ -75,13 +76,14 @@ struct ProbeCommand final : Command {
   void checkPlace() const;
   Comparison comparison(const ShotPlan& plan) const;
   std::vector<IntermediateId> rows() const;
-  void printRegion(const AskedRegion& asked, const ShotPlan& plan, Inspector& inspector, std::ostream& out,
-                   const Progress& progress) const;
+  void printRegion(const RegionRequest& request, const ShotPlan& plan, Inspector& inspector,
+                   std::ostream& out, const Progress& progress) const;
 };
 
 /// What is asked for in place of a pixel is one thing, and what belongs to a pixel is said of one.
 void ProbeCommand::checkPlace() const {
-  if (pixel.empty() + find.empty() + region.empty() != 2)
+  const int places = !pixel.empty() + !find.empty() + !region.empty();
+  if (places != 1)
     throw UsageError(
         "one of --pixel, --find and --region is required; taa-batch probe --help says what they are");
   if (!region.empty() && (whatIf || !compare.empty()))
@@ -117,8 +119,8 @@ void printWhatIf(std::ostream& out, const std::vector<WhatIfRow>& variants) {
     std::vector<std::string> cells{std::string(isFirst ? whatIfGroupLabel(row.group) : ""),
                                    (row.isCurrent ? "* " : "  ") + row.label};
     for (const glm::vec3& color : {row.resolved, row.difference})
-      for (int channel = 0; channel < 3; ++channel) cells.push_back(floatText(color[channel]));
-    cells.push_back(floatText(row.alpha));
+      for (int channel = 0; channel < 3; ++channel) cells.push_back(shortestText(color[channel]));
+    cells.push_back(shortestText(row.alpha));
     cells.push_back(row.rejectReason == 0 ? row.note
                                           : std::string(rejectReasonText(row.rejectReason)) +
                                                 (row.note.empty() ? "" : "; " + row.note));
@@ -146,7 +148,8 @@ gl::Rect regionOf(const std::string& text) {
 }
 
 glm::ivec2 foundPixel(Inspector& inspector, const std::string& find) {
-  const WorstStep step = std::ranges::find(kFound, find, &decltype(kFound)::value_type::first)->second;
+  const WorstStep step =
+      std::ranges::find(kFindSteps, find, &decltype(kFindSteps)::value_type::first)->second;
   return inspector.worst().next(IntermediateId::resolved, 0, {}, step).worst.pixel;
 }
 
@@ -169,19 +172,19 @@ void printSpreads(std::ostream& out, const std::vector<RegionSpread>& spreads,
   printTable(out, lines);
 }
 
-void ProbeCommand::printRegion(const AskedRegion& asked, const ShotPlan& plan, Inspector& inspector,
+void ProbeCommand::printRegion(const RegionRequest& request, const ShotPlan& plan, Inspector& inspector,
                                std::ostream& out, const Progress& progress) const {
   const InspectedShot& opened = inspector.shot();
-  const gl::Rect inside = *insidePicture(asked.rect, opened.width(), opened.height());
+  const gl::Rect inside = *insidePicture(request.rect, opened.width(), opened.height());
   nlohmann::ordered_json result = shotJson(inspector);
   result["frame"] = opened.frame();
   result["region"] = {inside.x, inside.y, inside.width, inside.height};
   for (int lane = 0; lane < opened.laneCount(); ++lane) {
-    inspector.reference().makeRows(asked.rows, referenceSamples, progress, lane);
+    inspector.reference().makeRows(request.rows, referenceSamples, progress, lane);
     const SpaceSettings& space = opened.usedSettings(lane).space;
     std::vector<RegionSpread> spreads;
     nlohmann::ordered_json ofLane = laneJson(inspector, plan, lane);
-    for (const IntermediateId id : asked.rows) {
+    for (const IntermediateId id : request.rows) {
       const Intermediate& row = intermediate(id);
       spreads.push_back(regionSpread(inspector.views().image(id, lane, inside), {}, row, inside));
       ofLane["rows"][std::string(row.name)] = spreadJson(spreads.back(), row, space);
@@ -190,7 +193,7 @@ void ProbeCommand::printRegion(const AskedRegion& asked, const ShotPlan& plan, I
     if (json) continue;
     out << laneHeading(plan, lane) << "region " << regionPlaceText(inside) << " of frame " << opened.frame()
         << '\n';
-    printSpreads(out, spreads, asked.rows, space);
+    printSpreads(out, spreads, request.rows, space);
   }
   if (json) print(out, result);
 }
@@ -203,23 +206,23 @@ int ProbeCommand::run(std::ostream& out, const Progress& progress) const {
   checkPlace();
   std::optional<glm::ivec2> place;
   if (!pixel.empty()) place = parsePixel(pixel);
-  std::optional<AskedRegion> area;
-  if (!region.empty()) area = {regionOf(region), rows()};
+  std::optional<RegionRequest> request;
+  if (!region.empty()) request = {regionOf(region), rows()};
   checkReferenceSamples(referenceSamples);
   const int shown = frameOf(plan, frame);
   Inspector inspector;
   openShot(inspector, plan, progress);
   requireFrame(inspector, plan, shown);
   if (place) requirePixel(inspector, *place);
-  if (area) {
-    requirePixel(inspector, {area->rect.x, area->rect.y});
-    std::vector<IntermediateId> resolved = area->rows;
+  if (request) {
+    requirePixel(inspector, {request->rect.x, request->rect.y});
+    std::vector<IntermediateId> resolved = request->rows;
     std::erase_if(resolved, isOfReference);
     inspector.views().watch(resolved); // exposed in one run
   }
   inspector.shot().seek(shown, progress);
-  if (area) {
-    printRegion(*area, plan, inspector, out, progress);
+  if (request) {
+    printRegion(*request, plan, inspector, out, progress);
     return kDone;
   }
   const glm::ivec2 at = place ? *place : foundPixel(inspector, find);

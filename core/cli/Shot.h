@@ -49,7 +49,7 @@ void addShotOptions(CLI::App& command, ShotOptions& shot);
 void addSceneBudget(CLI::App& command, int& millions, int& mib);
 
 struct LaneChoice {
-  std::string name; ///< "A" to "D"; empty when it is the only one
+  std::string name; ///< "A" to "E", or "other"; empty when it is the only one
   std::string preset;
   Settings settings;
   std::vector<std::string> notes{}; ///< to say of preset and assignments: what has another name by now

@@ -40,8 +40,7 @@ struct TraceCommand final : Command {
         ->capture_default_str();
     addReferenceSamples(*this, referenceSamples, "of rows of the reference that are named, 4 to 1024");
     add_flag("--surface", followsSurfaces, "Follow the surfaces seen at the pixels in the first frame");
-    CLI::Option* asJson = add_flag("--json", json, "Print JSON");
-    add_flag("--csv", csv, "Print CSV, as without it")->excludes(asJson);
+    add_flag("--csv", csv, "Print CSV, as without it")->excludes(addJson(*this, json));
   }
 
   int run(std::ostream& out, const Progress& progress) const override;

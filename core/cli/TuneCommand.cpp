@@ -35,7 +35,7 @@ struct TuneCommand final : Command {
   std::string frames;              ///< empty: that of the session
   std::string preset, glsl;        ///< files; glsl empty: none
   std::vector<std::string> varied; ///< paths or groups; empty: all of the resolve
-  int referenceSamples = kReferenceSamples, flickerFrames = 16;
+  int referenceSamples = kReferenceSamples, flickerFrames = kFlickerFrames;
   int evaluations = 200;
   int seconds = 0; ///< instead of evaluations; 0: those
   unsigned seed = 1;

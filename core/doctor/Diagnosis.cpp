@@ -80,8 +80,8 @@ Finding faultFinding(Fault fault) {
   const FaultInfo& row = faultInfo(fault);
   Finding out;
   out.id = row.id;
-  out.name = std::string(row.label);
-  out.symptom = std::string(row.symptom);
+  out.name = row.label;
+  out.symptom = row.symptom;
   return out;
 }
 

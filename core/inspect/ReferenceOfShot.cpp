@@ -99,8 +99,8 @@ bool ReferenceOfShot::has(IntermediateId id, int lane) {
 Image ReferenceOfShot::image(IntermediateId id, const gl::Rect& region, int lane) {
   if (!isOverTime(id)) return requiredRows(id, lane).image(id, region);
   if (const RowsOverTime* made = overTime_.rows(id, lane)) return made->image(id, region);
-  throw Error(say<"%1 of frame %2 is not there yet: it has to be measured first">(
-      std::string(intermediate(id).label), player_.shown().frame));
+  throw Error(say<"%1 of frame %2 is not there yet: it has to be measured first">(intermediate(id).label,
+                                                                                  player_.shown().frame));
 }
 
 const gl::Texture* ReferenceOfShot::texture(IntermediateId id, int lane) {

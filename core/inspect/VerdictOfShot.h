@@ -37,7 +37,7 @@ struct VerdictAnswer {
   PixelError error;
   /// Name of what a ghost is of, with its number where several objects bear it; empty: none, or it has none.
   std::string object;
-  std::string sentence; ///< in the user's language
+  std::string sentence; ///< what is wrong, and why
   int samples = 0;      ///< of the references that it was concluded from in the end
   /// Standard error of the reference at the pixel, as shown, 0 to 1; nothing: it came with a capture.
   std::optional<double> referenceError{};

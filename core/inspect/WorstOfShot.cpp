@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace taa {
 
@@ -49,8 +50,8 @@ WorstQuestion WorstOfShot::questionOf(IntermediateId shown, int lane, const std:
   const Intermediate& row = intermediate(shown);
   const bool isCategories = !categoryText(shown, 0).empty();
   if (!isCategories && step == WorstStep::Category)
-    throw Error(say<"%1 has no classes to go through: show a verdict or the reject reason instead">(
-        std::string(row.label)));
+    throw Error(
+        say<"%1 has no classes to go through: show a verdict or the reject reason instead">(row.label));
   if (!isCategories) return question;
   const Image image = views_.image(shown, lane);
   const int now = after ? static_cast<int>(*image.at(after->x, after->y)) : 0;
@@ -79,7 +80,7 @@ Badness missingNumbers(const Image& row) {
 }
 
 std::string whyNoneFound(WorstStep step, IntermediateId row) {
-  const std::string label = std::string(intermediate(row).label);
+  const std::string_view label = intermediate(row).label;
   switch (step) {
   case WorstStep::Rejected:
     return say<"history is rejected nowhere in this frame">();

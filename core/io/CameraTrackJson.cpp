@@ -1,6 +1,7 @@
 #include "core/io/CameraTrackJson.h"
 
 #include "core/base/Files.h"
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
 #include "core/base/json/JsonFields.h"
@@ -54,7 +55,7 @@ CameraPose poseFrom(const nlohmann::json& row, const std::string& place) {
 
 std::string poseText(const CameraPose& pose) {
   std::string text;
-  for (const float number : numbersOf(pose)) text += (text.empty() ? "" : ",") + floatText(number);
+  for (const float number : numbersOf(pose)) text += (text.empty() ? "" : ",") + shortestText(number);
   return text;
 }
 

@@ -41,12 +41,8 @@ ordered_json channelsBySpace(const Intermediate& row) {
 
 } // namespace
 
-std::string floatText(float value) {
-  return std::isnan(value) ? "nan" : shortestText(value);
-}
-
 ordered_json floatJson(float value) {
-  const std::string text = floatText(value);
+  const std::string text = shortestText(value);
   if (!std::isfinite(value)) return text;
   // The double next to the short decimal prints as that decimal; the double of the float prints 17 digits.
   double shortest = 0.0;

@@ -11,10 +11,7 @@
 
 namespace taa {
 
-/// The shortest decimal that reads back as the same 32-bit float; "nan", "inf", "-inf".
-std::string floatText(float value);
-
-/// A number that prints as floatText; what JSON has no number for is that text.
+/// A number that prints as shortestText() of it; what JSON has no number for is that text.
 nlohmann::ordered_json floatJson(float value);
 
 /// {"color": {"R": …, "G": …, "B": …}, "depth": {"Z": …}, …}: every row, in the table's order, null where

@@ -19,7 +19,7 @@ constexpr int kTimedFrame = 2; ///< it has a history, and one that has a history
 
 /// What a step of a ladder adds, "4. object motion"; of a whole pipeline its label.
 std::string rungLabel(const Preset& rung) {
-  const std::string label = std::string(rung.label);
+  const std::string& label = rung.label;
   const std::size_t colon = label.find(": ");
   if (rung.step == 0 || colon == std::string::npos) return label;
   return std::to_string(rung.step) + ". " + label.substr(colon + 2);

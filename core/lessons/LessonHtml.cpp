@@ -154,7 +154,7 @@ class HtmlWriter {
     if (place.empty()) return takeUnlinked("[", address, opens);
     out_ += opens ? "<a href=\"" + htmlText(place) + "\">" : "</a>";
   }
-  /// As it is written.
+  /// As Markdown.
   void takeUnlinked(const char* mark, const MD_ATTRIBUTE& address, bool opens) {
     out_ += opens ? mark : "](" + htmlText({address.text, address.size}) + ")";
   }

@@ -18,9 +18,9 @@ using LinkPlace = std::function<std::string(std::string_view address)>;
 /// Addresses of the web alone.
 std::string webPlace(std::string_view address);
 
-/// CommonMark with tables. Tags, pictures and links that lead nowhere are shown as they are written, so that
-/// a text of anybody's is nothing but text. A row of a table that begins with a number of the manual, "11.1",
-/// is found by it, and so is a heading.
+/// CommonMark with tables. Tags are shown as text; pictures, and links that lead nowhere, as
+/// "[text](address)". Headings, and rows of tables, that begin with a number of the manual, "11.1", are found
+/// by it.
 std::string htmlOfMarkdown(std::string_view markdown, const LinkPlace& place = webPlace);
 
 /// A picture of a step, beside the page.

@@ -35,7 +35,7 @@ bool isSameQuantity(const Quantity& a, const Quantity& b) {
 /// "History position X", "Motion, its length": what of a row is one number.
 std::string rowText(const Quantity& quantity, const SpaceSettings& space) {
   const Intermediate& row = intermediate(quantity.row);
-  const std::string label = std::string(row.label);
+  const std::string label(row.label);
   if (row.channels == 1) return label;
   if (quantity.channel >= 0)
     return label + " " + channelNames(row, space).at(static_cast<std::size_t>(quantity.channel));
@@ -99,10 +99,10 @@ std::string labelInFrame(const Quantity& quantity, const SpaceSettings& space) {
     return say<"Time of the resolve, times that of the first">();
   case QuantityKind::Verdict: {
     const auto kind = std::ranges::find(kVerdictKinds, quantity.verdict, &VerdictKindInfo::kind);
-    return say<"Verdict \"%1\" at %2">(std::string(kind->label), probedText(quantity));
+    return say<"Verdict \"%1\" at %2">(kind->label, probedText(quantity));
   }
   case QuantityKind::Doctor:
-    return say<"Finding \"%1\"">(std::string(faultInfo(quantity.fault).label));
+    return say<"Finding \"%1\"">(faultInfo(quantity.fault).label);
   case QuantityKind::Number:
     break;
   }

@@ -50,10 +50,10 @@ std::string figureName(const Lesson& lesson, std::size_t step, std::size_t view)
 /// "Resolved, builtin:fan, frame 40; compared with preset:off"
 std::string captionOf(const LessonView& view, const LessonState& state) {
   std::string caption =
-      say<"%1, %2, frame %3">(std::string(intermediate(view.id).label), state.shot.source, state.shot.frame);
+      say<"%1, %2, frame %3">(intermediate(view.id).label, state.shot.source, state.shot.frame);
   if (state.plays)
-    caption = say<"%1, %2, %3 frames from frame %4 on">(std::string(intermediate(view.id).label),
-                                                        state.shot.source, kClipFrames, state.shot.frame);
+    caption = say<"%1, %2, %3 frames from frame %4 on">(intermediate(view.id).label, state.shot.source,
+                                                        kClipFrames, state.shot.frame);
   if (view.comparison) caption = say<"%1; compared with %2">(caption, comparisonText(view.comparison));
   if (state.look)
     caption = say<"%1; %2 times as large, around pixel (%3, %4)">(

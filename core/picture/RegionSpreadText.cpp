@@ -136,8 +136,8 @@ std::string categoriesText(const RegionSpread& spread, const Intermediate& row) 
   const int total = pixelsOf(spread.categories);
   for (const auto& [category, count] : spread.categories) {
     const std::string_view name = categoryText(row.id, category);
-    text += (text.empty() ? "" : ", ") + std::to_string(category) + (name.empty() ? "" : " ") +
-            (name.empty() ? std::string() : std::string(name)) + " " + spreadShareText(count, total) + " (" +
+    text += (text.empty() ? "" : ", ") + std::to_string(category) +
+            (name.empty() ? "" : " " + std::string(name)) + " " + spreadShareText(count, total) + " (" +
             std::to_string(count) + ")";
   }
   return text;

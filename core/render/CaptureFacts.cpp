@@ -67,7 +67,7 @@ bool isFixedBy(const CaptureFacts& capture, const Parameter& row) {
 std::string whyFixed(const Parameter& row) {
   if (wantsCameras(row))
     return say<"this capture lacks depth or matrices, so that there is no other motion than its own">();
-  return say<"%1 is the capture's own: its frames are as they were taken">(std::string(row.label));
+  return say<"%1 is the capture's own: its frames are as they were taken">(row.label);
 }
 
 std::string whyNoScene() {

@@ -1,4 +1,4 @@
-// Time as a function of the frame's number.
+// What is known of a frame by its number: time, cuts, restarts, jitter.
 #pragma once
 
 #include "core/scene/Scene.h"

@@ -1,5 +1,6 @@
 #include "core/report/LineageReport.h"
 
+#include "core/base/NumberText.h"
 #include "core/io/FrameJson.h"
 #include "core/verdict/lineage/LineageWords.h"
 
@@ -16,7 +17,7 @@ ordered_json realJson(double value) {
 }
 
 std::string realText(double value) {
-  return floatText(static_cast<float>(value));
+  return shortestText(static_cast<float>(value));
 }
 
 ordered_json vectorJson(const glm::dvec2& vector) {

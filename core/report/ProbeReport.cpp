@@ -1,5 +1,6 @@
 #include "core/report/ProbeReport.h"
 
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/io/FrameJson.h"
 #include "core/story/ProbeHeadline.h"
@@ -20,7 +21,7 @@ std::string valuesText(const Intermediate& row, const twin::PixelRecord& record,
   const glm::vec4& value = twin::at(record, row.id);
   std::string text;
   for (int channel = 0; channel < row.channels; ++channel)
-    text += (channel > 0 ? between : "") + floatText(value[channel]);
+    text += (channel > 0 ? between : "") + shortestText(value[channel]);
   if (const std::string_view category = categoryText(row.id, static_cast<int>(value.x)); !category.empty())
     text += " (" + std::string(category) + ")";
   return text;
@@ -29,7 +30,7 @@ std::string valuesText(const Intermediate& row, const twin::PixelRecord& record,
 std::string numbersText(const Intermediate& row, const glm::vec4& value) {
   std::string text;
   for (int channel = 0; channel < row.channels; ++channel)
-    text += (channel > 0 ? " " : "") + floatText(value[channel]);
+    text += (channel > 0 ? " " : "") + shortestText(value[channel]);
   return text;
 }
 
@@ -172,8 +173,8 @@ std::string comparedText(const Comparison& comparison, const ComparedPixel& comp
   if (color.absence != Absence::None)
     return say<"compared with %1: nothing, %2">(with, absenceText(color.absence));
   if (!compared.position) return say<"compared with %1: frame %2">(with, compared.frame);
-  return say<"compared with %1: frame %2 at %3 %4">(with, compared.frame, floatText(compared.position->x),
-                                                    floatText(compared.position->y));
+  return say<"compared with %1: frame %2 at %3 %4">(with, compared.frame, shortestText(compared.position->x),
+                                                    shortestText(compared.position->y));
 }
 
 std::string comparedText(const twin::PixelRecord& now, const ComparedPixel& compared, IntermediateId id) {

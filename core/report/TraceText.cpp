@@ -1,5 +1,6 @@
 #include "core/report/TraceText.h"
 
+#include "core/base/NumberText.h"
 #include "core/io/FrameJson.h"
 #include "core/taa/ChannelNames.h"
 #include "core/taa/twin/Known.h"
@@ -30,7 +31,8 @@ std::string traceCsv(const std::vector<ProbeTrace>& traces, const std::vector<In
       for (const IntermediateId id : rows)
         for (int channel = 0; channel < intermediate(id).channels; ++channel)
           text << ','
-               << (twin::isKnown(sample.record, id) ? floatText(twin::at(sample.record, id)[channel]) : "");
+               << (twin::isKnown(sample.record, id) ? shortestText(twin::at(sample.record, id)[channel])
+                                                    : "");
       text << '\n';
     }
   return text.str();

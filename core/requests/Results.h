@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -170,32 +169,6 @@ struct VerdictDelivery {
 using Result = std::variant<Failure, Status, Work, ViewResult, ProbeResult, VerdictDelivery, FrameProfile,
                             StageCosts, TraceDelivery, Thumbnail, FrameMetrics, ShadersRead, ExportResult,
                             StageShares, LineageDelivery, WorstDelivery, ObjectArea>;
-
-/// Of the results of a type that nobody has looked at yet, the first `max` are kept.
-struct KeepAll {
-  std::size_t max = std::numeric_limits<std::size_t>::max();
-};
-/// The newest is.
-struct KeepNewest {
-  bool operator()(const auto&) const { return true; }
-};
-/// What is kept of results of type T; where it is a member: the newest of each value of that.
-template <class T>
-inline constexpr auto kKept = KeepNewest{};
-template <>
-inline constexpr auto kKept<ViewResult> = &ViewResult::view;
-template <>
-inline constexpr auto kKept<ProbeResult> = &ProbeResult::probe;
-template <>
-inline constexpr auto kKept<Thumbnail> = &Thumbnail::id;
-template <>
-inline constexpr auto kKept<Failure> = KeepAll{};
-template <>
-inline constexpr auto kKept<TraceDelivery> = KeepAll{}; // each is of a frame
-template <>
-inline constexpr auto kKept<FrameProfile> = KeepAll{.max = 120}; // the panel shows no more
-template <>
-inline constexpr auto kKept<FrameMetrics> = KeepAll{.max = 4096}; // seconds of a window that does not look
 
 /// A result, and the request that it answers: the latest of its kind that was taken up.
 struct Answer {

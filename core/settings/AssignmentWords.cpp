@@ -14,13 +14,13 @@ std::string assignmentWords(std::string_view assignment) {
   const double number = parseValue(row, assignment.substr(split + 1));
   std::string value;
   if (row.kind == ParameterKind::Choice)
-    value = std::string(row.choices[static_cast<std::size_t>(number)].label);
+    value = row.choices[static_cast<std::size_t>(number)].label;
   else if (row.kind == ParameterKind::Toggle)
     value = number != 0.0 ? say<"on">() : say<"off">();
   else
     value = numberText(number);
   if (!row.unit.empty()) value += "\u2009" + std::string(row.unit);
-  return say<"%1 ▸ %2: %3">(std::string(stageInfo(row.stage).label), std::string(row.label), value);
+  return say<"%1 ▸ %2: %3">(stageInfo(row.stage).label, row.label, value);
 }
 
 } // namespace taa

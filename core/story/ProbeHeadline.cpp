@@ -142,7 +142,7 @@ std::string historyLine(const Values& v) {
   if (!isTaaOn(v.settings)) return say<"TAA is off">();
   if (reason == 0) return doubtText(v, keptText(v));
   if (twin::isFirst(v.record)) return say<"there is no history yet">();
-  const std::string why = std::string(rejectReasonText(reason));
+  const std::string why(rejectReasonText(reason));
   const float invalid = v.of(Id::alphaInvalid);
   if (invalid >= 1.0f) return say<"history rejected: %1">(why);
   if (isFrozen(v)) return say<"history kept whole, as printed: %1">(why);

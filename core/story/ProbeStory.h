@@ -25,7 +25,7 @@ struct ProbedPixel {
 /// what, where that is not the row's value as it stands: a channel, or a color before it goes back from box
 /// space.
 struct RowStory {
-  std::string words;   ///< "history was pulled 31 % of the way", in the language of core/base/Say.h
+  std::string words;   ///< "history was pulled 31 % of the way",
   std::string formula; ///< empty where the row is read or searched for, which `words` say
   std::string subject; ///< "Y"; empty: the row itself
 };

@@ -79,7 +79,7 @@ std::string metricHeading(Metric metric) {
 
 std::string exactMetricText(const std::optional<double>& value) {
   if (!value) return "";
-  return std::isnan(*value) ? "nan" : shortestText(*value);
+  return shortestText(*value);
 }
 
 std::string shortMetricText(const std::optional<double>& value) {

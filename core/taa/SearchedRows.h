@@ -1,4 +1,4 @@
-// By what a search finds the rows of the tables, in the user's language.
+// By what a search finds the rows of the tables.
 #pragma once
 
 #include "core/base/Search.h"

@@ -61,8 +61,9 @@ RequestId FakeRenderer::post(Request request) {
   status.taken.note(kind, requests + 1);
   std::visit(
       [&]<class T>(const T& asked) {
+        if (refuses(kind)) return;
         all<T>().push_back(asked);
-        if (!refuses(kind)) take(asked);
+        take(asked);
       },
       request);
   return ++requests;

@@ -5,11 +5,8 @@
 #include "core/base/ListsOf.h"
 #include "tests/app/verdict/FakeVerdict.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace taa::app::test {
 
@@ -23,9 +20,9 @@ inline constexpr const char* kFakeAnimated = "builtin:animated";
 inline constexpr const char* kFakeLarge = "builtin:large";
 inline constexpr std::uint64_t kTrianglesOfLarge = 30'000'000;
 
-/// Remembers what was asked of it: all<T>(). The value of every channel at pixel (x, y) of frame n is
-/// x + 100·y + n, and 10,000 more for each lane; stages have rejected n % of its pixels, and the value of
-/// each metric is 0.01·n.
+/// Remembers what was asked of it and not refused: all<T>(). The value of every channel at pixel (x, y) of
+/// frame n is x + 100·y + n, and 10,000 more for each lane; stages have rejected n % of its pixels, and the
+/// value of each metric is 0.01·n.
 class FakeRenderer final : public Renderer, public ListsOf<Request> {
  public:
   explicit FakeRenderer(Listener listener);

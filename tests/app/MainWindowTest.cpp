@@ -383,6 +383,23 @@ TEST_F(Window, TheManualIsSearchedOverAllItsPages) {
   EXPECT_TRUE(page->toPlainText().contains("Catmull-Rom 5"));
   EXPECT_EQ(page->textCursor().selectedText().toLower(), "rotated grid")
       << "it is found on the page that is opened";
+  // Enter goes over all places of a page, then to the next page, and round.
+  std::set<QString> seen;
+  for (int enter = 0; enter < 200 && seen.size() < 3; ++enter) {
+    QTest::keyClick(search, Qt::Key_Return);
+    EXPECT_EQ(page->textCursor().selectedText().toLower(), "rotated grid");
+    seen.insert(list->currentItem()->text());
+  }
+  EXPECT_GE(seen.size(), 3u) << "Settings, Techniques and others have it";
+}
+
+TEST_F(Window, TheManualFindsWhatIsReadAndNotWhatItIsWrittenWith) {
+  key(Qt::Key_F1);
+  auto* dialog = window.findChild<ReferenceDialog*>();
+  ASSERT_TRUE(dialog && dialog->isVisible());
+  auto* search = dialog->findChild<QLineEdit*>();
+  QTest::keyClicks(search, "](coverage.md)");
+  EXPECT_TRUE(dialog->findChild<QLabel*>("noHits")->text().startsWith("No page of the manual"));
 }
 
 TEST_F(Window, LinksOfTheManualOpenItsPages) {

@@ -3,6 +3,7 @@
 
 #include "app/models/ProfileSeries.h"
 #include "app/panels/PipelinePanel.h"
+#include "app/session/Mailbox.h"
 #include "app/style/Theme.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewPanel.h"

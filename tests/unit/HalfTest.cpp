@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -87,28 +89,12 @@ TEST(RoundedToHalf, OverflowsHalfwayToTheNextPowerOfTwo) {
   EXPECT_TRUE(std::signbit(roundedToHalf(-0.0f)));
 }
 
-TEST(ToHalves, GivesTheBitsOfTheRoundedValue) {
-  std::vector<float> values{0.0f, -0.0f, 65519.99f, 65520.0f, -1e30f, 1e-9f, kInfinity};
-  const std::vector<float> known = allHalves();
-  for (std::size_t i = 0; i + 1 < known.size(); ++i) {
-    const float middle = 0.5f * (known[i] + known[i + 1]);
-    for (const float value :
-         {known[i], -known[i], middle, std::nextafter(middle, 0.0f), -std::nextafter(middle, 1e6f)})
-      values.push_back(value);
-  }
-  std::vector<std::uint16_t> halves(values.size());
+TEST(ToHalves, GivesTheBitsOfEach) {
+  const float tie = 1.0f + 0x1p-11f; // between 1 and the next half: to the even one
+  const float values[] = {-0.0f, 1.0f, tie, -65519.0f, 65520.0f, 0x1p-24f, -std::nanf("")};
+  std::array<std::uint16_t, std::size(values)> halves{};
   toHalves(values, halves);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    ASSERT_EQ(floatOfHalf(halves[i]), roundedToHalf(values[i])) << values[i];
-    ASSERT_EQ(std::signbit(floatOfHalf(halves[i])), std::signbit(values[i])) << values[i];
-  }
-}
-
-TEST(ToHalves, KeepsWhatIsNoNumber) {
-  const float values[] = {std::nanf("")};
-  std::uint16_t halves[] = {0};
-  toHalves(values, halves);
-  EXPECT_TRUE(std::isnan(floatOfHalf(halves[0])));
+  EXPECT_EQ(halves, (std::array<std::uint16_t, 7>{0x8000, 0x3c00, 0x3c00, 0xfbff, 0x7c00, 0x0001, 0xfe00}));
 }
 
 } // namespace

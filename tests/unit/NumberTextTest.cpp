@@ -37,6 +37,7 @@ TEST(NumberText, HasTheDigitsThatAreAskedFor) {
   EXPECT_EQ(roundedText(-0.0001, 3), "0");
   EXPECT_EQ(numberText(-0.25), "−0.25");
   EXPECT_EQ(numberText(std::nan("")), "nan");
+  EXPECT_EQ(shortestText(-std::nanf("")), "nan") << "whatever its sign";
 }
 
 // Two digits of the error, and as many of what was measured.

@@ -1,11 +1,11 @@
 #include "app/views/legend/Legend.h"
 
 #include "app/style/Numbers.h"
+#include "app/style/PictureImage.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/views/legend/RangeMath.h"
 
-#include "core/base/Light.h"
 #include "core/picture/ColorMap.h"
 #include "core/taa/ChannelNames.h"
 
@@ -30,7 +30,7 @@ namespace {
 constexpr int kBarWidth = 96, kShortBarWidth = 40, kBarHeight = 8;
 
 QRgb rgbOf(const std::array<float, 3>& linear) {
-  return qRgb(srgbByte(linear[0]), srgbByte(linear[1]), srgbByte(linear[2]));
+  return shownColor({linear[0], linear[1], linear[2]}).rgb();
 }
 
 QImage mapBar(ColorMap map) {

@@ -1,6 +1,6 @@
 #include "app/views/plots/ColorItems.h"
 
-#include "core/base/Light.h"
+#include "app/style/PictureImage.h"
 
 #include <QObject>
 
@@ -9,11 +9,6 @@
 namespace taa::app {
 
 namespace {
-
-/// As a screen shows it; what is brighter than white, or negative, at its end.
-QColor shownColor(const glm::vec3& linear) {
-  return {srgbByte(linear.x), srgbByte(linear.y), srgbByte(linear.z)};
-}
 
 template <class Colors>
 std::vector<QColor> shownColors(const Colors& linear) {

@@ -1,5 +1,6 @@
 #include "app/views/plots/ProfileChart.h"
 
+#include "app/session/Mailbox.h"
 #include "app/style/CurveColor.h"
 #include "app/style/Theme.h"
 

@@ -2,11 +2,11 @@
 
 #include "app/background/BackgroundBar.h"
 #include "app/style/Numbers.h"
+#include "app/style/PictureImage.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/widgets/Note.h"
 #include "app/widgets/ValueTable.h"
-#include "core/base/Light.h"
 #include "core/picture/ColorMap.h"
 
 #include <QHeaderView>
@@ -35,10 +35,6 @@ constexpr std::array<int, 3> kGivingWayByChange{ResolvedColumn, AlphaColumn, Cha
 constexpr int kLowestWithNote = 12;     ///< rows
 constexpr int kCellMargins = 3 * kUnit; ///< both sides
 constexpr int kPictureFrames = 8;       ///< up to the probed one
-
-QColor shownSwatch(const glm::vec3& linear) {
-  return {srgbByte(linear.x), srgbByte(linear.y), srgbByte(linear.z)};
-}
 
 /// Three decimals a channel: what a narrow table has room for.
 QString channelsText(const glm::vec3& color) {
@@ -73,7 +69,7 @@ ValueTable::Row lineOf(const WhatIfRow& row, const WhatIfEntry& entry, const Pic
                     shortText(static_cast<double>(row.alpha), 3)};
   for (std::size_t place = 0; place < kPictureMetrics.size(); ++place)
     cells << (means && (*means)[place] ? shortText(*(*means)[place], 2) : QString());
-  return {cells, shownSwatch(row.resolved), false, tipOf(row, entry, means)};
+  return {cells, shownColor(row.resolved), false, tipOf(row, entry, means)};
 }
 
 /// The same whatever settings it is drawn with, and whichever frame is on show.

@@ -16,12 +16,12 @@ namespace {
 using Sentences = std::vector<std::string>;
 
 /// Matrices of all frames of a capture, and planes of any: sayFrames() says which frames lack them.
-struct FramePlanesGiven {
+struct GivenInputs {
   bool motion, depth, matrices, ids, normals, previousDepth;
   bool canRebuild() const { return depth && matrices; }
 };
 
-FramePlanesGiven inputsOf(const Manifest& manifest) {
+GivenInputs inputsOf(const Manifest& manifest) {
   const bool hasMatrices = std::ranges::all_of(manifest.frames, [](const CapturedFrame& frame) {
     return frame.view.has_value() && frame.projection.has_value();
   });
@@ -40,7 +40,7 @@ void sayFrames(const Manifest& manifest, Sentences& out) {
   }
 }
 
-void sayMatrices(const Manifest& manifest, const FramePlanesGiven& inputs, Sentences& out) {
+void sayMatrices(const Manifest& manifest, const GivenInputs& inputs, Sentences& out) {
   if (inputs.matrices) return;
   const auto stated = std::ranges::count_if(
       manifest.frames, [](const CapturedFrame& frame) { return frame.view && frame.projection; });
@@ -52,7 +52,7 @@ void sayMatrices(const Manifest& manifest, const FramePlanesGiven& inputs, Sente
           "and neither can previous depth or places in the world">());
 }
 
-void sayMotion(const Manifest& manifest, const FramePlanesGiven& inputs, Sentences& out) {
+void sayMotion(const Manifest& manifest, const GivenInputs& inputs, Sentences& out) {
   const MotionConventions& motion = manifest.conventions.motion;
   if (!inputs.motion) {
     out.push_back(inputs.canRebuild()
@@ -76,7 +76,7 @@ void sayMotion(const Manifest& manifest, const FramePlanesGiven& inputs, Sentenc
     out.push_back(say<"motion lacks that of the camera, and depth or matrices to add it are missing">());
 }
 
-void sayDepth(const Manifest& manifest, const FramePlanesGiven& inputs, Sentences& out) {
+void sayDepth(const Manifest& manifest, const GivenInputs& inputs, Sentences& out) {
   const DepthConventions& depth = manifest.conventions.depth;
   if (!inputs.depth) {
     out.push_back(say<"there is no depth: motion is not dilated by it, and no history is rejected for it">());
@@ -153,7 +153,7 @@ void saySizes(const Manifest& manifest, Sentences& out) {
 } // namespace
 
 std::vector<std::string> missingInputs(const Manifest& manifest) {
-  const FramePlanesGiven inputs = inputsOf(manifest);
+  const GivenInputs inputs = inputsOf(manifest);
   Sentences out;
   sayFrames(manifest, out);
   sayMotion(manifest, inputs, out);

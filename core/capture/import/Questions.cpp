@@ -21,7 +21,7 @@ namespace {
 
 /// A question by the convention that it decides, and what it needs to be asked.
 struct ConventionQuestion {
-  std::string (*text)();
+  std::string_view text;
   std::string_view path;
   bool (*isAsked)(const FrameSamples& samples);
   std::vector<Trial> (*trials)(const TestState& state); ///< empty: the state leaves nothing to ask
@@ -145,19 +145,19 @@ std::vector<Trial> skies(const TestState& state) {
 }
 
 constexpr ConventionQuestion kQuestions[] = {
-    {[] { return say<"Direction of motion">(); }, "motion.direction", withMotion, directions, false},
-    {[] { return say<"Unit of motion">(); }, "motion.unit", withMotion, units, false},
-    {[] { return say<"Pixels of motion">(); }, "motion.pixelOf", withTwoSizes, pixelsOf, true},
-    {[] { return say<"y axis of motion">(); }, "motion.yAxis", withMotion, motionAxes, false},
-    {[] { return say<"x axis of motion">(); }, "motion.scaleX", withMotion, mirrors, true},
-    {[] { return say<"Length of motion">(); }, "motion.scaleX", withMotion, lengths, true},
-    {[] { return say<"Jitter in motion">(); }, "motion.jitter", withJitterAndMotion, jittersInMotion, true},
-    {[] { return say<"The camera's motion">(); }, "motion.includesCamera", withCamera, cameraIncluded, true},
-    {[] { return say<"Motion of the sky">(); }, "motion.whereNothing", withCamera, skies, true},
-    {[] { return say<"Meaning of jitter">(); }, "jitter.meaning", withJitter, meanings, false},
-    {[] { return say<"y axis of jitter">(); }, "jitter.yAxis", withJitter, jitterAxes, false},
-    {[] { return say<"Unit of jitter">(); }, "jitter.unit", withJitter, jitterUnits, false},
-    {[] { return say<"Frame of the stated jitter">(); }, "jitter.delay", withJitter, delays, true},
+    {"Direction of motion", "motion.direction", withMotion, directions, false},
+    {"Unit of motion", "motion.unit", withMotion, units, false},
+    {"Pixels of motion", "motion.pixelOf", withTwoSizes, pixelsOf, true},
+    {"y axis of motion", "motion.yAxis", withMotion, motionAxes, false},
+    {"x axis of motion", "motion.scaleX", withMotion, mirrors, true},
+    {"Length of motion", "motion.scaleX", withMotion, lengths, true},
+    {"Jitter in motion", "motion.jitter", withJitterAndMotion, jittersInMotion, true},
+    {"The camera's motion", "motion.includesCamera", withCamera, cameraIncluded, true},
+    {"Motion of the sky", "motion.whereNothing", withCamera, skies, true},
+    {"Meaning of jitter", "jitter.meaning", withJitter, meanings, false},
+    {"y axis of jitter", "jitter.yAxis", withJitter, jitterAxes, false},
+    {"Unit of jitter", "jitter.unit", withJitter, jitterUnits, false},
+    {"Frame of the stated jitter", "jitter.delay", withJitter, delays, true},
 };
 
 /// The state's own answer among trials; none where it is not among them.
@@ -192,7 +192,7 @@ AskedQuestion ask(const ConventionQuestion& question, const std::vector<Trial>& 
   AskedQuestion answer;
   if (isAdopted && comparison.best != stated) answer.adopted = best.state.conventions;
   Finding& finding = answer.finding;
-  finding.question = question.text();
+  finding.question = question.text;
   finding.path = question.path;
   finding.isSure = comparison.isClear();
   finding.reason = reasonOf(comparison);
@@ -291,8 +291,7 @@ std::vector<Trial> unitsAndAxes(const TestState& state) {
 std::optional<Finding> askShortMotion(FrameSamples& samples, TestState& state) {
   if (!samples.hasMotion() || state.conventions.motion.unit != ScreenUnit::Pixels || !isShort(samples, state))
     return {};
-  const ConventionQuestion question{[] { return say<"Unit of motion">(); }, "motion.unit", withMotion,
-                                    unitsAndAxes, true};
+  const ConventionQuestion question{"Unit of motion", "motion.unit", withMotion, unitsAndAxes, true};
   const std::vector<Trial> trials = unitsAndAxes(state);
   AskedQuestion answer = ask(question, trials, samples, state, {Adopt::None, {}});
   const TrialComparison comparison = compare(samples, trials);
@@ -319,7 +318,7 @@ std::vector<Finding> askPixels(FrameSamples& samples, TestState& state, const Qu
     findings.clear();
     int done = 0;
     for (const ConventionQuestion& question : kQuestions) {
-      report(progress, question.text(), done++, static_cast<int>(std::size(kQuestions)));
+      report(progress, question.text, done++, static_cast<int>(std::size(kQuestions)));
       if (!question.isAsked(samples)) continue;
       const std::vector<Trial> trials = question.trials(state);
       if (trials.empty()) continue;

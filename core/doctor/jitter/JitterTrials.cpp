@@ -20,21 +20,21 @@ namespace {
 
 struct JitterTrialWords {
   std::string_view id;
-  std::string (*text)();
+  std::string_view text;
 };
 
 /// In the order of the enumerators; those with a factor say it.
 constexpr std::array<JitterTrialWords, 10> kJitterWords = {{
-    {"asStated", [] { return say<"as stated">(); }},
-    {"notApplied", [] { return say<"none in the pictures">(); }},
-    {"mirroredX", [] { return say<"x negated">(); }},
-    {"mirroredY", [] { return say<"y negated">(); }},
-    {"opposite", [] { return say<"both negated">(); }},
-    {"swappedAxes", [] { return say<"x and y exchanged">(); }},
-    {"scaled", nullptr},
-    {"otherUnit", nullptr},
-    {"frameLate", [] { return say<"that stated with the frame after">(); }},
-    {"frameEarly", [] { return say<"that stated with the frame before">(); }},
+    {"asStated", "as stated"},
+    {"notApplied", "none in the pictures"},
+    {"mirroredX", "x negated"},
+    {"mirroredY", "y negated"},
+    {"opposite", "both negated"},
+    {"swappedAxes", "x and y exchanged"},
+    {"scaled", ""},
+    {"otherUnit", ""},
+    {"frameLate", "that stated with the frame after"},
+    {"frameEarly", "that stated with the frame before"},
 }};
 
 std::optional<glm::vec2> statedAt(const std::map<int, glm::vec2>& stated, int frame) {
@@ -158,7 +158,7 @@ std::string jitterTrialText(const JitterTrial& trial) {
     return say<"times %1">(shortNumber(static_cast<double>(trial.factor.x)));
   if (trial.kind == JitterKind::OtherUnit)
     return say<"times %1: another unit">(shortVector(glm::dvec2(trial.factor)));
-  return kJitterWords[static_cast<std::size_t>(trial.kind)].text();
+  return std::string(kJitterWords[static_cast<std::size_t>(trial.kind)].text);
 }
 
 std::optional<glm::vec2> trueJitter(const JitterTrial& trial, const std::map<int, glm::vec2>& stated,

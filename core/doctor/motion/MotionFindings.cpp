@@ -131,7 +131,7 @@ bool isSkyUnwritten(const JudgedRegion& sky, const std::vector<JudgedRegion>& ju
 }
 
 Finding skyFinding(const JudgedRegion& sky, const Patient& patient, double allPixels) {
-  const MotionWords fault = motionFault(nullptr, *sky.region, *sky.evidence);
+  const FaultWords fault = motionFault(nullptr, *sky.region, *sky.evidence);
   const double meanPx = sky.evidence->cameraPx / static_cast<double>(sky.evidence->pixels);
   Finding out;
   nameBy(fault, out);

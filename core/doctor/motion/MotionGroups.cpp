@@ -57,7 +57,7 @@ std::vector<FaultGroup> groupsOf(const std::vector<JudgedRegion>& judged,
     if (region.decision.verdict != MotionVerdict::Wrong) continue;
     const MotionTrial* trial = region.trial ? &trials[*region.trial] : nullptr;
     const JudgedRegion& named = namedBy(region, judged);
-    MotionWords fault = motionFault(trial, *named.region, *named.evidence);
+    FaultWords fault = motionFault(trial, *named.region, *named.evidence);
     auto found = std::ranges::find_if(groups, [&](const FaultGroup& group) {
       return group.fault.id == fault.id && group.trial == region.trial;
     });

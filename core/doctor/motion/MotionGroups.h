@@ -13,7 +13,7 @@ namespace taa::doctor {
 
 /// One fault and the regions that it shows in, which live as long as what was judged.
 struct FaultGroup {
-  MotionWords fault;
+  FaultWords fault;
   std::optional<std::size_t> trial;
   std::vector<const JudgedRegion*> regions;
   double pixels = 0.0;

@@ -15,37 +15,37 @@ namespace {
 
 struct TrialWords {
   std::string_view id;
-  std::string (*text)();
+  std::string_view text;
 };
 
 /// In the order of the enumerators; those with a factor say it.
 constexpr std::array<TrialWords, 26> kTrialWords = {{
-    {"asGiven", [] { return say<"as given">(); }},
-    {"resting", [] { return say<"at rest on the screen">(); }},
-    {"ofCamera", [] { return say<"that of the camera">(); }},
-    {"lacksCamera", [] { return say<"with the camera's motion added">(); }},
-    {"cameraTwice", [] { return say<"with the camera's motion taken off once">(); }},
-    {"scaled", nullptr},
-    {"otherUnit", nullptr},
-    {"mirroredX", [] { return say<"x negated">(); }},
-    {"mirroredY", [] { return say<"y negated">(); }},
-    {"opposite", [] { return say<"both negated">(); }},
-    {"swappedAxes", [] { return say<"x and y exchanged">(); }},
-    {"jitterOfThis", [] { return say<"without this frame's jitter">(); }},
-    {"jitterOfPrevious", [] { return say<"without the jitter of the frame before">(); }},
-    {"jitterOfBoth", [] { return say<"without the difference of both jitters">(); }},
-    {"jitterTakenOff", [] { return say<"with the difference of both jitters added">(); }},
-    {"jitterOfThisTakenOff", [] { return say<"with this frame's jitter added">(); }},
-    {"jitterOfPreviousTakenOff", [] { return say<"with the jitter of the frame before added">(); }},
-    {"frameLate", [] { return say<"that of the frame after">(); }},
-    {"frameEarly", [] { return say<"that of the frame before">(); }},
-    {"encoded", [] { return say<"decoded from 0 to 1">(); }},
-    {"root", [] { return say<"squared, in shares of the picture">(); }},
-    {"twoFramesOld", [] { return say<"without that of the frame before, which it holds as well">(); }},
-    {"cameraTurned", [] { return say<"with the previous camera turned back">(); }},
-    {"cameraBeside", [] { return say<"with the previous camera moved back">(); }},
-    {"cameraMirrored", [] { return say<"with the previous camera's own matrix, not that of a mirror">(); }},
-    {"cameraIdentity", [] { return say<"with the previous camera's matrix, which was never set">(); }},
+    {"asGiven", "as given"},
+    {"resting", "at rest on the screen"},
+    {"ofCamera", "that of the camera"},
+    {"lacksCamera", "with the camera's motion added"},
+    {"cameraTwice", "with the camera's motion taken off once"},
+    {"scaled", ""},
+    {"otherUnit", ""},
+    {"mirroredX", "x negated"},
+    {"mirroredY", "y negated"},
+    {"opposite", "both negated"},
+    {"swappedAxes", "x and y exchanged"},
+    {"jitterOfThis", "without this frame's jitter"},
+    {"jitterOfPrevious", "without the jitter of the frame before"},
+    {"jitterOfBoth", "without the difference of both jitters"},
+    {"jitterTakenOff", "with the difference of both jitters added"},
+    {"jitterOfThisTakenOff", "with this frame's jitter added"},
+    {"jitterOfPreviousTakenOff", "with the jitter of the frame before added"},
+    {"frameLate", "that of the frame after"},
+    {"frameEarly", "that of the frame before"},
+    {"encoded", "decoded from 0 to 1"},
+    {"root", "squared, in shares of the picture"},
+    {"twoFramesOld", "without that of the frame before, which it holds as well"},
+    {"cameraTurned", "with the previous camera turned back"},
+    {"cameraBeside", "with the previous camera moved back"},
+    {"cameraMirrored", "with the previous camera's own matrix, not that of a mirror"},
+    {"cameraIdentity", "with the previous camera's matrix, which was never set"},
 }};
 
 const TrialWords& wordsOf(const MotionTrial& trial) {
@@ -176,7 +176,7 @@ std::string trialText(const MotionTrial& trial) {
     return say<"times %1">(shortNumber(static_cast<double>(trial.factor.x)));
   if (trial.kind == MotionKind::OtherUnit)
     return say<"times %1: another unit">(shortVector(glm::dvec2(trial.factor)));
-  return wordsOf(trial).text();
+  return std::string(wordsOf(trial).text);
 }
 
 bool wasHidden(const FrameNeighbors& frames, const glm::ivec2& pixel, const glm::ivec2& before, float share) {

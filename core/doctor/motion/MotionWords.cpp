@@ -14,12 +14,12 @@ namespace taa::doctor {
 namespace {
 
 /// One that the table of faults has.
-MotionWords ofTable(Fault fault, std::string change) {
+FaultWords ofTable(Fault fault, std::string change) {
   const FaultInfo& row = faultInfo(fault);
   return {std::string(row.id), std::string(row.label), std::string(row.symptom), std::move(change)};
 }
 
-MotionWords unwrittenFault(const Region& region) {
+FaultWords unwrittenFault(const Region& region) {
   if (region.isSky)
     return ofTable(Fault::SkyWithoutMotion,
                    say<"Write motion where nothing is drawn, too: that of the camera for points infinitely "
@@ -29,7 +29,7 @@ MotionWords unwrittenFault(const Region& region) {
                      "this frame and of the one before.">());
 }
 
-MotionWords scaledFault(const MotionTrial& trial) {
+FaultWords scaledFault(const MotionTrial& trial) {
   const bool isOfUnits = trial.factor.x == 0.5f || trial.factor.x == 2.0f;
   const std::string factor = shortNumber(static_cast<double>(trial.factor.x));
   const std::string change =
@@ -46,7 +46,7 @@ MotionWords scaledFault(const MotionTrial& trial) {
   return {"motionScaled", say<"Motion of another length">(), say<"Ghosts grow with speed.">(), change};
 }
 
-MotionWords unitFault(const MotionTrial& trial) {
+FaultWords unitFault(const MotionTrial& trial) {
   const std::string change = say<"Multiply the motion that you write by %1, or state the unit that it has.">(
       shortVector(glm::dvec2(trial.factor)));
   if (std::abs(trial.factor.x) <= 1.0f)
@@ -57,7 +57,7 @@ MotionWords unitFault(const MotionTrial& trial) {
 }
 
 /// Motion that is not the camera's, and by what other camera it is made.
-MotionWords wrongCameraFault(Fault fault) {
+FaultWords wrongCameraFault(Fault fault) {
   if (fault == Fault::CameraTurned)
     return ofTable(fault,
                    say<"It rests in the world, and its motion is the camera's and the same amount more: make "
@@ -66,7 +66,7 @@ MotionWords wrongCameraFault(Fault fault) {
                             "it with the matrices of the frame before of the same view.">());
 }
 
-MotionWords cameraFault(const Region& region, const RegionEvidence& evidence) {
+FaultWords cameraFault(const Region& region, const RegionEvidence& evidence) {
   if (isUnwritten(evidence)) return unwrittenFault(region);
   if (const auto fault = wrongCamera(evidence)) return wrongCameraFault(*fault);
   return {"motionNotCameras", say<"Motion of what rests is not the camera's">(),
@@ -75,7 +75,7 @@ MotionWords cameraFault(const Region& region, const RegionEvidence& evidence) {
               "the frame before, of the same camera and pass.">()};
 }
 
-MotionWords jitterLeftFault(MotionKind kind) {
+FaultWords jitterLeftFault(MotionKind kind) {
   const bool isTakenOff = kind == MotionKind::JitterTakenOff || kind == MotionKind::JitterOfThisTakenOff ||
                           kind == MotionKind::JitterOfPreviousTakenOff;
   if (isTakenOff)
@@ -96,7 +96,7 @@ MotionWords jitterLeftFault(MotionKind kind) {
                  change);
 }
 
-MotionWords axesFault(MotionKind kind) {
+FaultWords axesFault(MotionKind kind) {
   if (kind == MotionKind::MirroredX)
     return ofTable(Fault::MotionNegatedX,
                    say<"Negate x of the motion that you write; or state the other direction, and that y goes "
@@ -110,7 +110,7 @@ MotionWords axesFault(MotionKind kind) {
   return ofTable(Fault::MotionSwapped, say<"Exchange x and y of motion.">());
 }
 
-MotionWords frameFault(MotionKind kind) {
+FaultWords frameFault(MotionKind kind) {
   if (kind == MotionKind::FrameLate)
     return ofTable(Fault::MotionLingers,
                    say<"Give each frame its own motion: what you write is that of the frame before.">());
@@ -119,7 +119,7 @@ MotionWords frameFault(MotionKind kind) {
           say<"Give each frame its own motion: what you write is that of the frame after.">()};
 }
 
-MotionWords decodedFault(MotionKind kind) {
+FaultWords decodedFault(MotionKind kind) {
   if (kind == MotionKind::Encoded)
     return ofTable(Fault::MotionEncoded,
                    say<"Decode motion before it is used: what is stored is ½ + ½ of it, in shares of the "
@@ -129,14 +129,14 @@ MotionWords decodedFault(MotionKind kind) {
                      "Or state that encoding.">());
 }
 
-MotionWords lacksCameraFault(const Region& region, const RegionEvidence& evidence) {
+FaultWords lacksCameraFault(const Region& region, const RegionEvidence& evidence) {
   if (isUnwritten(evidence)) return unwrittenFault(region);
   return ofTable(Fault::MotionWithoutCamera,
                  say<"Add the camera's motion: the previous matrix has to be that of the frame before, not "
                      "this frame's.">());
 }
 
-MotionWords otherCameraFault(MotionKind kind) {
+FaultWords otherCameraFault(MotionKind kind) {
   switch (kind) {
   case MotionKind::CameraTurned:
     return ofTable(
@@ -161,7 +161,7 @@ MotionWords otherCameraFault(MotionKind kind) {
   }
 }
 
-MotionWords searchedFault(const Region& region, const RegionEvidence& evidence) {
+FaultWords searchedFault(const Region& region, const RegionEvidence& evidence) {
   if (isUnwritten(evidence)) return unwrittenFault(region);
   return ofTable(Fault::MotionCameraOnly,
                  say<"Its motion is the camera's alone, and it moves by itself: write motion with its own "
@@ -170,7 +170,7 @@ MotionWords searchedFault(const Region& region, const RegionEvidence& evidence) 
 
 } // namespace
 
-MotionWords motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence) {
+FaultWords motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence) {
   if (!trial) return searchedFault(region, evidence);
   switch (trial->kind) {
   case MotionKind::AsGiven:
@@ -221,7 +221,7 @@ MotionWords motionFault(const MotionTrial* trial, const Region& region, const Re
   return {};
 }
 
-MotionWords lengthFault(const MotionTrial& trial) {
+FaultWords lengthFault(const MotionTrial& trial) {
   if (trial.kind != MotionKind::Scaled) return motionFault(&trial, Region(), RegionEvidence());
   return {"motionScaled", say<"Motion of another length">(), say<"Ghosts grow with speed.">(),
           say<"Multiply the motion that you write by %1, or state the unit that it has.">(
@@ -251,7 +251,7 @@ std::string lengthReason(const FittedLength& length, const MotionTrial& trial, c
                     shortNumber(unit.x), shortNumber(unit.y)));
 }
 
-void nameBy(const MotionWords& fault, Finding& out) {
+void nameBy(const FaultWords& fault, Finding& out) {
   out.id = fault.id;
   out.name = fault.name;
   out.symptom = fault.symptom;

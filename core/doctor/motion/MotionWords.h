@@ -12,23 +12,23 @@
 
 namespace taa::doctor {
 
-/// A fault of motion in words.
-struct MotionWords {
+/// What is said of a fault of motion.
+struct FaultWords {
   std::string id;              ///< of the table of faults where that has it
   std::string name;            ///< as a heading
   std::string symptom, change; ///< sentences
 };
 
 /// `trial`: what explains it; null: the pixels move as no explanation says.
-MotionWords motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence);
+FaultWords motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence);
 
 /// Of a length that was fitted, or of axes besides.
-MotionWords lengthFault(const MotionTrial& trial);
+FaultWords lengthFault(const MotionTrial& trial);
 /// Sentences: what was fitted, and what unit of a picture of that size it is.
 std::string lengthReason(const FittedLength& length, const MotionTrial& trial, const glm::ivec2& sizePx);
 
 /// Gives a finding the words of a fault.
-void nameBy(const MotionWords& fault, Finding& out);
+void nameBy(const FaultWords& fault, Finding& out);
 
 /// Of another unit: what is wrong with direction and axes besides, as a trial of its own; nothing: nothing
 /// is. Where a capture states its axes, they are no part of a unit.

@@ -26,13 +26,12 @@ double linearOfBright() {
   return (-b + std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
 }
 
-std::vector<float> risingLuminances(const Image& linear) {
-  std::vector<float> luminances;
+std::vector<double> luminancesOf(const Image& linear) {
+  std::vector<double> luminances;
   luminances.reserve(static_cast<std::size_t>(linear.width) * static_cast<std::size_t>(linear.height));
   for (int y = 0; y < linear.height; ++y)
     for (int x = 0; x < linear.width; ++x)
       luminances.push_back(std::max(0.0f, twin::luma(glm::vec3(linear.texel(x, y)))));
-  std::ranges::sort(luminances);
   return luminances;
 }
 
@@ -55,13 +54,16 @@ float acesToneMapped(float linear) {
 }
 
 std::vector<double> flipExposures(const Image& reference) {
-  const std::vector<float> luminances = risingLuminances(reference);
-  const auto bright = std::ranges::upper_bound(luminances, 0.0f);
-  if (bright == luminances.end()) return {0.0};
-  const double middle = median({luminances.begin(), luminances.end()});
-  const double first = std::log2(linearOfBright() / double(luminances.back()));
-  const double last =
-      std::log2(linearOfBright() / (middle > 0.0 ? middle : median({bright, luminances.end()})));
+  std::vector<double> luminances = luminancesOf(reference);
+  const double brightest = luminances.empty() ? 0.0 : std::ranges::max(luminances);
+  if (brightest <= 0.0) return {0.0};
+  double middle = median(luminances);
+  if (middle <= 0.0) {
+    std::erase_if(luminances, [](double luminance) { return luminance <= 0.0; });
+    middle = median(luminances);
+  }
+  const double first = std::log2(linearOfBright() / brightest);
+  const double last = std::log2(linearOfBright() / middle);
   const int count = std::max(2, static_cast<int>(std::ceil(last - first)));
   std::vector<double> exposures;
   for (int step = 0; step < count; ++step) exposures.push_back(first + step * (last - first) / (count - 1));

@@ -13,7 +13,6 @@
 #include "core/render/passes/SkyPass.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <optional>

@@ -1,5 +1,6 @@
 #include "core/report/verdicts/MapReport.h"
 
+#include "core/base/NumberText.h"
 #include "core/inspect/Inspector.h"
 #include "core/inspect/WorstOfShot.h"
 #include "core/io/FrameJson.h"
@@ -83,7 +84,7 @@ std::string worstText(const std::vector<WorstPixel>& worst) {
   std::string text;
   for (const WorstPixel& found : worst)
     text += (text.empty() ? "; worst " : ", ") + std::to_string(found.pixel.x) + " " +
-            std::to_string(found.pixel.y) + " (" + floatText(found.badness) + ")";
+            std::to_string(found.pixel.y) + " (" + shortestText(found.badness) + ")";
   return text;
 }
 
@@ -123,13 +124,13 @@ std::string mapText(const MapOfLane& lane) {
     }
     text += "  " + std::string(categoryText(found.row, found.category)) + ": " +
             std::to_string(found.pixels) + " pixels, " +
-            floatText(static_cast<float>(percentOf(found.pixels, lane.pixels))) + " %" +
+            shortestText(static_cast<float>(percentOf(found.pixels, lane.pixels))) + " %" +
             worstText(found.worst) + "\n";
   }
   text += "Error\n";
   for (const ErrorOfMap& error : lane.errors)
     text += "  " + std::string(intermediate(error.row).label) + ": mean " +
-            floatText(static_cast<float>(error.mean)) + worstText(error.worst) + "\n";
+            shortestText(static_cast<float>(error.mean)) + worstText(error.worst) + "\n";
   return text;
 }
 

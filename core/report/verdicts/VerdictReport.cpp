@@ -1,5 +1,6 @@
 #include "core/report/verdicts/VerdictReport.h"
 
+#include "core/base/NumberText.h"
 #include "core/inspect/RemedyTrial.h"
 #include "core/io/FrameJson.h"
 #include "core/story/StoryText.h"
@@ -30,7 +31,7 @@ ordered_json decibelJson(double value) {
 }
 
 std::string partText(double value) {
-  return floatText(static_cast<float>(value));
+  return shortestText(static_cast<float>(value));
 }
 
 ordered_json channelsJson(const glm::dvec3& color) {

@@ -214,6 +214,20 @@ TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
   EXPECT_EQ(written("again.taa.json"), saved);
 }
 
+TEST_F(SessionFiles, OneOfALongerShotOpensAtItsFrame) {
+  session.seek(200);
+  settle();
+  const SessionFile far = session.file();
+  ASSERT_EQ(far.frame, 200);
+  session.choose({.animation = {}, .frames = 20});
+  settle();
+  ASSERT_EQ(session.status().frameCount, 20);
+  session.restore(far);
+  settle();
+  EXPECT_EQ(session.status().frameCount, 240);
+  EXPECT_EQ(renderer->status.info.frame, 200);
+}
+
 TEST_F(SessionFiles, OneOfTheVersionBeforeOpensAndSaysWhatHasAnotherName) {
   session.probes().setPixel(glm::ivec2(30, 20));
   session.probes().add(glm::ivec2(12, 9), Follow::Surface);

@@ -1,5 +1,6 @@
 // Traces of probes on the render thread: what is shown adds to them, the rest is filled in beside it, and
 // taa-batch prints the same. And how time goes on in a part of the shot.
+#include "core/base/NumberText.h"
 #include "core/gl/Turn.h"
 #include "core/inspect/Inspector.h"
 #include "core/io/FrameJson.h"
@@ -215,7 +216,7 @@ TEST_F(TraceTest, OfTheReferenceIsWhatThePictureShows) {
   const Image there = std::async(std::launch::async, of).get();
   std::string line = "1,3,20,7";
   for (int channel = 0; channel < 3; ++channel)
-    line += "," + floatText(there.pixels[static_cast<std::size_t>(channel)]);
+    line += "," + shortestText(there.pixels[static_cast<std::size_t>(channel)]);
   EXPECT_NE(printed.out.find(line), std::string::npos) << printed.out;
   const auto all = test::batch(
       {"trace", "builtin:fan", "--size", "32x18", "--pixel", "20,7", "--frames", "3", "--emit", "all"});

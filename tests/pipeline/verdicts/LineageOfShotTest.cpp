@@ -1,6 +1,7 @@
 // Lineages of a shot's pixels: the response that the GPU's resolve has to an impulse, and the same figures
 // however the frames are reached.
 #include "core/inspect/LineageOfShot.h"
+#include "core/base/NumberText.h"
 
 #include "core/base/Error.h"
 #include "core/io/FrameJson.h"
@@ -285,7 +286,7 @@ TEST_F(LineageOfShotTest, TheCommandPrintsItsFiguresAsTextAndJson) {
   for (std::size_t age = 0; age < lineage.frames.size(); ++age) {
     const LineageFrame& entry = lineage.frames[age];
     EXPECT_EQ(lane["frames"][age]["frame"], entry.frame);
-    const std::string weight = floatText(static_cast<float>(entry.weight));
+    const std::string weight = shortestText(static_cast<float>(entry.weight));
     EXPECT_EQ(lane["frames"][age]["weight"].dump(), weight);
     EXPECT_NE(text.out.find(" " + weight + " "), std::string::npos) << text.out;
   }

@@ -1,4 +1,5 @@
 // Verdicts and remedies on the command line: the figures that the window shows.
+#include "core/base/NumberText.h"
 #include "core/io/FrameJson.h"
 #include "core/settings/Parameters.h"
 #include "core/story/StoryText.h"
@@ -15,8 +16,8 @@
 #include <vector>
 
 using nlohmann::json;
-using taa::floatText;
 using taa::RemedyMeasure;
+using taa::shortestText;
 using namespace taa::test::small;
 
 namespace {
@@ -35,7 +36,7 @@ std::vector<std::string> command() {
 }
 
 void expectValue(const json& value, double expected) {
-  EXPECT_EQ(value.dump(), floatText(static_cast<float>(expected)));
+  EXPECT_EQ(value.dump(), shortestText(static_cast<float>(expected)));
 }
 
 void expectPixel(const json& value, const RemedyMeasure& expected) {

@@ -1,5 +1,6 @@
 // Values and tables as JSON.
 #include "core/io/FrameJson.h"
+#include "core/base/NumberText.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +12,9 @@
 #include <string>
 
 TEST(FrameJson, WritesTheShortestDecimalThatReadsBack) {
-  EXPECT_EQ(taa::floatText(0.1f), "0.1");
+  EXPECT_EQ(taa::shortestText(0.1f), "0.1");
   EXPECT_EQ(taa::floatJson(0.1f).dump(), "0.1");
-  EXPECT_EQ(taa::floatText(-0.0f), "-0");
+  EXPECT_EQ(taa::shortestText(-0.0f), "-0");
   std::mt19937 random(7);
   for (int count = 0; count < 10000; ++count) {
     const float value = std::bit_cast<float>(static_cast<std::uint32_t>(random()));

@@ -52,14 +52,27 @@ TEST(FramePictures, BringTheFrameBeforeAlongItsMotion) {
 }
 
 TEST(FramePictures, AreExposedForAllButTheBrightest) {
-  const capture::DecodedFrame frame = rowOf({0.5f, NAN, 1.0f, 1.0f});
+  const capture::DecodedFrame frame = rowOf({0.5f, NAN, 1.0f, 4.0f});
   const FramePictures pictures = drawFrame(frame, nullptr);
   const std::uint8_t half = srgbByte(0.5f);
   EXPECT_EQ(pixelOf(pictures.color, 0), (Bytes{half, half, half, 255}));
   EXPECT_EQ(pixelOf(pictures.color, 1), (Bytes{255, 0, 0, 255}));
   EXPECT_EQ(pixelOf(pictures.color, 2), (Bytes{255, 255, 255, 255}));
+  EXPECT_EQ(pixelOf(pictures.color, 3), (Bytes{255, 255, 255, 255}));
   EXPECT_TRUE(pictures.depth.rgba.empty() && pictures.warped.rgba.empty() &&
               pictures.difference.rgba.empty());
+}
+
+TEST(FramePictures, AreNoLargerThanIsAskedFor) {
+  capture::DecodedFrame frame = rowOf({0.25f, 0.75f, 0.5f, 0.5f, 1.0f});
+  frame.motion.at(1, 0)[0] = -1.0f; // the one of the first two that is picked
+  const FramePictures pictures = drawFrame(frame, nullptr, 3);
+  EXPECT_EQ(pictures.color.width, 3);
+  EXPECT_EQ(pictures.color.height, 1);
+  EXPECT_EQ(pixelOf(pictures.color, 0), pixelOf(pictures.color, 1))
+      << "the mean of both is that of the next two";
+  EXPECT_EQ(pictures.motion.width, 3);
+  EXPECT_NE(pixelOf(pictures.motion, 0), pixelOf(pictures.motion, 1));
 }
 
 } // namespace taa

@@ -1,5 +1,5 @@
-// Texts of the window go through tr(), and what the core is doing through say(), so that they can be
-// translated; so nothing is decided by how they read.
+// Texts of the window go through tr(), and what the core is doing through say(), so that all of them can be
+// found; nothing is decided by how they read.
 #include "core/base/Files.h"
 
 #include <gtest/gtest.h>

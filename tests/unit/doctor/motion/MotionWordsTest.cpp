@@ -37,7 +37,7 @@ TEST(MotionWords, NameEachExplanation) {
   evidence.pixels = 100;
   for (const MotionTrial& trial : motionTrials({160, 96})) {
     if (trial.kind == MotionKind::AsGiven) continue;
-    const MotionWords fault = motionFault(&trial, Region(), evidence);
+    const FaultWords fault = motionFault(&trial, Region(), evidence);
     EXPECT_FALSE(fault.name.empty() || fault.symptom.empty() || fault.change.empty()) << trialId(trial);
     ids.insert(fault.id);
   }
