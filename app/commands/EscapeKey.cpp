@@ -60,19 +60,26 @@ void EscapeKey::press() {
   switch (*target) {
   case EscapeTarget::Drag:
     drags_->cancel();
-    return session_.undoStack().abandonGesture();
+    session_.undoStack().abandonGesture();
+    return;
   case EscapeTarget::SearchText:
-    return static_cast<SearchField*>(QApplication::focusWidget())->clear();
+    static_cast<SearchField*>(QApplication::focusWidget())->clear();
+    return;
   case EscapeTarget::SearchField:
-    return views_.active()->viewport()->setFocus();
+    views_.active()->viewport()->setFocus();
+    return;
   case EscapeTarget::Work:
-    return session_.post(request::Cancel{});
+    session_.post(request::Cancel{});
+    return;
   case EscapeTarget::Flight:
-    return flight_.setOn(false);
+    flight_.setOn(false);
+    return;
   case EscapeTarget::Comparison:
-    return views_.active()->setComparison({});
+    views_.active()->setComparison({});
+    return;
   case EscapeTarget::Probe:
-    return session_.probes().setPixel({});
+    session_.probes().setPixel({});
+    return;
   }
 }
 

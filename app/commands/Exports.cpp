@@ -175,7 +175,8 @@ void Exports::copyCommandLine() {
       writeFile(camera.toStdString(), cameraTrackJson(*session.track).dump(1));
     }
   } catch (const std::exception& error) {
-    return Q_EMIT failed(QString::fromStdString(shownReason(error)));
+    Q_EMIT failed(QString::fromStdString(shownReason(error)));
+    return;
   }
   QApplication::clipboard()->setText(commandLine());
   Q_EMIT said(tr("Copied: %1").arg(commandLine()));

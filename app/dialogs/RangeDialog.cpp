@@ -183,7 +183,10 @@ void RangeDialog::refresh() {
   difference_->setToolTip(compares ? QString() : tr("The active view is compared with nothing"));
   const QString wrong = problem();
   start_->setEnabled(wrong.isEmpty());
-  if (!wrong.isEmpty()) return note_->setText(wrong);
+  if (!wrong.isEmpty()) {
+    note_->setText(wrong);
+    return;
+  }
   const SequenceRequest wanted = request();
   note_->setText(describe(wanted));
 }

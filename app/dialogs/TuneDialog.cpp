@@ -184,15 +184,24 @@ void TuneDialog::refresh() {
 
 void TuneDialog::finish(const QString& error) {
   refresh();
-  if (!error.isEmpty()) return bar_->setNote(error);
-  if (!way_) return bar_->setNote(tr("It was ended before the start was measured."));
+  if (!error.isEmpty()) {
+    bar_->setNote(error);
+    return;
+  }
+  if (!way_) {
+    bar_->setNote(tr("It was ended before the start was measured."));
+    return;
+  }
   const QString end =
       way_->result.isComplete ? tr("no single change is better") : tr("it was not at its end");
   bar_->setNote(tr("Settings measured: %1; %2.").arg(way_->result.evaluations).arg(end));
 }
 
 void TuneDialog::reject() {
-  if (work_.isRunning()) return work_.cancel();
+  if (work_.isRunning()) {
+    work_.cancel();
+    return;
+  }
   QDialog::reject();
 }
 

@@ -51,7 +51,8 @@ void PanelCycle::go(int direction) {
     if (!entry) continue;
     // Qt calls tool windows active that share the keys of the one that is.
     if (QApplication::activeWindow() != entry->window()) entry->activateWindow();
-    return entry->setFocus(Qt::TabFocusReason);
+    entry->setFocus(Qt::TabFocusReason);
+    return;
   }
 }
 

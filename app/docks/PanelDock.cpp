@@ -113,7 +113,10 @@ void PanelDock::takePanel(QWidget* panel, QWidget* shown) {
   panel_ = panel;
   const bool isHidden = panel && panel->isHidden() && panel->testAttribute(Qt::WA_WState_ExplicitShowHide);
   setWidget(shown);
-  if (!panel) return hide();
+  if (!panel) {
+    hide();
+    return;
+  }
   panel->setVisible(!isHidden); // Qt shows it
   panel->installEventFilter(this);
   follow();

@@ -92,8 +92,8 @@ void FigureExport::writeOrThrow(const QString& id, const QString& path) const {
   const QString caption = captionOf(*figure, content);
   if (isSvg(path)) {
     const QByteArray svg = figureSvg(content, figure->label, caption, *window_);
-    return writeFile(path.toStdString(),
-                     std::string_view(svg.constData(), static_cast<std::size_t>(svg.size())));
+    writeFile(path.toStdString(), std::string_view(svg.constData(), static_cast<std::size_t>(svg.size())));
+    return;
   }
   const QImage picture = figurePicture(content, caption, *window_);
   const auto bytes = static_cast<std::size_t>(4) * picture.width() * picture.height();

@@ -74,7 +74,10 @@ void FlickerCompare::setShown(Shown shown) {
 void FlickerCompare::setAlternating(bool alternates) {
   const QSignalBlocker quiet(alternate_);
   alternate_->setChecked(alternates);
-  if (!alternates) return alternation_.stop();
+  if (!alternates) {
+    alternation_.stop();
+    return;
+  }
   if (shown_ == Shown::Difference) setShown(Shown::Current);
   alternation_.start();
 }

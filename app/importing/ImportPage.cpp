@@ -238,7 +238,10 @@ void ImportPage::applyHypothesis(const std::vector<std::string>& assignments, co
 }
 
 void ImportPage::startLike(const QString& id) {
-  if (!guess_) return guessAgain();
+  if (!guess_) {
+    guessAgain();
+    return;
+  }
   change(startedLike(state(), id.toStdString()), tr("start like %1").arg(like_->currentText()), {});
 }
 
@@ -321,7 +324,10 @@ void ImportPage::fail(ImportTask task, const QString& sentence) {
 
 void ImportPage::showWork(ImportTask task, const QString& what, int done, int total) {
   underWay_[slotOf(task)] = what;
-  if (!what.isEmpty()) return bar_->setWork(what, done, total);
+  if (!what.isEmpty()) {
+    bar_->setWork(what, done, total);
+    return;
+  }
   const auto other = std::ranges::find_if(underWay_, [](const QString& each) { return !each.isEmpty(); });
   bar_->setWork(other != underWay_.end() ? *other : QString(), 0, 0);
 }
@@ -354,7 +360,10 @@ void ImportPage::say(const QString& sentence) {
 
 // Esc ends one thing at a time: what is under way before the page.
 void ImportPage::keyPressEvent(QKeyEvent* event) {
-  if (event->key() != Qt::Key_Escape) return QDialog::keyPressEvent(event);
+  if (event->key() != Qt::Key_Escape) {
+    QDialog::keyPressEvent(event);
+    return;
+  }
   if (!stop({ImportTask::Guess, ImportTask::Save})) reject();
 }
 
@@ -373,7 +382,10 @@ bool ImportPage::stop(const std::vector<ImportTask>& tasks) {
 
 void ImportPage::open() {
   if (!takeTyped() || !open_->isEnabled()) return;
-  if (QFileInfo(QString::fromStdString(folder_.string())).isWritable()) return saveTo(folder_);
+  if (QFileInfo(QString::fromStdString(folder_.string())).isWritable()) {
+    saveTo(folder_);
+    return;
+  }
   say(tr("Nothing can be written into %1; save capture.json in another folder.")
           .arg(QString::fromStdString(folder_.string())));
 }

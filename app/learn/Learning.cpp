@@ -122,7 +122,10 @@ void Learning::chooseLesson(int lesson, int step) {
 void Learning::chooseStep(int step) {
   if (of_.settings && step > step_ && !shownStep().task)
     of_.settings->setValue(doneKey(shown(), step_), true);
-  if (step >= static_cast<int>(shown().steps.size())) return chooseLesson(lesson_ + 1, 0);
+  if (step >= static_cast<int>(shown().steps.size())) {
+    chooseLesson(lesson_ + 1, 0);
+    return;
+  }
   step_ = std::max(0, step);
   beginStep();
 }
@@ -148,7 +151,10 @@ void Learning::setState() {
 void Learning::openState(const LessonState& state) {
   if (!isBegun_) of_.keeper.keepWhatIsOpen();
   isBegun_ = true;
-  if (!state.recording) return openOnItsFrames(state);
+  if (!state.recording) {
+    openOnItsFrames(state);
+    return;
+  }
   notes_.answer = tr("Frames are being drawn and written, as an engine would hand them out.");
   work_->record(state);
 }
@@ -260,7 +266,8 @@ void Learning::takeChecked(const std::vector<CheckedCondition>& conditions) {
     notes_.answer = tr("Solved.");
     if (of_.settings) of_.settings->setValue(doneKey(shown(), step_), true);
     showLessons();
-    return tellAnswer();
+    tellAnswer();
+    return;
   }
   QStringList missing;
   const SpaceSettings space = of_.session.file().settings.settings.space;
@@ -275,7 +282,8 @@ void Learning::giveHint() {
   const Task& task = *shownStep().task;
   if (notes_.hints < static_cast<int>(task.hints.size())) {
     ++notes_.hints;
-    return tellAnswer();
+    tellAnswer();
+    return;
   }
   notes_.isSolutionShown = true;
   openState(task.solution);

@@ -74,7 +74,10 @@ bool PartFrame::eventFilter(QObject* object, QEvent* event) {
 
 void PartFrame::follow() {
   watch();
-  if (!part_ || !part_->isVisible()) return hide();
+  if (!part_ || !part_->isVisible()) {
+    hide();
+    return;
+  }
   if (parentWidget() != part_->window()) setParent(part_->window()); // a panel may have been torn off
   show();
   setGeometry(seenPart(*part_));

@@ -58,12 +58,19 @@ void LineagePanel::highlight(std::optional<int> frame) {
 }
 
 void LineagePanel::describe() {
-  if (!isProbed_)
-    return summary_->setText(tr("Right-click a pixel: the samples that it is made of are drawn here."));
-  if (!delivery_) return summary_->setText(tr("Its samples are being followed."));
+  if (!isProbed_) {
+    summary_->setText(tr("Right-click a pixel: the samples that it is made of are drawn here."));
+    return;
+  }
+  if (!delivery_) {
+    summary_->setText(tr("Its samples are being followed."));
+    return;
+  }
   const std::shared_ptr<const Lineage> lineage = this->lineage();
-  if (!lineage)
-    return summary_->setText(tr("The probe is not in the picture of frame %1.").arg(delivery_->frame));
+  if (!lineage) {
+    summary_->setText(tr("The probe is not in the picture of frame %1.").arg(delivery_->frame));
+    return;
+  }
   const QString place =
       tr("Pixel (%1, %2) of frame %3").arg(lineage->pixel.x).arg(lineage->pixel.y).arg(lineage->frame);
   QStringList lines{isCurrent_ ? place : tr("%1, which is no longer on show").arg(place)};

@@ -296,7 +296,10 @@ void ProbePanel::setProbes(const std::vector<Probe>& probes, int active) {
 
 void ProbePanel::setResult(const ProbeResult& result) {
   if (!isPlaying_) conclusions_->setMinimumHeight(0);
-  if (result.around.size() <= kProbedMiddle) return showLost(result);
+  if (result.around.size() <= kProbedMiddle) {
+    showLost(result);
+    return;
+  }
   result_ = result;
   showPlace(result);
   showSummary(result);

@@ -131,7 +131,10 @@ void ProfilerPanel::setDriver(const gl::Driver& driver) {
 void ProfilerPanel::addProfile(const FrameProfile& profile) {
   const bool isFirst = series_.isEmpty();
   series_.add(profile);
-  if (isFirst) return refresh();
+  if (isFirst) {
+    refresh();
+    return;
+  }
   if (!refresh_.isActive()) refresh_.start();
 }
 

@@ -175,7 +175,10 @@ const OutlineNode* ScenePanel::selectedNode() const {
 void ScenePanel::selectObject(int object) {
   if (!model_->outline()) return;
   const int node = model_->outline()->nodeOf(object);
-  if (node < 0) return tree_->setCurrentIndex({});
+  if (node < 0) {
+    tree_->setCurrentIndex({});
+    return;
+  }
   const QModelIndex source = model_->indexOf(node);
   if (!shown_->mapFromSource(source).isValid()) filter_->clear(); // it was filtered out
   const QModelIndex index = shown_->mapFromSource(source);

@@ -139,10 +139,18 @@ void StatusLine::setPicture(std::uint64_t shotVersion) {
 
 // A picture may be here before its status, but only where it is exact.
 void StatusLine::refreshBadge() {
-  if (status_.frameCount == 0) return show(Badge::None, {});
-  if (const QString caution = cautionText(status_, areFaultsNamed_); !caution.isEmpty())
-    return show(Badge::Caution, caution);
-  if (shotVersion_ < status_.shotVersion) return show(Badge::None, tr("no picture yet"));
+  if (status_.frameCount == 0) {
+    show(Badge::None, {});
+    return;
+  }
+  if (const QString caution = cautionText(status_, areFaultsNamed_); !caution.isEmpty()) {
+    show(Badge::Caution, caution);
+    return;
+  }
+  if (shotVersion_ < status_.shotVersion) {
+    show(Badge::None, tr("no picture yet"));
+    return;
+  }
   show(Badge::Exact, tr("history from these settings"));
 }
 

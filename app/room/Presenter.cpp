@@ -125,7 +125,7 @@ bool Presenter::takesKey(QEvent& event) {
 void Presenter::point(QObject* object, QPoint place) {
   for (int view = 0; view < kViewCount; ++view)
     if (const Viewport* viewport = of_.views.view(view)->viewport(); viewport == object)
-      return pointer_->pointAt(viewport->mapTo(&of_.window, place), of_.textAt(view));
+      pointer_->pointAt(viewport->mapTo(&of_.window, place), of_.textAt(view));
 }
 
 bool Presenter::eventFilter(QObject* object, QEvent* event) {

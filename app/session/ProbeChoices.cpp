@@ -106,8 +106,14 @@ void ProbeChoices::findWorst(IntermediateId row, WorstStep step) {
 
 void ProbeChoices::setPixel(std::optional<glm::ivec2> pixel) {
   const int active = probes_.active();
-  if (!pixel) return remove(active);
-  if (active < 0) return add(*pixel);
+  if (!pixel) {
+    remove(active);
+    return;
+  }
+  if (active < 0) {
+    add(*pixel);
+    return;
+  }
   if (inPicture(*pixel) == this->pixel()) return;
   const Follow follow = probes_.all()[static_cast<std::size_t>(active)].follow;
   change(tr("move of probe %1").arg(active + 1), moveOf(active), [&] {
@@ -120,9 +126,10 @@ void ProbeChoices::move(int dx, int dy) {
 }
 
 void ProbeChoices::add(glm::ivec2 pixel, Follow follow) {
-  if (probes_.count() >= kMaxProbes)
-    return outbox_.guarded(
-        [] { throw Error(say<"there are nine probes already; remove one to set another">()); });
+  if (probes_.count() >= kMaxProbes) {
+    outbox_.guarded([] { throw Error(say<"there are nine probes already; remove one to set another">()); });
+    return;
+  }
   undo_.endGesture();
   change(tr("addition of probe %1").arg(probes_.count() + 1), moveOf(probes_.count()), [&] {
     return probes_.add({inPicture(pixel), follow, status_.info.frame, {}});

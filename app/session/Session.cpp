@@ -71,7 +71,10 @@ void Session::take(ViewResult&& picture) {
 
 // Other requests are not concerned.
 void Session::take(Failure&& failure) {
-  if (failure.isEnd) return end(QString::fromStdString(failure.sentence));
+  if (failure.isEnd) {
+    end(QString::fromStdString(failure.sentence));
+    return;
+  }
   const RequestId request = failure.request;
   const bool isOfOpening = failure.kind == RequestKind::Source && request == opening_;
   if (failure.isChoice) Q_EMIT choiceRefused();
@@ -127,7 +130,8 @@ void Session::take(Status&& status) {
 void Session::open(const QString& source, bool plays, const ShotChoice& choice) {
   if (!whyEnded_.isEmpty()) {
     Q_EMIT errorOccurred(whyEnded_);
-    return Q_EMIT openingFailed();
+    Q_EMIT openingFailed();
+    return;
   }
   playsWhenOpen_ = last_.plays = plays;
   beforeOpening_.reset();

@@ -101,21 +101,29 @@ QSize FlatStyle::sizeFromContents(ContentsType type, const QStyleOption* option,
 
 void FlatStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                               const QWidget* widget) const {
-  if (element == PE_IndicatorCheckBox || element == PE_IndicatorItemViewItemCheck)
-    return drawCheckBox(painter, *option);
-  if (element == PE_IndicatorArrowDown || element == PE_IndicatorArrowUp)
-    return drawChevron(painter, option->rect, element == PE_IndicatorArrowDown,
-                       themeColors(option->palette).secondary);
+  if (element == PE_IndicatorCheckBox || element == PE_IndicatorItemViewItemCheck) {
+    drawCheckBox(painter, *option);
+    return;
+  }
+  if (element == PE_IndicatorArrowDown || element == PE_IndicatorArrowUp) {
+    drawChevron(painter, option->rect, element == PE_IndicatorArrowDown,
+                themeColors(option->palette).secondary);
+    return;
+  }
   QProxyStyle::drawPrimitive(element, option, painter, widget);
 }
 
 void FlatStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                                    QPainter* painter, const QWidget* widget) const {
-  if (control == CC_Slider)
-    return drawSlider(painter, *option, subControlRect(control, option, SC_SliderGroove, widget),
-                      subControlRect(control, option, SC_SliderHandle, widget));
-  if (control != CC_ComboBox && control != CC_SpinBox)
-    return QProxyStyle::drawComplexControl(control, option, painter, widget);
+  if (control == CC_Slider) {
+    drawSlider(painter, *option, subControlRect(control, option, SC_SliderGroove, widget),
+               subControlRect(control, option, SC_SliderHandle, widget));
+    return;
+  }
+  if (control != CC_ComboBox && control != CC_SpinBox) {
+    QProxyStyle::drawComplexControl(control, option, painter, widget);
+    return;
+  }
   const ThemeColors& colors = themeColors(option->palette);
   const bool isEnabled = option->state.testFlag(State_Enabled);
   const bool isHovered = isEnabled && control == CC_ComboBox && option->state.testFlag(State_MouseOver);
@@ -130,7 +138,10 @@ void FlatStyle::drawComplexControl(ComplexControl control, const QStyleOptionCom
       painter->fillRect(box, colors.hover);
     drawChevron(painter, box, isDown, colors.secondary);
   };
-  if (control == CC_ComboBox) return draw(SC_ComboBoxArrow, true);
+  if (control == CC_ComboBox) {
+    draw(SC_ComboBoxArrow, true);
+    return;
+  }
   draw(SC_SpinBoxUp, false);
   draw(SC_SpinBoxDown, true);
 }

@@ -249,7 +249,10 @@ bool ViewPanel::showsHistogram() const {
 
 void ViewPanel::setHistogramShown(bool shown) {
   shown = shown && hasRange(source_.row());
-  if (shown == showsHistogram()) return header_->setHistogramShown(shown); // a click has checked the button
+  if (shown == showsHistogram()) {
+    header_->setHistogramShown(shown);
+    return;
+  } // a click has checked the button
   histogram_->setVisible(shown);
   header_->setHistogramShown(showsHistogram());
   measure();
@@ -295,26 +298,38 @@ void ViewPanel::setComparison(const Comparison& comparison) {
 }
 
 void ViewPanel::setShowing(Showing showing) {
-  if (source_.possible(showing) == this->showing()) return refresh();
+  if (source_.possible(showing) == this->showing()) {
+    refresh();
+    return;
+  }
   source_.setShowing(showing);
   wantsRange_ = false;
   change();
 }
 
 void ViewPanel::cycleShowing() {
-  if (!comparison()) return comparisonRequested();
+  if (!comparison()) {
+    comparisonRequested();
+    return;
+  }
   switch (showing()) {
   case Showing::First:
-    return setShowing(Showing::Other);
+    setShowing(Showing::Other);
+    return;
   case Showing::Other:
-    return setShowing(Showing::Difference);
+    setShowing(Showing::Difference);
+    return;
   default:
-    return setShowing(Showing::First);
+    setShowing(Showing::First);
+    return;
   }
 }
 
 void ViewPanel::toggleWipe() {
-  if (!comparison()) return comparisonRequested();
+  if (!comparison()) {
+    comparisonRequested();
+    return;
+  }
   setShowing(showing() == Showing::Wipe ? Showing::First : Showing::Wipe);
 }
 

@@ -31,7 +31,10 @@ class ReplaceTexts {
 void confirmReplace(QWidget* parent, const std::vector<std::filesystem::path>& files,
                     const std::function<void()>& act) {
   const std::vector<std::filesystem::path> there = existing(files);
-  if (there.empty()) return act();
+  if (there.empty()) {
+    act();
+    return;
+  }
   const QString first = QString::fromStdString(there.front().string());
   auto* box =
       new QMessageBox(QMessageBox::NoIcon, ReplaceTexts::title(),

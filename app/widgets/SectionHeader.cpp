@@ -92,7 +92,8 @@ void SectionHeader::paintEvent(QPaintEvent*) {
     QStringList lines;
     if (hasSummary) lines << summary_;
     if (!note_.isEmpty()) lines << note_;
-    return paintLines(painter, inside, lines);
+    paintLines(painter, inside, lines);
+    return;
   }
   painter.drawText(inside, Qt::AlignVCenter | Qt::AlignLeft, text());
   if (!hasSummary) return;
@@ -133,7 +134,10 @@ void SectionHeader::mousePressEvent(QMouseEvent* event) {
 }
 
 void SectionHeader::mouseReleaseEvent(QMouseEvent* event) {
-  if (!std::exchange(pressedThumbnail_, false)) return QAbstractButton::mouseReleaseEvent(event);
+  if (!std::exchange(pressedThumbnail_, false)) {
+    QAbstractButton::mouseReleaseEvent(event);
+    return;
+  }
   if (thumbnailRect().contains(event->position().toPoint())) Q_EMIT thumbnailClicked();
 }
 
@@ -148,7 +152,10 @@ void SectionHeader::leaveEvent(QEvent* event) {
 }
 
 void SectionHeader::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return click();
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+    click();
+    return;
+  }
   QAbstractButton::keyPressEvent(event);
 }
 

@@ -42,7 +42,10 @@ void openGlsl(const DialogOpeners& by) {
 void openImport(const DialogOpeners& by) {
   const Status& status = by.session.status();
   const QFileInfo source(QString::fromStdString(status.source));
-  if (!status.capture) return by.imports.open({});
+  if (!status.capture) {
+    by.imports.open({});
+    return;
+  }
   by.imports.open(source.isDir() ? source.filePath() : source.path());
 }
 

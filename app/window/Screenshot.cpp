@@ -137,7 +137,10 @@ void Screenshot::look() {
   }
   // Layouts settle and late results arrive before the picture is taken.
   if (++quiet_ < kQuiet) return;
-  if (!of_.openDialog) return take();
+  if (!of_.openDialog) {
+    take();
+    return;
+  }
   std::exchange(of_.openDialog, nullptr)();
   quiet_ = -kDialogQuiet;
 }
@@ -148,7 +151,10 @@ bool Screenshot::isGivenUp() {
 }
 
 void Screenshot::take() {
-  if (of_.writes) return takeFigure();
+  if (of_.writes) {
+    takeFigure();
+    return;
+  }
   QPixmap picture = of_.window.grab();
   paintDialogs(of_.window, picture);
   QByteArray bytes;

@@ -128,7 +128,10 @@ void planSession(const ShotOptions& options, ShotPlan& plan) {
 /// The driver knows which sizes it draws.
 void setAskedSize(Inspector& inspector, const ShotPlan& plan) {
   const auto set = [&] { inspector.shot().setSize(plan.size.x, plan.size.y); };
-  if (plan.options.size.empty()) return set(); // a session's, or the default
+  if (plan.options.size.empty()) {
+    set();
+    return;
+  } // a session's, or the default
   readOption("--size", set);
 }
 

@@ -38,21 +38,29 @@ void destroyObject(ObjectKind kind, unsigned id) noexcept {
   if (id == 0) return;
   switch (kind) {
   case ObjectKind::Buffer:
-    return glDeleteBuffers(1, &id);
+    glDeleteBuffers(1, &id);
+    return;
   case ObjectKind::Framebuffer:
-    return glDeleteFramebuffers(1, &id);
+    glDeleteFramebuffers(1, &id);
+    return;
   case ObjectKind::Program:
-    return glDeleteProgram(id);
+    glDeleteProgram(id);
+    return;
   case ObjectKind::ProgramPipeline:
-    return glDeleteProgramPipelines(1, &id);
+    glDeleteProgramPipelines(1, &id);
+    return;
   case ObjectKind::Sampler:
-    return glDeleteSamplers(1, &id);
+    glDeleteSamplers(1, &id);
+    return;
   case ObjectKind::Shader:
-    return glDeleteShader(id);
+    glDeleteShader(id);
+    return;
   case ObjectKind::Texture:
-    return glDeleteTextures(1, &id);
+    glDeleteTextures(1, &id);
+    return;
   case ObjectKind::VertexArray:
-    return glDeleteVertexArrays(1, &id);
+    glDeleteVertexArrays(1, &id);
+    return;
   }
 }
 

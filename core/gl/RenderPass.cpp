@@ -47,7 +47,10 @@ GLenum primitiveMode(PrimitiveKind kind) {
 }
 
 void setScissor(const std::optional<Rect>& part) {
-  if (!part) return glDisable(GL_SCISSOR_TEST);
+  if (!part) {
+    glDisable(GL_SCISSOR_TEST);
+    return;
+  }
   glEnable(GL_SCISSOR_TEST);
   glScissor(part->x, part->y, part->width, part->height);
 }
@@ -168,13 +171,19 @@ void RenderPass::storageBlock(unsigned binding, const Buffer& buffer, std::size_
 
 void RenderPass::culling(bool enabled, bool mirrored) {
   glFrontFace(mirrored ? GL_CW : GL_CCW); // gl_FrontFacing needs it too
-  if (!enabled) return glDisable(GL_CULL_FACE);
+  if (!enabled) {
+    glDisable(GL_CULL_FACE);
+    return;
+  }
   glEnable(GL_CULL_FACE);
   glCullFace(GL_BACK);
 }
 
 void RenderPass::blending(unsigned attachment, Blending blending) {
-  if (blending == Blending::Replace) return glDisablei(GL_BLEND, attachment);
+  if (blending == Blending::Replace) {
+    glDisablei(GL_BLEND, attachment);
+    return;
+  }
   glEnablei(GL_BLEND, attachment);
   glBlendEquationi(attachment, blending == Blending::Largest ? GL_MAX : GL_FUNC_ADD);
   glBlendFunci(attachment, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

@@ -129,7 +129,10 @@ class LessonReader {
   using Line = std::pair<int, std::string>;
 
   void readText(std::string_view line) {
-    if (line.starts_with("## ")) return beginStep(withoutBlanks(line.substr(3)));
+    if (line.starts_with("## ")) {
+      beginStep(withoutBlanks(line.substr(3)));
+      return;
+    }
     if (line.starts_with("# ") && lesson_.title.empty() && lesson_.steps.empty()) {
       lesson_.title = withoutBlanks(line.substr(2));
       return;

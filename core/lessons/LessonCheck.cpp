@@ -32,7 +32,10 @@ void openLessonShot(InspectedShot& shot, const LessonState& state, const Progres
   if (shot.capture()) return;
   if (glm::ivec2(shot.width(), shot.height()) != state.shot.size)
     shot.setSize(state.shot.size.x, state.shot.size.y);
-  if (state.shot.track) return shot.setCameraTrack(*state.shot.track);
+  if (state.shot.track) {
+    shot.setCameraTrack(*state.shot.track);
+    return;
+  }
   const std::string& own = shot.scene().shot.camera;
   const std::string& camera = state.shot.camera.empty() ? own : state.shot.camera;
   if (shot.camera() != camera) shot.setCamera(camera);

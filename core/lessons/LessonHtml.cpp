@@ -143,15 +143,23 @@ class HtmlWriter {
 
  private:
   void takeSpan(MD_SPANTYPE type, const void* detail, bool opens) {
-    if (type == MD_SPAN_A) return takeLink(static_cast<const MD_SPAN_A_DETAIL*>(detail)->href, opens);
-    if (type == MD_SPAN_IMG)
-      return takeUnlinked("![", static_cast<const MD_SPAN_IMG_DETAIL*>(detail)->src, opens);
+    if (type == MD_SPAN_A) {
+      takeLink(static_cast<const MD_SPAN_A_DETAIL*>(detail)->href, opens);
+      return;
+    }
+    if (type == MD_SPAN_IMG) {
+      takeUnlinked("![", static_cast<const MD_SPAN_IMG_DETAIL*>(detail)->src, opens);
+      return;
+    }
     const std::string tag = type == MD_SPAN_STRONG ? "strong" : type == MD_SPAN_EM ? "em" : "code";
     out_ += (opens ? "<" : "</") + tag + ">";
   }
   void takeLink(const MD_ATTRIBUTE& address, bool opens) {
     const std::string place = place_({address.text, address.size});
-    if (place.empty()) return takeUnlinked("[", address, opens);
+    if (place.empty()) {
+      takeUnlinked("[", address, opens);
+      return;
+    }
     out_ += opens ? "<a href=\"" + htmlText(place) + "\">" : "</a>";
   }
   /// As Markdown.

@@ -163,7 +163,8 @@ void writeFigure(Inspector& inspector, const LessonView& view, const LessonState
   };
   if (!state.plays) {
     const Picture picture = draw();
-    return writePng(file, picture.width, picture.height, picture.rgba);
+    writePng(file, picture.width, picture.height, picture.rgba);
+    return;
   }
   GifWriter clip(file, file, request.width, request.height, kClipRate);
   const int last = std::min(state.shot.frame + kClipFrames, inspector.shot().frameCount());

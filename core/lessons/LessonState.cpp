@@ -313,7 +313,10 @@ void applyLessonKey(LessonState& state, std::string_view key, std::string_view v
   const auto row = std::ranges::find(kLessonKeys, key, &LessonKey::key);
   if (row == std::end(kLessonKeys)) requireName(key, lessonKeys(), say<"key">());
   if (value.empty()) throw Error(say<"\"%1\" has no value">(key));
-  if (key == "look" && value == "fit") return state.look.reset();
+  if (key == "look" && value == "fit") {
+    state.look.reset();
+    return;
+  }
   row->apply({state, value, folder});
 }
 

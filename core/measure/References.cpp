@@ -139,7 +139,10 @@ void References::refine(FrameSource& frames, const ReferenceKey& key, int sample
     picture.sums.resize(std::size_t(3) * key.request.width * key.request.height);
     trim();
   }
-  if (const auto given = frames.reference(key.frame)) return take(*given, samples, picture);
+  if (const auto given = frames.reference(key.frame)) {
+    take(*given, samples, picture);
+    return;
+  }
   drawSamples(frames, picture, samples, progress);
 }
 

@@ -99,7 +99,10 @@ void applyStyle(ViewStyle& style, std::string_view assignment) {
       style.*choice.field = value == "on";
       return;
     }
-  if (key == "channels") return applyChannels(style, value, assignment);
+  if (key == "channels") {
+    applyChannels(style, value, assignment);
+    return;
+  }
   if (key != "map")
     refuseStyle(assignment,
                 say<"write low, high, exposure, channels, map, or marks, clipped, rejected, outlines, "

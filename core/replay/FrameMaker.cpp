@@ -45,8 +45,10 @@ void arrange(const ShotState& state, const std::vector<InputsHandle>& given, Sho
 }
 
 void fitExposed(ExposedRows& exposedRows, const ExposedLayout& layout, const gl::Rect& picture) {
-  if (exposedRows.region() == picture && exposedRows.layout().hasSamePlaces(layout))
-    return exposedRows.take(layout);
+  if (exposedRows.region() == picture && exposedRows.layout().hasSamePlaces(layout)) {
+    exposedRows.take(layout);
+    return;
+  }
   exposedRows = ExposedRows(); // the old textures first: there may not be room for both
   exposedRows = ExposedRows(layout, picture);
 }
@@ -250,7 +252,10 @@ ShownFrame FrameMaker::replay(const ShotState& state, std::vector<Checkpoints>& 
 void FrameMaker::fill(const ShotState& state, ShownFrame& shown, std::size_t index,
                       ExposedRows& exposedRows) {
   const ShownLane& lane = shown.lanes[index];
-  if (!exposedRows.layout().needsInputs()) return exposedRows.readFrom(nullptr, *lane.current);
+  if (!exposedRows.layout().needsInputs()) {
+    exposedRows.readFrom(nullptr, *lane.current);
+    return;
+  }
   pass.expose(inputs(state, shown, index), lane.previous.get(), *lane.current, state.lanes[index],
               exposedRows);
 }

@@ -187,7 +187,10 @@ void ShotPlayer::setLanes(const std::vector<Settings>& lanes) {
   for (std::size_t lane = 0; lane < lanes.size(); ++lane)
     for (std::size_t old = 0; old < state_.lanes.size(); ++old)
       if (lanes[lane] == state_.lanes[old]) kept[lane] = checkpoints_[old];
-  if (isOpen()) return startAnew(std::move(next), std::move(kept), shown_.frame);
+  if (isOpen()) {
+    startAnew(std::move(next), std::move(kept), shown_.frame);
+    return;
+  }
   state_ = std::move(next);
   checkpoints_ = std::move(kept);
 }
@@ -281,7 +284,8 @@ void ShotPlayer::follow(ShotState next, int from, bool keepsOld) {
   };
   if (from > shown_.frame) { // nothing of it is on show
     state_ = std::move(next);
-    return drop();
+    drop();
+    return;
   }
   const bool isPastSame = from == shown_.frame;
   ShownFrame made = maker_.take();

@@ -85,9 +85,11 @@ void writeValues(Inspector& inspector, const SequenceRequest& request, const fs:
     frame.lanes.push_back({name, inspector.shot().usedSettings(lane), inspector.shot().info(lane),
                            inspector.views().inputs(lane).block});
   }
-  if (!request.differenceFrom.empty())
-    return exportDifferences(inspector, std::move(frame), request.ids, request.picture,
-                             request.differenceFrom, path, stop);
+  if (!request.differenceFrom.empty()) {
+    exportDifferences(inspector, std::move(frame), request.ids, request.picture, request.differenceFrom, path,
+                      stop);
+    return;
+  }
   for (int lane = 0; lane < inspector.shot().laneCount(); ++lane)
     inspector.reference().makeRows(request.ids, request.picture.referenceSamples, stop, lane);
   exportFrame(inspector, std::move(frame), request.ids, path);
@@ -113,9 +115,15 @@ Writers writersOf(Inspector& inspector, const SequenceRequest& request, const Wo
 
 void writeFrame(Inspector& inspector, const SequenceRequest& request, const Workshop& workshop,
                 const Writers& writers, const Progress& stop) {
-  if (writers.capture) return writers.capture->add(workshop.folder(), stop);
+  if (writers.capture) {
+    writers.capture->add(workshop.folder(), stop);
+    return;
+  }
   const fs::path path = workshop.place(sequenceFile(request, inspector.shot().frame()));
-  if (request.kind == SequenceKind::Exr) return writeValues(inspector, request, path, stop);
+  if (request.kind == SequenceKind::Exr) {
+    writeValues(inspector, request, path, stop);
+    return;
+  }
   const Picture picture = shownPicture(inspector, request.picture, stop);
   if (writers.gif)
     writers.gif->add(picture.rgba);

@@ -189,7 +189,10 @@ void SessionKeeper::noteOldNames(const SessionFile& file) {
 void SessionKeeper::takeFailure() {
   if (!std::exchange(restoring_, {})) return;
   isFromSession_ = isOfOrphan_ = false; // what was left is offered again at the next start
-  if (std::exchange(isReopening_, false)) return openFirst();
+  if (std::exchange(isReopening_, false)) {
+    openFirst();
+    return;
+  }
   state_.apply(before_);
   path_ = pathBefore_;
 }
@@ -200,9 +203,15 @@ bool SessionKeeper::canReopen(const QSettings& settings) {
 
 void SessionKeeper::reopen() {
   const auto path = autosave_ ? autosave_->takeLeft() : std::nullopt;
-  if (!path) return session_.open(QString::fromLatin1(kFirstSource));
+  if (!path) {
+    session_.open(QString::fromLatin1(kFirstSource));
+    return;
+  }
   isReopening_ = true;
-  if (!restore(*path)) return openFirst();
+  if (!restore(*path)) {
+    openFirst();
+    return;
+  }
   placeWindow(*restoring_);
 }
 

@@ -105,7 +105,10 @@ void RangeHistogram::mouseReleaseEvent(QMouseEvent*) {
 
 void RangeHistogram::keyPressEvent(QKeyEvent* event) {
   const int direction = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
-  if (direction == 0) return QWidget::keyPressEvent(event);
+  if (direction == 0) {
+    QWidget::keyPressEvent(event);
+    return;
+  }
   const bool high = event->modifiers().testFlag(Qt::ShiftModifier);
   const double place = axis_.placeOf(static_cast<double>(high ? range_.high : range_.low));
   moveEnd(high, axis_.valueAt(place + direction / 100.0));

@@ -59,7 +59,8 @@ void ChartAxes::layOut(const ChartAxis& x, const ChartAxis& y, const QRectF& are
   const double line = metrics.height();
   if (edges) {
     plot_ = QRectF(edges->low, area.top() + 0.5 * line, edges->length(), std::max(area.height() - line, 1.0));
-    return labelRows();
+    labelRows();
+    return;
   }
   // Charts above each other have one left edge unless a label is wider than most.
   double widest = metrics.horizontalAdvance(QStringLiteral("0.0000"));

@@ -81,7 +81,10 @@ void ColorSpacePage::openWindow() {
 
 void ColorSpacePage::show() {
   if (inWindow_) inWindow_->setResult(result_);
-  if (!result_ || !result_->details || result_->around.size() <= kProbedMiddle) return view_->setScene({});
+  if (!result_ || !result_->details || result_->around.size() <= kProbedMiddle) {
+    view_->setScene({});
+    return;
+  }
   view_->setScene(colorScene(result_->around[kProbedMiddle], *result_->details, result_->settings, chosen_,
                              result_->whatIf));
   const bool isBounded = result_->settings.space.tone != ToneSpace::Linear;

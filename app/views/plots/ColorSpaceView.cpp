@@ -45,17 +45,21 @@ void drawMark(QPainter& painter, QPointF place, PlotShape shape, const QColor& c
   painter.setBrush(isFilled ? QBrush(color) : QBrush(Qt::NoBrush));
   switch (shape) {
   case PlotShape::Dot:
-    return painter.drawEllipse(place, r, r);
+    painter.drawEllipse(place, r, r);
+    return;
   case PlotShape::Ring:
-    return painter.drawEllipse(place, r - 1.5, r - 1.5);
+    painter.drawEllipse(place, r - 1.5, r - 1.5);
+    return;
   case PlotShape::Diamond:
   case PlotShape::FilledDiamond: {
     const std::array<QPointF, 4> corners{place + QPointF(0, -r - 1), place + QPointF(r + 1, 0),
                                          place + QPointF(0, r + 1), place + QPointF(-r - 1, 0)};
-    return painter.drawPolygon(corners.data(), 4);
+    painter.drawPolygon(corners.data(), 4);
+    return;
   }
   case PlotShape::Square:
-    return painter.drawRect(QRectF(place.x() - r + 0.5, place.y() - r + 0.5, 2 * r - 1, 2 * r - 1));
+    painter.drawRect(QRectF(place.x() - r + 0.5, place.y() - r + 0.5, 2 * r - 1, 2 * r - 1));
+    return;
   default:
     painter.drawLine(place + QPointF(-3, -3), place + QPointF(3, 3));
     painter.drawLine(place + QPointF(-3, 3), place + QPointF(3, -3));
@@ -395,13 +399,17 @@ void ColorSpaceView::mouseDoubleClickEvent(QMouseEvent*) {
 void ColorSpaceView::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
   case Qt::Key_Left:
-    return turnBy(-1, 0);
+    turnBy(-1, 0);
+    return;
   case Qt::Key_Right:
-    return turnBy(1, 0);
+    turnBy(1, 0);
+    return;
   case Qt::Key_Up:
-    return turnBy(0, -1);
+    turnBy(0, -1);
+    return;
   case Qt::Key_Down:
-    return turnBy(0, 1);
+    turnBy(0, 1);
+    return;
   default:
     QWidget::keyPressEvent(event);
   }

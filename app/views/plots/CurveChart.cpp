@@ -140,9 +140,11 @@ void CurveChart::layOutLegend() {
 }
 
 void CurveChart::layOutNames() {
-  if (edges_)
-    return legend_.layOutBeside(curves_, edges_->low - scaled(kTickRoom), edges_->high + 3.0 * kUnit,
-                                width() - 2.0 * kUnit);
+  if (edges_) {
+    legend_.layOutBeside(curves_, edges_->low - scaled(kTickRoom), edges_->high + 3.0 * kUnit,
+                         width() - 2.0 * kUnit);
+    return;
+  }
   const double place = QFontMetricsF(secondaryFont()).horizontalAdvance(xTitle_ + QStringLiteral(" 00000"));
   legend_.layOut(title_, curves_, width(), place);
 }

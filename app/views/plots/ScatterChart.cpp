@@ -40,9 +40,11 @@ void drawSign(QPainter& painter, const QPointF& at, std::size_t scene) {
   constexpr double r = kPointRadius;
   switch (scene % 4) {
   case 0:
-    return painter.drawEllipse(at, r, r);
+    painter.drawEllipse(at, r, r);
+    return;
   case 1:
-    return painter.drawRect(QRectF(at - QPointF(r, r), QSizeF(2.0 * r, 2.0 * r)));
+    painter.drawRect(QRectF(at - QPointF(r, r), QSizeF(2.0 * r, 2.0 * r)));
+    return;
   case 2:
     painter.drawPolygon(QPolygonF{at + QPointF(0, -1.3 * r), at + QPointF(1.3 * r, 0),
                                   at + QPointF(0, 1.3 * r), at + QPointF(-1.3 * r, 0)});

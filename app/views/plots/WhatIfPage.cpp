@@ -246,7 +246,10 @@ void WhatIfPage::setShot(const SessionFile& shot) {
 
 void WhatIfPage::measure(const SessionFile& shot, int referenceSamples) {
   if (!result_) return;
-  if (referenceSamples == 0) return bar_->setNote(tr("There is no reference to measure against."));
+  if (referenceSamples == 0) {
+    bar_->setNote(tr("There is no reference to measure against."));
+    return;
+  }
   const int last = result_->frame, first = std::max(0, last - kPictureFrames + 1);
   if (!measured_ || !isSameShot(*measured_, shot) || first != first_ || last != last_) numbers_.clear();
   measured_ = shot;

@@ -339,8 +339,10 @@ void Timeline::leaveEvent(QEvent*) {
 }
 
 void Timeline::wheelEvent(QWheelEvent* event) {
-  if (event->modifiers().testFlag(Qt::ControlModifier))
-    return zoom(event->angleDelta().y() / 120.0, event->position().x());
+  if (event->modifiers().testFlag(Qt::ControlModifier)) {
+    zoom(event->angleDelta().y() / 120.0, event->position().x());
+    return;
+  }
   const int steps = event->angleDelta().y() / 120;
   if (steps != 0) Q_EMIT stepRequested(-steps);
 }

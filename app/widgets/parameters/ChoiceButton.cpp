@@ -151,9 +151,18 @@ void ChoiceButton::choose(int index) {
 }
 
 void ChoiceButton::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Up) return choose(current_ - 1);
-  if (event->key() == Qt::Key_Down) return choose(current_ + 1);
-  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return click();
+  if (event->key() == Qt::Key_Up) {
+    choose(current_ - 1);
+    return;
+  }
+  if (event->key() == Qt::Key_Down) {
+    choose(current_ + 1);
+    return;
+  }
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+    click();
+    return;
+  }
   QAbstractButton::keyPressEvent(event);
 }
 

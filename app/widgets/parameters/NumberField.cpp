@@ -105,7 +105,10 @@ void NumberField::edit(double value) {
 }
 
 void NumberField::mousePressEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton) return event->ignore();
+  if (event->button() != Qt::LeftButton) {
+    event->ignore();
+    return;
+  }
   pressed_ = true;
   dragged_ = false;
   dragX_ = event->position().x();
@@ -133,7 +136,10 @@ void NumberField::cancelDrag() {
 
 void NumberField::wheelEvent(QWheelEvent* event) {
   // Without focus the wheel belongs to the panel: scrolling past must not change settings.
-  if (!hasFocus()) return event->ignore();
+  if (!hasFocus()) {
+    event->ignore();
+    return;
+  }
   const int steps = event->angleDelta().y() / 120;
   if (steps != 0) edit(scale_.stepped(value_, steps));
 }
@@ -142,17 +148,22 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
   const int steps = event->modifiers().testFlag(Qt::ShiftModifier) ? 10 : 1;
   switch (event->key()) {
   case Qt::Key_Up:
-    return edit(scale_.stepped(value_, steps));
+    edit(scale_.stepped(value_, steps));
+    return;
   case Qt::Key_Down:
-    return edit(scale_.stepped(value_, -steps));
+    edit(scale_.stepped(value_, -steps));
+    return;
   case Qt::Key_PageUp:
-    return edit(scale_.stepped(value_, 10));
+    edit(scale_.stepped(value_, 10));
+    return;
   case Qt::Key_PageDown:
-    return edit(scale_.stepped(value_, -10));
+    edit(scale_.stepped(value_, -10));
+    return;
   case Qt::Key_Return:
   case Qt::Key_Enter:
   case Qt::Key_F2:
-    return beginTyping(exactText(static_cast<float>(value_)));
+    beginTyping(exactText(static_cast<float>(value_)));
+    return;
   default:
     break;
   }

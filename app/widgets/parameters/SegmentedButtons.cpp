@@ -122,8 +122,14 @@ void SegmentedButtons::leaveEvent(QEvent*) {
 }
 
 void SegmentedButtons::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Left) return choose(current_ - 1);
-  if (event->key() == Qt::Key_Right) return choose(current_ + 1);
+  if (event->key() == Qt::Key_Left) {
+    choose(current_ - 1);
+    return;
+  }
+  if (event->key() == Qt::Key_Right) {
+    choose(current_ + 1);
+    return;
+  }
   QWidget::keyPressEvent(event);
 }
 

@@ -40,7 +40,10 @@ void Toggle::paintEvent(QPaintEvent*) {
 }
 
 void Toggle::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return click();
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+    click();
+    return;
+  }
   QAbstractButton::keyPressEvent(event);
 }
 

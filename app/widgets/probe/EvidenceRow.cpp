@@ -61,7 +61,10 @@ void EvidenceRow::paintEvent(QPaintEvent*) {
 }
 
 void EvidenceRow::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return click();
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+    click();
+    return;
+  }
   QAbstractButton::keyPressEvent(event);
 }
 

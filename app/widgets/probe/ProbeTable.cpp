@@ -113,7 +113,10 @@ void ProbeTable::toggleFold(const QModelIndex& line) {
 void ProbeTable::keyPressEvent(QKeyEvent* event) {
   const int key = event->key();
   const bool isChosen = key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Space;
-  if (!isChosen || !model_->isFold(currentIndex())) return QTreeView::keyPressEvent(event);
+  if (!isChosen || !model_->isFold(currentIndex())) {
+    QTreeView::keyPressEvent(event);
+    return;
+  }
   toggleFold(currentIndex());
 }
 

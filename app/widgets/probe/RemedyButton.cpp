@@ -61,7 +61,10 @@ void RemedyButton::paintEvent(QPaintEvent*) {
 }
 
 void RemedyButton::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return click();
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+    click();
+    return;
+  }
   QAbstractButton::keyPressEvent(event);
 }
 

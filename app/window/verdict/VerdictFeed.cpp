@@ -64,10 +64,15 @@ void VerdictFeed::show() {
 
 void VerdictFeed::showSentence() {
   const VerdictDelivery* verdict = session_.verdicts().verdict();
-  if (!verdict) return panel_.verdict()->wait();
-  if (!verdict->answer)
-    return panel_.verdict()->setSentence(tr("No verdict: %1").arg(QString::fromStdString(verdict->whyNot)),
-                                         VerdictTone::Neutral);
+  if (!verdict) {
+    panel_.verdict()->wait();
+    return;
+  }
+  if (!verdict->answer) {
+    panel_.verdict()->setSentence(tr("No verdict: %1").arg(QString::fromStdString(verdict->whyNot)),
+                                  VerdictTone::Neutral);
+    return;
+  }
   const bool isRight = verdict->answer->verdict.kind == VerdictKind::None;
   panel_.verdict()->setSentence(QString::fromStdString(verdict->answer->sentence),
                                 isRight ? VerdictTone::Right : VerdictTone::Wrong);

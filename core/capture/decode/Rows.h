@@ -13,7 +13,10 @@ namespace taa::capture {
 template <typename Work>
 void forRows(int rows, std::size_t values, const Work& work) {
   constexpr std::size_t kWorthAThread = std::size_t(1) << 17;
-  if (values < kWorthAThread) return work(0, rows);
+  if (values < kWorthAThread) {
+    work(0, rows);
+    return;
+  }
   OIIO::parallel_for_chunked(0, rows, 0, [&work](std::int64_t first, std::int64_t end) {
     work(static_cast<int>(first), static_cast<int>(end));
   });

@@ -155,28 +155,38 @@ std::uint32_t integerWithin(float value, std::uint32_t most) {
 void encodeComponent(Layout layout, float value, int channel, std::byte* at) {
   switch (layout) {
   case Layout::Half:
-    return store(at, halfOf(value));
+    store(at, halfOf(value));
+    return;
   case Layout::Unorm8:
-    return store(at, static_cast<std::uint8_t>(unormOf(value, 255.0)));
+    store(at, static_cast<std::uint8_t>(unormOf(value, 255.0)));
+    return;
   case Layout::Unorm16:
-    return store(at, static_cast<std::uint16_t>(unormOf(value, 65535.0)));
+    store(at, static_cast<std::uint16_t>(unormOf(value, 65535.0)));
+    return;
   case Layout::Uint8:
-    return store(at, static_cast<std::uint8_t>(integerWithin(value, 0xffu)));
+    store(at, static_cast<std::uint8_t>(integerWithin(value, 0xffu)));
+    return;
   case Layout::Uint16:
-    return store(at, static_cast<std::uint16_t>(integerWithin(value, 0xffffu)));
+    store(at, static_cast<std::uint16_t>(integerWithin(value, 0xffffu)));
+    return;
   case Layout::Uint32:
-    return store(at, integerWithin(value, 0xffffffffu));
+    store(at, integerWithin(value, 0xffffffffu));
+    return;
   case Layout::DepthLow24:
-    return store(at, unormOf(value, 16777215.0));
+    store(at, unormOf(value, 16777215.0));
+    return;
   case Layout::DepthHigh24:
-    return store(at, unormOf(value, 16777215.0) << 8u);
+    store(at, unormOf(value, 16777215.0) << 8u);
+    return;
   case Layout::FloatOfEight:
     store(at + 4, std::uint32_t{0});
-    return store(at, value);
+    store(at, value);
+    return;
   case Layout::Srgb8: {
     const float clamped = std::clamp(std::isnan(value) ? 0.0f : value, 0.0f, 1.0f);
     const double encoded = channel < 3 ? srgbEncoded(clamped) : clamped;
-    return store(at, static_cast<std::uint8_t>(std::nearbyint(encoded * 255.0)));
+    store(at, static_cast<std::uint8_t>(std::nearbyint(encoded * 255.0)));
+    return;
   }
   case Layout::Float:
   case Layout::PackedFloats:
@@ -187,9 +197,11 @@ void encodeComponent(Layout layout, float value, int channel, std::byte* at) {
 
 void encodePixel(RawFormat format, const float* values, std::byte* at) {
   const Layout layout = layoutOf(format);
-  if (layout == Layout::PackedFloats)
-    return store(at, unsignedFloatOf(values[0], 6) | unsignedFloatOf(values[1], 6) << 11u |
-                         unsignedFloatOf(values[2], 5) << 22u);
+  if (layout == Layout::PackedFloats) {
+    store(at, unsignedFloatOf(values[0], 6) | unsignedFloatOf(values[1], 6) << 11u |
+                  unsignedFloatOf(values[2], 5) << 22u);
+    return;
+  }
   const int channels = rawChannels(format);
   const int bytes = static_cast<int>(bytesPerPixel(format)) / channels;
   for (int channel = 0; channel < channels; ++channel)
@@ -213,33 +225,45 @@ void decodeRow(RawFormat format, const std::byte* row, int channels, std::span<f
   const std::uint32_t word = 0;
   switch (layoutOf(format)) {
   case Layout::Half:
-    return decode(std::uint16_t{}, stride, [](std::uint16_t v) { return floatOfHalf(v); });
+    decode(std::uint16_t{}, stride, [](std::uint16_t v) { return floatOfHalf(v); });
+    return;
   case Layout::Float:
-    return decode(0.0f, stride, plain);
+    decode(0.0f, stride, plain);
+    return;
   case Layout::Unorm8:
-    return decode(std::uint8_t{}, stride, [](std::uint8_t v) { return static_cast<float>(v) / 255.0f; });
+    decode(std::uint8_t{}, stride, [](std::uint8_t v) { return static_cast<float>(v) / 255.0f; });
+    return;
   case Layout::Unorm16:
-    return decode(std::uint16_t{}, stride, [](std::uint16_t v) { return static_cast<float>(v) / 65535.0f; });
+    decode(std::uint16_t{}, stride, [](std::uint16_t v) { return static_cast<float>(v) / 65535.0f; });
+    return;
   case Layout::Uint8:
-    return decode(std::uint8_t{}, stride, plain);
+    decode(std::uint8_t{}, stride, plain);
+    return;
   case Layout::Uint16:
-    return decode(std::uint16_t{}, stride, plain);
+    decode(std::uint16_t{}, stride, plain);
+    return;
   case Layout::Uint32:
-    return decode(word, stride, plain);
+    decode(word, stride, plain);
+    return;
   case Layout::DepthLow24:
-    return decode(word, 1, [](std::uint32_t v) {
+    decode(word, 1, [](std::uint32_t v) {
       return static_cast<float>(static_cast<std::int32_t>(v & 0xffffffu)) / 16777215.0f;
     });
+    return;
   case Layout::DepthHigh24:
-    return decode(word, 1, [](std::uint32_t v) {
+    decode(word, 1, [](std::uint32_t v) {
       return static_cast<float>(static_cast<std::int32_t>(v >> 8u)) / 16777215.0f;
     });
+    return;
   case Layout::FloatOfEight:
-    return decode(0.0f, 2, plain);
+    decode(0.0f, 2, plain);
+    return;
   case Layout::Srgb8:
-    return decodeSrgb(row, channels, out);
+    decodeSrgb(row, channels, out);
+    return;
   case Layout::PackedFloats:
-    return decodePackedFloats(row, channels, out);
+    decodePackedFloats(row, channels, out);
+    return;
   }
 }
 

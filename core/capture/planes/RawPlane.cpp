@@ -74,7 +74,10 @@ void decodeInto(PlaneData& plane, const RawLayout& layout, int row, const std::b
     return;
   }
   const std::span<std::uint32_t> ids = std::span(plane.integers).subspan(first, width);
-  if (isInteger(layout.format)) return decodeIds(layout.format, bytes, ids);
+  if (isInteger(layout.format)) {
+    decodeIds(layout.format, bytes, ids);
+    return;
+  }
   std::vector<float> stored(width);
   decodeRow(layout.format, bytes, 1, stored);
   std::ranges::transform(stored, ids.begin(), idOf);

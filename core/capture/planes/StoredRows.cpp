@@ -30,17 +30,23 @@ void unpackFloats(OIIO::TypeDesc::BASETYPE type, const std::byte* at, std::size_
   using Byte = const std::byte*;
   switch (type) {
   case OIIO::TypeDesc::HALF:
-    return each([](Byte p) { return floatOfHalf(loadFrom<std::uint16_t>(p)); });
+    each([](Byte p) { return floatOfHalf(loadFrom<std::uint16_t>(p)); });
+    return;
   case OIIO::TypeDesc::FLOAT:
-    return each([](Byte p) { return loadFrom<float>(p); });
+    each([](Byte p) { return loadFrom<float>(p); });
+    return;
   case OIIO::TypeDesc::DOUBLE:
-    return each([](Byte p) { return static_cast<float>(loadFrom<double>(p)); });
+    each([](Byte p) { return static_cast<float>(loadFrom<double>(p)); });
+    return;
   case OIIO::TypeDesc::UINT8:
-    return each([](Byte p) { return static_cast<float>(loadFrom<std::uint8_t>(p)) / 255.0f; });
+    each([](Byte p) { return static_cast<float>(loadFrom<std::uint8_t>(p)) / 255.0f; });
+    return;
   case OIIO::TypeDesc::UINT16:
-    return each([](Byte p) { return static_cast<float>(loadFrom<std::uint16_t>(p)) / 65535.0f; });
+    each([](Byte p) { return static_cast<float>(loadFrom<std::uint16_t>(p)) / 65535.0f; });
+    return;
   default:
-    return each([](Byte p) { return static_cast<float>(loadFrom<std::uint32_t>(p)); });
+    each([](Byte p) { return static_cast<float>(loadFrom<std::uint32_t>(p)); });
+    return;
   }
 }
 
@@ -50,17 +56,23 @@ void unpackIds(OIIO::TypeDesc::BASETYPE type, const std::byte* at, std::size_t s
   using Byte = const std::byte*;
   switch (type) {
   case OIIO::TypeDesc::UINT8:
-    return each([](Byte p) { return loadFrom<std::uint8_t>(p); });
+    each([](Byte p) { return loadFrom<std::uint8_t>(p); });
+    return;
   case OIIO::TypeDesc::UINT16:
-    return each([](Byte p) { return loadFrom<std::uint16_t>(p); });
+    each([](Byte p) { return loadFrom<std::uint16_t>(p); });
+    return;
   case OIIO::TypeDesc::UINT32:
-    return each([](Byte p) { return loadFrom<std::uint32_t>(p); });
+    each([](Byte p) { return loadFrom<std::uint32_t>(p); });
+    return;
   case OIIO::TypeDesc::HALF:
-    return each([](Byte p) { return idOf(floatOfHalf(loadFrom<std::uint16_t>(p))); });
+    each([](Byte p) { return idOf(floatOfHalf(loadFrom<std::uint16_t>(p))); });
+    return;
   case OIIO::TypeDesc::FLOAT:
-    return each([](Byte p) { return idOf(loadFrom<float>(p)); });
+    each([](Byte p) { return idOf(loadFrom<float>(p)); });
+    return;
   default:
-    return each([](Byte p) { return idOf(static_cast<float>(loadFrom<double>(p))); });
+    each([](Byte p) { return idOf(static_cast<float>(loadFrom<double>(p))); });
+    return;
   }
 }
 
@@ -70,9 +82,10 @@ void unpackRow(PlaneData& plane, int row, const std::byte* at, std::size_t pixel
                const std::vector<StoredChannel>& channels) {
   const auto width = static_cast<std::size_t>(plane.width);
   const std::size_t first = static_cast<std::size_t>(row) * width;
-  if (!plane.integers.empty())
-    return unpackIds(channels[0].type, at + channels[0].offset, pixelBytes, width,
-                     plane.integers.data() + first);
+  if (!plane.integers.empty()) {
+    unpackIds(channels[0].type, at + channels[0].offset, pixelBytes, width, plane.integers.data() + first);
+    return;
+  }
   float* out = plane.image.pixels.data() + first * channels.size();
   for (const StoredChannel& channel : channels)
     unpackFloats(channel.type, at + channel.offset, pixelBytes, width, out++, channels.size());

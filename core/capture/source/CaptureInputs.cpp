@@ -32,9 +32,14 @@ Image scaled(const Image& image, int width, int height) {
 }
 
 void upload(const Image& image, gl::Texture& texture) {
-  if (image.width != texture.width() || image.height != texture.height())
-    return upload(scaled(image, texture.width(), texture.height()), texture);
-  if (!gl::isHalf(texture.format())) return texture.upload(image);
+  if (image.width != texture.width() || image.height != texture.height()) {
+    upload(scaled(image, texture.width(), texture.height()), texture);
+    return;
+  }
+  if (!gl::isHalf(texture.format())) {
+    texture.upload(image);
+    return;
+  }
   // Drivers differ in how they round.
   std::vector<std::uint16_t> halves(image.pixels.size());
   toHalves(image.pixels, halves);
@@ -42,7 +47,10 @@ void upload(const Image& image, gl::Texture& texture) {
 }
 
 void uploadOr0(const Image& image, gl::Texture& texture) {
-  if (image.empty()) return texture.clear(0.0f, 0.0f, 0.0f, 0.0f);
+  if (image.empty()) {
+    texture.clear(0.0f, 0.0f, 0.0f, 0.0f);
+    return;
+  }
   upload(image, texture);
 }
 

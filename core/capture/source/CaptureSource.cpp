@@ -107,7 +107,10 @@ CaptureSource::~CaptureSource() = default;
 // Where it is asked for and can be, motion is made from depth and matrices; decode() has made what planes
 // lack.
 void CaptureSource::Impl::drawMotion(MotionSource source, const DecodedFrame& decoded, FrameInputs& out) {
-  if (!isFromDepth(source) || !decoded.camera || decoded.depth.empty()) return uploadMotion(decoded, out);
+  if (!isFromDepth(source) || !decoded.camera || decoded.depth.empty()) {
+    uploadMotion(decoded, out);
+    return;
+  }
   frame.update(0, &out.block, sizeof(out.block));
   cameraMotion.draw(source, frame, out);
 }

@@ -388,11 +388,20 @@ void tellInterface(const ScreenGroups& groups, const ScreenTiles& tiles, Diagnos
 
 void tellInterfaceLeft(const ScreenGroups& groups, const ScreenTiles& tiles, bool isFound, bool isJitterOpen,
                        Diagnosis& out) {
-  if (groups.unclear > 0) return tellUnclear(groups.unclear, out);
+  if (groups.unclear > 0) {
+    tellUnclear(groups.unclear, out);
+    return;
+  }
   if (isFound) return;
-  if (isJitterOpen) return tellUnknownJitter(out);
+  if (isJitterOpen) {
+    tellUnknownJitter(out);
+    return;
+  }
   const auto along = static_cast<std::size_t>(std::ranges::count_if(tiles.tiles, isAlong));
-  if (along >= kLeastJittered) return tellAlong(along, out);
+  if (along >= kLeastJittered) {
+    tellAlong(along, out);
+    return;
+  }
   tellOpen(tiles, out);
 }
 

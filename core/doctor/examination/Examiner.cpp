@@ -66,7 +66,10 @@ void Examiner::add(const DoctorFrame* before, const DoctorFrame& now, const Doct
   const std::vector<RegionIndex> labels = tracker_.label(now);
   const std::vector<RegionIndex> labelsBefore = std::exchange(labels_, labels);
   jitter_.stated[now.frame] = now.jitterPx;
-  if (!before || now.startsHistory) return output.get();
+  if (!before || now.startsHistory) {
+    output.get();
+    return;
+  }
   ++out.pairs;
   const FrameNeighbors frames{now, *before, after};
   auto pictures = std::async(std::launch::async, [&] {

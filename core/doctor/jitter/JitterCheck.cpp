@@ -356,10 +356,11 @@ void tellLength(const JitterFit& fit, const std::vector<JitterTrial>& trials, Di
         fit.missPx[t] > kNearerLengthShare * missPx)
       continue;
     const Fault fault = trials[t].factor.x < 1.0f ? Fault::JitterDoubled : Fault::JitterHalved;
-    return leaveOpen(say<"measured shifts are %1 px from those that are stated, and %2 px from those of "
-                         "jitter like this: %3; but pictures fit it no better">(
-                         shortNumber(missPx), shortNumber(fit.missPx[t]), jitterTrialText(trials[t])),
-                     {fault}, true);
+    leaveOpen(say<"measured shifts are %1 px from those that are stated, and %2 px from those of "
+                  "jitter like this: %3; but pictures fit it no better">(
+                  shortNumber(missPx), shortNumber(fit.missPx[t]), jitterTrialText(trials[t])),
+              {fault}, true);
+    return;
   }
   if (missPx > kCoarsePx)
     leaveOpen(say<"measured shifts are %1 px from those that are stated: jitter that is a little longer or "

@@ -136,7 +136,10 @@ class PairEvidence {
     if (isMasked(frames_.now, pixel)) return;
     const glm::vec2 given = frames_.now.motionAt(pixel.x, pixel.y);
     ++regions_[static_cast<std::size_t>(region)].seen;
-    if (!isMotion(given)) return addMarked(pixel, region);
+    if (!isMotion(given)) {
+      addMarked(pixel, region);
+      return;
+    }
     if (isLongerThanPicture(given, frames_.now.sizePx()))
       addOutside(given, regions_[static_cast<std::size_t>(region)]);
     const glm::vec2 place = placeOf(pixel, given);

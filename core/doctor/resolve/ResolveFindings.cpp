@@ -396,27 +396,37 @@ void tellApart(const ResolveEvidence& evidence, Diagnosis& out) {
 } // namespace
 
 void tellResolve(const ResolveEvidence& evidence, bool areInputsRight, Diagnosis& out) {
-  if (!evidence.hasOutput())
-    return leaveUndecided(say<"there is no output of the engine">(),
-                          say<"Capture what the engine's TAA makes of each frame, too.">(), out, false);
+  if (!evidence.hasOutput()) {
+    leaveUndecided(say<"there is no output of the engine">(),
+                   say<"Capture what the engine's TAA makes of each frame, too.">(), out, false);
+    return;
+  }
   const std::size_t before = out.findings.size();
   tellValues(evidence.values(), out);
-  if (evidence.isOtherSize())
-    return leaveUndecided(say<"the output is larger than what is drawn">(),
-                          say<"Capture a few frames at a render scale of 1.">(), out);
+  if (evidence.isOtherSize()) {
+    leaveUndecided(say<"the output is larger than what is drawn">(),
+                   say<"Capture a few frames at a render scale of 1.">(), out);
+    return;
+  }
   const auto sound = evidence.best(ResolveKind::Sound, PixelSet::Anywhere);
-  if (!sound || evidence.pixels(PixelSet::Anywhere) < kEnoughPixels)
-    return leaveUndecided(say<"too few pairs of frames have detail and go on from each other">(),
-                          say<"Capture 12 frames or more of a detailed scene in motion.">(), out);
+  if (!sound || evidence.pixels(PixelSet::Anywhere) < kEnoughPixels) {
+    leaveUndecided(say<"too few pairs of frames have detail and go on from each other">(),
+                   say<"Capture 12 frames or more of a detailed scene in motion.">(), out);
+    return;
+  }
   const auto mistake = mistakeOf(evidence, PixelSet::Anywhere);
   const double least = mistake ? mistake->error : sound->error;
-  if (!areInputsRight && least > kExact)
-    return leaveUndecided(say<"the frames that it is made of are wrong">(), say<"Mend these first.">(), out);
+  if (!areInputsRight && least > kExact) {
+    leaveUndecided(say<"the frames that it is made of are wrong">(), say<"Mend these first.">(), out);
+    return;
+  }
   // Motion that is stated otherwise than it is used looks like history that is read elsewhere.
-  if (!areInputsRight && mistake && isOfReading(modelOf(*mistake).kind))
-    return leaveUndecided(say<"it is made as if %1, which what is wrong with its frames may be as well">(
-                              resolveKindText(modelOf(*mistake).kind)),
-                          say<"Mend these first.">(), out);
+  if (!areInputsRight && mistake && isOfReading(modelOf(*mistake).kind)) {
+    leaveUndecided(say<"it is made as if %1, which what is wrong with its frames may be as well">(
+                       resolveKindText(modelOf(*mistake).kind)),
+                   say<"Mend these first.">(), out);
+    return;
+  }
   if (tellStuckAlpha(evidence, mistake, out)) return;
   const bool isMistaken = mistake && pairsWon(evidence, *mistake, *sound) >= kPairsWon;
   if (isMistaken)

@@ -20,14 +20,20 @@ bool ThumbnailDrawing::isDue() {
 void ThumbnailDrawing::step() {
   const Clock::time_point began = Clock::now();
   // Shares first, then the thumbnails, which wait.
-  if (!transport_.isPlaying() && sharesDelivered_ != desk_.version()) return deliverShares();
+  if (!transport_.isPlaying() && sharesDelivered_ != desk_.version()) {
+    deliverShares();
+    return;
+  }
   const bool isDrawn = desk_.attempt(RequestKind::Thumbnails, [&] {
     const IntermediateId id = schedule_.next();
     desk_.tell(RequestKind::Thumbnails,
                Thumbnail{id, desk_.inspector.shot().frame(),
                          desk_.inspector.views().thumbnail(id, schedule_.texels()), desk_.shotVersion()});
   });
-  if (!isDrawn) return schedule_.want({}); // told once; wanted again when the window says so
+  if (!isDrawn) {
+    schedule_.want({});
+    return;
+  } // told once; wanted again when the window says so
   schedule_.drawn(began, Clock::now());
 }
 

@@ -122,10 +122,16 @@ void CameraFlight::layTrack(int frame, const CameraPose& pose) {
 }
 
 void CameraFlight::end() {
-  if (recording_) return endRecording(desk_.now());
+  if (recording_) {
+    endRecording(desk_.now());
+    return;
+  }
   isLaying_ = false;
   InspectedShot& shot = desk_.inspector.shot();
-  if (!desk_.isOpen() || shot.camera() != kFreeCamera) return pose_.reset();
+  if (!desk_.isOpen() || shot.camera() != kFreeCamera) {
+    pose_.reset();
+    return;
+  }
   const CameraPose pose = pose_.value_or(shot.cameraPose());
   pose_.reset();
   CameraTrack rests{kFreeCamera, 0, {pose}};

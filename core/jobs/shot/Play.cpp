@@ -17,14 +17,19 @@ void Play::take(const request::SetPlaying& wanted) {
 
 // Frames outside the range lead into it. A recording goes by the clock, to its own end.
 void Play::step() {
-  if (flight_.isRecording() && flight_.recording().isFull(desk_.now()))
-    return flight_.endRecording(desk_.now());
+  if (flight_.isRecording() && flight_.recording().isFull(desk_.now())) {
+    flight_.endRecording(desk_.now());
+    return;
+  }
   const bool isRecording = flight_.isRecording();
   const auto [first, last] =
       isRecording ? std::pair(0, flight_.recording().lastFrame()) : transport_.frames();
   const int now = desk_.inspector.shot().frame();
   transport_.takeTurn();
-  if (now < last && now >= first) return advance(now);
+  if (now < last && now >= first) {
+    advance(now);
+    return;
+  }
   if (!isRecording) startAgain(first, last); // else its clock is not there yet
 }
 
@@ -32,8 +37,10 @@ void Play::startAgain(int first, int last) {
   flight_.end();
   InspectedShot& shot = desk_.inspector.shot();
   const int now = shot.frame();
-  if ((first == last && now == first) || (now >= last && !transport_.isLooping()))
-    return transport_.setPlaying(false);
+  if ((first == last && now == first) || (now >= last && !transport_.isLooping())) {
+    transport_.setPlaying(false);
+    return;
+  }
   if (shot.replayLength(first) > 1) { // a long way, which requests may end
     goal_.frame = first;
     goal_.isNear = true; // what is on show stays until then

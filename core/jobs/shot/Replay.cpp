@@ -41,7 +41,10 @@ bool Replay::needsRefinement() const {
 }
 
 void Replay::step() {
-  if (!goal_.frame) return replay(desk_.inspector.shot().frame(), replayText(desk_.inexactSince()));
+  if (!goal_.frame) {
+    replay(desk_.inspector.shot().frame(), replayText(desk_.inexactSince()));
+    return;
+  }
   if (!goNear()) replay(*goal_.frame, say<"Going to frame %1">(*goal_.frame));
 }
 

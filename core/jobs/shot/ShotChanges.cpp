@@ -65,7 +65,10 @@ void ShotChanges::take(const request::SetMotionModes& modes) {
 
 void ShotChanges::take(const request::SetSettings& settings) {
   InspectedShot& shot = desk_.inspector.shot();
-  if (settings.settings == shot.settings()) return previews_.withdraw();
+  if (settings.settings == shot.settings()) {
+    previews_.withdraw();
+    return;
+  }
   if (previews_.tell(settings.settings)) return; // newer ones are taken up next
   if (desk_.change(RequestKind::Settings, [&] { shot.setSettings(settings.settings); }))
     previews_.cameTrue();

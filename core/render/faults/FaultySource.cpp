@@ -107,7 +107,10 @@ FrameRequest FaultySource::plain(const FrameRequest& request, int frame, float j
 }
 
 void FaultySource::draw(const FrameRequest& request, int frame, FrameInputs& out) {
-  if (request.faults == FaultSettings{}) return source_->draw(request, frame, out);
+  if (request.faults == FaultSettings{}) {
+    source_->draw(request, frame, out);
+    return;
+  }
   source_->draw(plain(request, frame), frame, out);
   if (isFaultyFrame(request.faults, frame) && changesPlanes(request.faults)) drawFaulty(request, frame, out);
   report(request, frame, out);

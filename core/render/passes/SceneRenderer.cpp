@@ -194,7 +194,10 @@ void SceneRenderer::Impl::drawBlended(const InputSettings& settings, const GBuff
 }
 
 void SceneRenderer::Impl::drawFog(const FrameRequest& request, const View& view, FrameInputs& out) {
-  if (drawsFog(*scene, request.inputs)) return fog->draw(*scene, request, view, frame, out);
+  if (drawsFog(*scene, request.inputs)) {
+    fog->draw(*scene, request, view, frame, out);
+    return;
+  }
   out.fog = gl::Texture();
   if (fog) fog->rest();
 }
@@ -203,7 +206,10 @@ void SceneRenderer::Impl::drawFog(const FrameRequest& request, const View& view,
 // have.
 void SceneRenderer::Impl::countForward(const FrameRequest& request, int number, gl::Texture& out) {
   const int previous = previousFrame(*scene, number);
-  if (previous == number) return out.clear(kForwardUnknown, 0.0f, 0.0f, 0.0f);
+  if (previous == number) {
+    out.clear(kForwardUnknown, 0.0f, 0.0f, 0.0f);
+    return;
+  }
   FrameRequest asked = request;
   asked.part.reset();
   asked.jitterPx = glm::vec2(0.0f);

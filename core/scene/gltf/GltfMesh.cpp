@@ -40,8 +40,10 @@ class MeshAdder {
     if (index < 0 || source.mesh < 0 || context_.isPosedOnly(sourceNode)) return;
     const int mesh = sharedMesh(static_cast<std::size_t>(source.mesh));
     const auto instancing = source.extensions.find("EXT_mesh_gpu_instancing");
-    if (instancing != source.extensions.end() && instancing->second.Has("attributes"))
-      return addInstances(instancing->second.Get("attributes"), sourceNode, mesh);
+    if (instancing != source.extensions.end() && instancing->second.Has("attributes")) {
+      addInstances(instancing->second.Get("attributes"), sourceNode, mesh);
+      return;
+    }
     Node& node = context_.scene.nodes[static_cast<std::size_t>(index)];
     node.mesh = mesh;
     node.firstWeight = addWeights(source, mesh);

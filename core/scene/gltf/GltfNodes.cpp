@@ -107,8 +107,10 @@ void addLight(GltfContext& context, const tinygltf::Light& source, int nodeIndex
     light.kind = LightKind::Point;
   else if (source.type == "spot")
     light.kind = LightKind::Spot;
-  else if (source.type != "directional")
-    return context.warn(say<"A light of the unknown type \"%1\" is left out.">(shownText(source.type)));
+  else if (source.type != "directional") {
+    context.warn(say<"A light of the unknown type \"%1\" is left out.">(shownText(source.type)));
+    return;
+  }
   keepInRange(context, source, light);
   context.scene.nodes[static_cast<std::size_t>(nodeIndex)].light =
       static_cast<int>(context.scene.lights.size());

@@ -232,7 +232,10 @@ class TypeCheck {
   }
 
   void walk(const Json& value, std::string_view path) {
-    if (path.empty()) return checkValue(value);
+    if (path.empty()) {
+      checkValue(value);
+      return;
+    }
     const std::string_view step = takeStep(path);
     if (step == "[]") {
       if (!value.is_array()) place_.fail(say<"not a list">());
@@ -250,7 +253,10 @@ class TypeCheck {
       return;
     }
     const auto member = value.find(step);
-    if (member != value.end()) return enterMember(step, *member, path);
+    if (member != value.end()) {
+      enterMember(step, *member, path);
+      return;
+    }
     if (rule_->required && path.empty()) {
       place_.enter(step);
       place_.fail(say<"missing">());
@@ -264,7 +270,10 @@ class TypeCheck {
   }
 
   void checkValue(const Json& value) {
-    if (rule_->size == 0) return checkSingle(value);
+    if (rule_->size == 0) {
+      checkSingle(value);
+      return;
+    }
     if (!value.is_array() || value.size() != rule_->size)
       place_.fail(say<"not a list of %1 numbers">(rule_->size));
     for (const Json& element : value) checkSingle(element);
@@ -273,26 +282,34 @@ class TypeCheck {
   void checkSingle(const Json& value) const {
     switch (rule_->kind) {
     case Kind::Object:
-      return expect(value.is_object(), say<"not an object">);
+      expect(value.is_object(), say<"not an object">);
+      return;
     case Kind::Entries:
-      return expect(value.is_array(), say<"not a list">);
+      expect(value.is_array(), say<"not a list">);
+      return;
     case Kind::List:
-      return expect(value.is_array() && !value.empty(), say<"not a list, or empty">);
+      expect(value.is_array() && !value.empty(), say<"not a list, or empty">);
+      return;
     case Kind::Text:
-      return expect(value.is_string(), say<"not a text">);
+      expect(value.is_string(), say<"not a text">);
+      return;
     case Kind::Boolean:
-      return expect(value.is_boolean(), say<"neither true nor false">);
+      expect(value.is_boolean(), say<"neither true nor false">);
+      return;
     case Kind::Number:
       expect(value.is_number(), say<"not a number">);
-      return expect(std::abs(value.get<double>()) <= std::numeric_limits<float>::max(),
-                    say<"too large a number">);
+      expect(std::abs(value.get<double>()) <= std::numeric_limits<float>::max(), say<"too large a number">);
+      return;
     case Kind::Integer:
-      return expectInteger(value, std::numeric_limits<int>::max());
+      expectInteger(value, std::numeric_limits<int>::max());
+      return;
     case Kind::Count:
-      return expectInteger(value, kMaxCount);
+      expectInteger(value, kMaxCount);
+      return;
     case Kind::Positive:
       expectInteger(value, kMaxCount);
-      return expect(value.get<std::uint64_t>() > 0, say<"it is 0">);
+      expect(value.get<std::uint64_t>() > 0, say<"it is 0">);
+      return;
     case Kind::Index:
       break;
     }

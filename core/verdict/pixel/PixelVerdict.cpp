@@ -200,23 +200,49 @@ void Judge::conclude() {
       addRow(id, now_);
     return;
   }
-  if (isFlicker) return concludeFlicker();
+  if (isFlicker) {
+    concludeFlicker();
+    return;
+  }
   switch (found_.part) {
   case ErrorPart::Ghost:
-    return concludeGhost();
+    concludeGhost();
+    return;
   case ErrorPart::Aliasing:
-    return concludeSamples();
+    concludeSamples();
+    return;
   case ErrorPart::Lag:
   case ErrorPart::Older:
-    return concludeLag();
+    concludeLag();
+    return;
   case ErrorPart::Blur:
-    if (hasChanged() && !isPartlyGhost()) return concludeLag();
-    if (isPassed() || isOfAnother() || isGhostBelowBlur()) return concludeGhost();
-    return isOfOtherPlace() ? concludeDrift() : concludeHistory();
+    if (hasChanged() && !isPartlyGhost()) {
+      concludeLag();
+      return;
+    }
+    if (isPassed() || isOfAnother() || isGhostBelowBlur()) {
+      concludeGhost();
+      return;
+    }
+    if (isOfOtherPlace())
+      concludeDrift();
+    else
+      concludeHistory();
+    return;
   case ErrorPart::Rectification:
-    if (hasJustAppeared()) return concludeSamples();
-    if (isOfAnother()) return concludeGhost();
-    return isOfOtherPlace() ? concludeDrift() : concludeHistory();
+    if (hasJustAppeared()) {
+      concludeSamples();
+      return;
+    }
+    if (isOfAnother()) {
+      concludeGhost();
+      return;
+    }
+    if (isOfOtherPlace())
+      concludeDrift();
+    else
+      concludeHistory();
+    return;
   }
 }
 
@@ -259,7 +285,8 @@ void Judge::concludeGhost() {
   const bool isNeighbors = twin::at(evidence_.ghostRecord, RowId::dilatedOffset) != glm::vec4(0.0f);
   if (hasChanged()) {
     found_.causeObject.reset();
-    return concludeChange();
+    concludeChange();
+    return;
   }
   found_.kind = VerdictKind::Blur;
   found_.stage = isNeighbors ? Stage::DilateMotion : Stage::SampleHistory;
@@ -289,7 +316,10 @@ void Judge::nameGhost() {
     most = pull;
     found_.causeObject = object;
   }
-  if (found_.causeObject) return findLastOf(*found_.causeObject);
+  if (found_.causeObject) {
+    findLastOf(*found_.causeObject);
+    return;
+  }
   for (const ErrorOfFrame& entry : origin_.frames)
     if (found_.part != ErrorPart::Ghost && entry.frame == found_.causeFrame && entry.passedBy >= 0)
       found_.causeObject = entry.passedBy;
@@ -584,7 +614,10 @@ void Judge::concludeSamples() {
     addRow(RowId::alpha, now_);
     return;
   }
-  if (areHighlightsRare()) return concludeFlicker();
+  if (areHighlightsRare()) {
+    concludeFlicker();
+    return;
+  }
   found_.kind = isFiltered() ? VerdictKind::Blur : VerdictKind::Aliasing;
   found_.stage = isFiltered() ? Stage::FilterCurrent : isOfFewPlaces() ? Stage::Jitter : Stage::BlendWeight;
   if (isFiltered() && areSamplesOff()) {
@@ -628,11 +661,18 @@ void Judge::concludeLag() {
     found_.isBlended = found_.part != ErrorPart::Older;
     found_.kind = found_.isBlended ? VerdictKind::Ghost : VerdictKind::Lag;
     found_.stage = found_.isBlended && isUnguarded ? Stage::ValidateHistory : Stage::RectifyHistory;
-    return addHistoryRows();
+    addHistoryRows();
+    return;
   }
   const bool isOwn = hasChanged() && !isPartlyGhost();
-  if (!isOwn && (isPassed() || isOfAnother())) return concludeGhost();
-  if (!isOwn && stageOfDrift()) return concludeDrift();
+  if (!isOwn && (isPassed() || isOfAnother())) {
+    concludeGhost();
+    return;
+  }
+  if (!isOwn && stageOfDrift()) {
+    concludeDrift();
+    return;
+  }
   concludeChange();
 }
 

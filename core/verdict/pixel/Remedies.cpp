@@ -113,7 +113,10 @@ void addTogether(RemedyList& list, const RemedyCase& of, const std::vector<Tried
 /// What frames are averaged by, and the best of that with each single change: without it nothing else helps.
 void addAccumulating(RemedyList& list, int round, const RemedyCase& of,
                      const std::vector<TriedRemedy>& tried) {
-  if (round == 0) return list.add(accumulatingCures(of.settings));
+  if (round == 0) {
+    list.add(accumulatingCures(of.settings));
+    return;
+  }
   if (tried.empty()) return;
   const Settings& best = std::ranges::min_element(tried, isNearer)->remedy.settings;
   if (accumulatesNothing(best)) return;

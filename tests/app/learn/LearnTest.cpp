@@ -57,14 +57,18 @@ class LearnTest : public FakeWindow {
   PartFrame* frame() { return window.findChild<PartFrame*>(); }
   void press(const QString& text) {
     for (QPushButton* button : panel()->findChildren<QPushButton*>())
-      if (button->text() == text && button->isVisible()) return button->click();
+      if (button->text() == text && button->isVisible()) {
+        button->click();
+        return;
+      }
     ADD_FAILURE() << "there is no button " << text.toStdString();
   }
   void click(const QString& text) {
     for (QPushButton* button : panel()->findChildren<QPushButton*>())
       if (button->text() == text && button->isVisible()) {
         QTest::mouseClick(button, Qt::LeftButton);
-        return settle();
+        settle();
+        return;
       }
     ADD_FAILURE() << "there is no button " << text.toStdString();
   }

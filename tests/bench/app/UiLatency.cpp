@@ -121,20 +121,27 @@ class Hand {
     switch (number % 8) {
     case 0:
     case 1:
-      return move(viewport, place, Qt::NoButton);
+      move(viewport, place, Qt::NoButton);
+      return;
     case 2:
-      return wheel(viewport, place, number % 16 < 8 ? 120 : -120);
+      wheel(viewport, place, number % 16 < 8 ? 120 : -120);
+      return;
     case 3:
-      return QTest::keyClick(viewport, number % 16 < 8 ? Qt::Key_Right : Qt::Key_Left);
+      QTest::keyClick(viewport, number % 16 < 8 ? Qt::Key_Right : Qt::Key_Left);
+      return;
     case 4:
-      return move(viewport, place, Qt::RightButton);
+      move(viewport, place, Qt::RightButton);
+      return;
     case 5:
-      return QTest::keyClick(viewport, number % 16 < 8 ? Qt::Key_Period : Qt::Key_Comma);
+      QTest::keyClick(viewport, number % 16 < 8 ? Qt::Key_Period : Qt::Key_Comma);
+      return;
     case 6:
-      return session_.presets().setParameter(QStringLiteral("weight.minimum"), 0.05 + 0.001 * (number % 100));
+      session_.presets().setParameter(QStringLiteral("weight.minimum"), 0.05 + 0.001 * (number % 100));
+      return;
     default:
-      return wheel(window_.findChild<PipelinePanel*>()->findChild<QScrollArea*>()->viewport(), {50, 50},
-                   number % 400 < 200 ? -120 : 120);
+      wheel(window_.findChild<PipelinePanel*>()->findChild<QScrollArea*>()->viewport(), {50, 50},
+            number % 400 < 200 ? -120 : 120);
+      return;
     }
   }
 
