@@ -30,6 +30,10 @@ void ExaminedParts::addRight(std::string part, std::string sentence) {
     known->sentence += " " + sentence;
 }
 
+void ExaminedParts::takeBack(std::string_view part) {
+  std::erase_if(right_, [&](const RightPart& right) { return right.part == part; });
+}
+
 void ExaminedParts::keepRight(const ExaminedParts& earlier) {
   std::erase_if(right_, [&](RightPart& right) {
     const auto known = std::ranges::find(earlier.right_, right.part, &RightPart::part);

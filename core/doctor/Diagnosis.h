@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace taa::doctor {
@@ -86,6 +87,8 @@ class ExaminedParts {
 
   void addRight(std::string part, std::string sentence);
   void leaveOpen(Undecided part);
+  /// Takes back what is right about a part.
+  void takeBack(std::string_view part);
   /// Takes back what is right beyond what was right earlier.
   void keepRight(const ExaminedParts& earlier);
 

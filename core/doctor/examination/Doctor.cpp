@@ -6,6 +6,7 @@
 #include "core/doctor/examination/Examiner.h"
 #include "core/doctor/examination/MendedFrames.h"
 #include "core/doctor/examination/Withholding.h"
+#include "core/doctor/flow/FlowCheck.h"
 #include "core/doctor/jitter/JitterCheck.h"
 #include "core/doctor/motion/MotionFindings.h"
 #include "core/doctor/motion/MotionRims.h"
@@ -276,6 +277,8 @@ void tellAll(const Examination& examination, const Examiner& first, const Bright
     }
     hiding = tellSeen(*next, examination, told, out);
   }
+  if (examination.known.motion)
+    tellFlow(first.flow(), last->flow(), {first.patient(), told.motion || told.unit, told.isJitterOpen}, out);
   tellInterfaceLeft(last->color(), told.interface, told.isJitterOpen, out);
   last->tellColor(brightness, out);
 }

@@ -75,6 +75,7 @@ void Examiner::add(const DoctorFrame* before, const DoctorFrame& now, const Doct
   auto pictures = std::async(std::launch::async, [&] {
     color_.add(frames, labels);
     jitter_.add(frames);
+    if (examination_.known.motion) flow_.push_back(measureFlow(frames, labels));
   });
   depth_.add(now);
   depth_.order.add(now, *before, labels, labelsBefore);

@@ -6,6 +6,7 @@
 #include "core/doctor/color/ColorCheck.h"
 #include "core/doctor/depth/DepthCheck.h"
 #include "core/doctor/examination/Examination.h"
+#include "core/doctor/flow/FlowCheck.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/jitter/JitterCheck.h"
 #include "core/doctor/motion/MotionEvidence.h"
@@ -48,6 +49,7 @@ class Examiner {
   bool isMotionBeyondPicture() const { return isBeyondPicture(motion_); }
   std::optional<FittedLength> motionLength() const { return length_.fit(); }
   MotionTold tellMotion(Diagnosis& out) const;
+  FlowSeen flow() const { return {flow_, tracker_.regions()}; }
   const Patient& patient() const { return patient_; }
 
  private:
@@ -67,6 +69,7 @@ class Examiner {
   ColorEvidence color_;
   MotionEvidence motion_{patient_.sizePx};
   LengthEvidence length_;
+  std::vector<FlowPair> flow_;
   JitterEvidence jitter_;
   DepthEvidence depth_;
   RimEvidence rims_;

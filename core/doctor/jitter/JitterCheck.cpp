@@ -5,7 +5,9 @@
 #include "core/base/Say.h"
 #include "core/capture/decode/ScreenUnits.h"
 #include "core/doctor/Mending.h"
+#include "core/doctor/frames/FramesText.h"
 #include "core/doctor/jitter/JitterFit.h"
+#include "core/doctor/jitter/JitterPauses.h"
 #include "core/doctor/jitter/JitterSequence.h"
 #include "core/doctor/jitter/JitterSky.h"
 #include "core/settings/Faults.h"
@@ -287,6 +289,29 @@ JitterMender tellUnstated(const JitterEvidence& evidence, bool isCameraKnown, co
   return measuredJitter(evidence);
 }
 
+/// Some frames are drawn without the jitter that is stated for them.
+JitterMender tellPauses(const JitterPauses& pauses, const JitterEvidence& evidence, Diagnosis& out) {
+  const std::string frames = framesText(pauses.frames, pauses.asked);
+  Finding finding = wordedFinding(jitterWords({JitterKind::NotApplied}));
+  finding.name = say<"Jitter reported, not applied in %1">(frames);
+  finding.change =
+      say<"Apply the jitter to the projection that color is drawn with in %1, too, or report none for "
+          "them.">(frames);
+  finding.reason =
+      say<"Shifts that are measured from frame to frame are those of the stated jitter, to %1 px, if "
+          "the pictures of %2 hold none; with it they would be %3 px off. The others hold it.">(
+          shortNumber(pauses.pausedPx), frames, shortNumber(pauses.statedPx));
+  finding.measure = say<"distance of measured shifts from those that jitter makes, px">();
+  finding.residuals = {{"paused", say<"without jitter in %1">(frames), pauses.pausedPx, false, true},
+                       {"asStated", say<"as stated">(), pauses.statedPx, true, false}};
+  out.findings.push_back(std::move(finding));
+  return [pauses, stated = evidence.stated](int frame) -> std::optional<glm::vec2> {
+    const auto found = stated.find(frame);
+    if (found == stated.end()) return {};
+    return std::ranges::count(pauses.frames, frame) > 0 ? glm::vec2(0.0f) : found->second;
+  };
+}
+
 /// Those that pictures would show.
 std::vector<Fault> jitterFaults() {
   return {Fault::JitterNegatedX, Fault::JitterNegatedY,   Fault::JitterNegated, Fault::JitterSwapped,
@@ -415,6 +440,7 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
     return {};
   }
   if (isConstant(evidence)) return {tellUnstated(evidence, patient.isCameraKnown, patient.patient, out)};
+  if (const auto pauses = jitterPauses(evidence)) return {tellPauses(*pauses, evidence, out)};
   const std::vector<JitterTrial> trials = jitterTrials(patient.patient.sizePx);
   JitterFit fit = jitterFit(evidence, trials);
   const double missPx = fit.missPx.front();

@@ -40,6 +40,8 @@ std::vector<std::string> motionMending(const MotionTrial& trial) {
   case MotionKind::CameraTurned:
   case MotionKind::CameraBeside:
   case MotionKind::CameraMirrored:
+  case MotionKind::CameraUnmoved:
+  case MotionKind::CameraUnturned:
   case MotionKind::CameraIdentity:
     return {"fault.motion=cameraOnly"};
   case MotionKind::LacksCamera:

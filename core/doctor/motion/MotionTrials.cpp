@@ -19,7 +19,7 @@ struct TrialWords {
 };
 
 /// In the order of the enumerators; those with a factor say it.
-constexpr std::array<TrialWords, 26> kTrialWords = {{
+constexpr std::array<TrialWords, 28> kTrialWords = {{
     {"asGiven", "as given"},
     {"resting", "at rest on the screen"},
     {"ofCamera", "that of the camera"},
@@ -46,6 +46,8 @@ constexpr std::array<TrialWords, 26> kTrialWords = {{
     {"cameraBeside", "with the previous camera moved back"},
     {"cameraMirrored", "with the previous camera's own matrix, not that of a mirror"},
     {"cameraIdentity", "with the previous camera's matrix, which was never set"},
+    {"cameraUnmoved", "with the way of the camera, not its turning alone"},
+    {"cameraUnturned", "with the turning of the camera, not its way alone"},
 }};
 
 const TrialWords& wordsOf(const MotionTrial& trial) {
@@ -157,7 +159,8 @@ std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx) {
     for (const glm::vec2& factor : {unit * yUp, unit, unit * xLeft, -unit})
       trials.push_back({MotionKind::OtherUnit, factor, true});
   for (const MotionKind kind : {MotionKind::TwoFramesOld, MotionKind::CameraTurned, MotionKind::CameraBeside,
-                                MotionKind::CameraMirrored, MotionKind::CameraIdentity})
+                                MotionKind::CameraMirrored, MotionKind::CameraIdentity,
+                                MotionKind::CameraUnmoved, MotionKind::CameraUnturned})
     trials.push_back({kind});
   // Last: whatever is wrong with what rests in the world, this fits it, and says the least.
   trials.push_back({MotionKind::OfCamera});
@@ -245,6 +248,10 @@ std::optional<glm::vec2> trueMotion(const MotionTrial& trial, const FrameNeighbo
     return withoutOther(frames.others.mirrored, frames.now, pixel);
   case MotionKind::CameraIdentity:
     return withoutOther(frames.others.identity, frames.now, pixel);
+  case MotionKind::CameraUnmoved:
+    return withoutOther(frames.others.unmoved, frames.now, pixel);
+  case MotionKind::CameraUnturned:
+    return withoutOther(frames.others.unturned, frames.now, pixel);
   }
   return {};
 }

@@ -44,6 +44,8 @@ enum class MotionKind : std::uint8_t {
   CameraBeside,
   CameraMirrored,
   CameraIdentity,
+  CameraUnmoved,  ///< m was made as if the previous camera had stood where this one stands; likewise as if it
+  CameraUnturned, ///< had looked the same way
 };
 
 struct MotionTrial {

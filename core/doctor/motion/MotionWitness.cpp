@@ -180,6 +180,8 @@ bool isParticular(const MotionTrial& trial) {
   case MotionKind::Root:
   case MotionKind::CameraTurned:
   case MotionKind::CameraMirrored:
+  case MotionKind::CameraUnmoved:
+  case MotionKind::CameraUnturned:
   case MotionKind::CameraIdentity:
     return true;
   default:

@@ -147,6 +147,20 @@ glm::mat4 mirroredCamera(const UnjitteredCameras& cameras, const CameraSamples& 
                    glm::inverse(cameras.viewFromWorld) * viewFromClip);
 }
 
+/// A view from a place, in the world, with the rotation of another one.
+glm::dmat4 viewAt(const glm::dmat4& rotated, const glm::dmat4& placed) {
+  const glm::dmat3 rotation(rotated);
+  const glm::dvec3 place(glm::inverse(placed)[3]);
+  glm::dmat4 out(rotation);
+  out[3] = glm::dvec4(-(rotation * place), 1.0);
+  return out;
+}
+
+glm::mat4 previousClip(const UnjitteredCameras& cameras, const glm::dmat4& previousView) {
+  return glm::mat4(cameras.clipFromView * previousView * glm::inverse(cameras.viewFromWorld) *
+                   glm::inverse(cameras.clipFromView));
+}
+
 } // namespace
 
 OtherCameras otherCameras(const DoctorFrame& frame) {
@@ -161,6 +175,8 @@ OtherCameras otherCameras(const DoctorFrame& frame) {
   if (isOwn(samples) && (!hasNear || isOwn(near))) return out;
   const UnjitteredCameras& cameras = *frame.cameras;
   out.identity = glm::mat4(glm::inverse(cameras.clipFromView * cameras.viewFromWorld));
+  out.unmoved = previousClip(cameras, viewAt(cameras.previousViewFromWorld, cameras.viewFromWorld));
+  out.unturned = previousClip(cameras, viewAt(cameras.viewFromWorld, cameras.previousViewFromWorld));
   out.mirrored = mirroredCamera(cameras, samples);
   out.turned = fittedCamera(frame, samples, turnedBy);
   out.beside = fittedCamera(frame, near, movedBy);

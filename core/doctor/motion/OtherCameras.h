@@ -16,6 +16,8 @@ struct OtherCameras {
   std::optional<glm::mat4> beside;   ///< the previous camera, moved: likewise
   std::optional<glm::mat4> mirrored; ///< by a plane of the world through its origin
   std::optional<glm::mat4> identity; ///< a matrix that was never set
+  std::optional<glm::mat4> unmoved;  ///< the previous camera's rotation where this one stands; its place …
+  std::optional<glm::mat4> unturned; ///< … with this one's rotation
 };
 
 /// Those that a frame's cameras make, where the motion given is not the camera's; else and without cameras

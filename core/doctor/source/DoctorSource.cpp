@@ -53,8 +53,6 @@ DoctorSource openCaptureForDoctor(const SourceRequest& request, const Progress& 
   const auto opened = capture::openCapture(request.source, progress);
   capture::Manifest manifest = opened->manifest();
   DoctorSource out;
-  // What an import adds where the engine wrote nothing would hide that it did not.
-  manifest.conventions.motion.whereNothing.reset();
   out.frameCount = static_cast<int>(manifest.frames.size());
   out.objectNames = manifest.objects;
   out.known.motion = manifest.framesWith(capture::PlaneKind::Motion) > 0;

@@ -8,6 +8,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -204,6 +205,11 @@ void addMatrices(const Conventions& stated, float lowest, std::vector<Otherwise>
                  std::move(range), true});
 }
 
+bool statesJitter(const capture::Manifest& manifest) {
+  return std::ranges::any_of(manifest.frames,
+                             [](const auto& frame) { return frame.jitter != glm::dvec2(0.0); });
+}
+
 /// All that has a y.
 void turnAxes(Conventions& conventions) {
   turnY(conventions.motion.yAxis);
@@ -225,7 +231,7 @@ std::vector<Otherwise> othersThan(const capture::Manifest& manifest, float lowes
   addUnits(stated, manifest.sizePx, out);
   addAxes(out);
   addCamera(stated, out);
-  addJitter(stated, out);
+  if (statesJitter(manifest)) addJitter(stated, out);
   addDepth(stated, lowestDepth, out);
   addMatrices(stated, lowestDepth, out);
   addRows(stated, out);

@@ -39,7 +39,7 @@ Diagnosis diagnosisOf(const test::FrameFault& fault, double downPx = kDown) {
 
 TEST(JitterSky, IsHealthyWhereItShiftsWithTheWorld) {
   const Diagnosis diagnosis = diagnosisOf([](DoctorFrame& frame) { paintClouds(frame, 1.0f); });
-  EXPECT_TRUE(diagnosis.isHealthy()) << diagnosis.findings[0].id;
+  EXPECT_TRUE(diagnosis.isHealthy()) << diagnosis.findings[0].id << diagnosis.findings[0].reason;
 }
 
 TEST(JitterSky, IsToldWhereItRests) {

@@ -106,4 +106,19 @@ TEST(OtherCameras, TryAMirroredOne) {
   EXPECT_LT(missOf(frame, others.mirrored), 0.01f);
 }
 
+TEST(OtherCameras, KnowThoseWhoseWayOrTurningIsMissing) {
+  // What is written is that of the frame before but for one of the two: the other half is this frame's.
+  const DoctorFrame still =
+      frameWith([](const glm::dmat4& clip, const glm::dmat4& view) { return clip * view; });
+  const glm::dmat4 now = still.cameras->viewFromWorld, before = still.cameras->previousViewFromWorld;
+  const glm::dvec3 way(glm::inverse(now)[3] - glm::inverse(before)[3]);
+  ASSERT_GT(glm::length(way), 0.0);
+  const DoctorFrame unmoved = frameWith([&](const glm::dmat4& clip, const glm::dmat4& view) {
+    return clip * view * glm::translate(glm::dmat4(1.0), -way);
+  });
+  const OtherCameras others = otherCameras(unmoved);
+  ASSERT_TRUE(others.unmoved && others.unturned);
+  EXPECT_LT(missOf(unmoved, others.unmoved), 0.01f);
+}
+
 } // namespace taa::doctor

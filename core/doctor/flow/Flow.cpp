@@ -1,0 +1,423 @@
+#include "core/doctor/flow/Flow.h"
+
+#include "core/base/Median.h"
+#include "core/capture/import/FrameSamples.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace taa::doctor {
+
+namespace {
+
+constexpr int kSquarePx = 16, kHalfSquarePx = kSquarePx / 2;
+/// Squares overlap, so that small things have some.
+constexpr int kStepPx = 8, kRingPx = 2;
+/// Pictures that are so much smaller say roughly where to look.
+constexpr int kCoarse = 4, kCoarseHalf = 4;
+constexpr int kLeastCoarseReach = 6, kCoarseReachShare = 64; ///< coarse pixels; of the picture's width
+constexpr std::size_t kCoarseStarts = 4;
+constexpr int kReachPx = 2; ///< around each place that is looked at
+constexpr std::size_t kMaxOfRegion = 64;
+/// Of luma per px, squared, in the mean along the axis with less detail: 1 % of noise is a tenth of a pixel.
+constexpr double kLeastDetail = 2e-5;
+/// Of a square's detail: what is left of it where the frame before shows the same.
+constexpr double kSameShare = 0.35;
+/// Neighbors are alike, for light that is compared is smoothed: so many pixels say as much as one.
+constexpr double kPixelsAlike = 4.0;
+/// Of the picture's width: motion that is longer is none that anything has.
+constexpr double kNearShare = 1.0 / 16.0;
+constexpr double kFarthestErrorPx = 0.2;
+/// Of what is left elsewhere, and of the square's contrast: pictures read between pixels are softer.
+constexpr double kAsGood = 1.5, kAsGoodContrast = 0.1;
+constexpr double kChanceErrors = 4.0; ///< standard errors that are no chance
+/// As given against as measured: what aliases jumps from frame to frame as well, but not so clearly.
+constexpr double kClearlyMore = 3.0;
+constexpr double kLeastLuma = 0.004;
+constexpr double kRepeatsShare = 0.7;
+
+struct Pixel {
+  glm::vec2 place{0.0f};  ///< its center
+  glm::vec2 motion{0.0f}; ///< given there less that given in the middle of the square
+  float luma = 0.0f;
+};
+
+struct Square {
+  glm::ivec2 pixel{0};
+  RegionIndex region = kNoRegion;
+  double detail = 0.0;   ///< see kLeastDetail
+  double contrast = 0.0; ///< mean |luma − its mean|
+};
+
+Image reduced(const Image& luma) {
+  Image out(std::max(1, luma.width / kCoarse), std::max(1, luma.height / kCoarse), 1);
+  for (int y = 0; y < out.height; ++y)
+    for (int x = 0; x < out.width; ++x) {
+      float sum = 0.0f;
+      for (int v = 0; v < kCoarse; ++v)
+        for (int u = 0; u < kCoarse; ++u)
+          sum +=
+              *luma.at(std::min(x * kCoarse + u, luma.width - 1), std::min(y * kCoarse + v, luma.height - 1));
+      *out.at(x, y) = sum / static_cast<float>(kCoarse * kCoarse);
+    }
+  return out;
+}
+
+/// Whether all of a square is of one region, with what light is smoothed from around it, and motion is known
+/// in all of it: a silhouette beside it moves as something else does.
+bool isOfOneRegion(const DoctorFrame& frame, const std::vector<RegionIndex>& labels,
+                   const glm::ivec2& first) {
+  const auto at = [&](int x, int y) { return labels[static_cast<std::size_t>(y) * frame.luma.width + x]; };
+  const RegionIndex region = at(first.x, first.y);
+  if (region == kNoRegion) return false;
+  for (int y = first.y - kRingPx; y < first.y + kSquarePx + kRingPx; ++y)
+    for (int x = first.x - kRingPx; x < first.x + kSquarePx + kRingPx; ++x)
+      if (at(x, y) != region) return false;
+  for (int y = first.y; y < first.y + kSquarePx; ++y)
+    for (int x = first.x; x < first.x + kSquarePx; ++x) {
+      if (frame.isCovered({x, y}) || !isMotion(frame.motionAt(x, y))) return false;
+      if (frame.mask.empty()) continue;
+      const float* mask = frame.mask.at(x, y);
+      if (mask[0] > 0.0f || mask[1] > 0.0f) return false;
+    }
+  return true;
+}
+
+Square measured(const Image& luma, const glm::ivec2& first, RegionIndex region) {
+  double xx = 0.0, xy = 0.0, yy = 0.0, mean = 0.0;
+  for (int y = first.y; y < first.y + kSquarePx; ++y)
+    for (int x = first.x; x < first.x + kSquarePx; ++x) {
+      const double dx = 0.5 * static_cast<double>(*luma.at(x + 1, y) - *luma.at(x - 1, y));
+      const double dy = 0.5 * static_cast<double>(*luma.at(x, y + 1) - *luma.at(x, y - 1));
+      xx += dx * dx;
+      xy += dx * dy;
+      yy += dy * dy;
+      mean += static_cast<double>(*luma.at(x, y));
+    }
+  constexpr double kPixels = static_cast<double>(kSquarePx) * kSquarePx;
+  mean /= kPixels;
+  Square out{first + kHalfSquarePx, region};
+  const double half = 0.5 * (xx + yy), root = std::sqrt(std::max(0.0, half * half - (xx * yy - xy * xy)));
+  out.detail = (half - root) / kPixels;
+  for (int y = first.y; y < first.y + kSquarePx; ++y)
+    for (int x = first.x; x < first.x + kSquarePx; ++x)
+      out.contrast += std::abs(static_cast<double>(*luma.at(x, y)) - mean) / kPixels;
+  return out;
+}
+
+/// Evenly of all that each region has.
+std::vector<Square> squaresOf(const DoctorFrame& frame, const std::vector<RegionIndex>& labels) {
+  std::map<RegionIndex, std::vector<Square>> byRegion;
+  for (int y = kRingPx; y + kSquarePx + kRingPx <= frame.luma.height; y += kStepPx)
+    for (int x = kRingPx; x + kSquarePx + kRingPx <= frame.luma.width; x += kStepPx) {
+      if (!isOfOneRegion(frame, labels, {x, y})) continue;
+      const RegionIndex region = labels[static_cast<std::size_t>(y) * frame.luma.width + x];
+      const Square square = measured(frame.luma, {x, y}, region);
+      if (square.detail >= kLeastDetail) byRegion[region].push_back(square);
+    }
+  const std::size_t most = std::max<std::size_t>(
+      4, std::min(kMaxOfRegion, kMaxFlowSquares / std::max<std::size_t>(1, byRegion.size())));
+  std::vector<Square> out;
+  for (const auto& [region, squares] : byRegion) {
+    const std::size_t count = std::min(most, squares.size());
+    for (std::size_t i = 0; i < count; ++i) out.push_back(squares[i * squares.size() / count]);
+  }
+  return out;
+}
+
+std::vector<Pixel> pixelsOf(const DoctorFrame& frame, const glm::ivec2& middle) {
+  const glm::vec2 given = frame.motionAt(middle.x, middle.y);
+  std::vector<Pixel> out;
+  for (int y = middle.y - kHalfSquarePx; y < middle.y + kHalfSquarePx; ++y)
+    for (int x = middle.x - kHalfSquarePx; x < middle.x + kHalfSquarePx; ++x) {
+      const glm::vec2 motion = frame.motionAt(x, y);
+      out.push_back({glm::vec2(x, y) + 0.5f, isMotion(motion) ? motion - given : glm::vec2(0.0f),
+                     *frame.luma.at(x, y)});
+    }
+  return out;
+}
+
+bool isInPicture(const glm::vec2& place, const Image& luma) {
+  return place.x >= 0.5f && place.y >= 0.5f && place.x <= static_cast<float>(luma.width) - 0.5f &&
+         place.y <= static_cast<float>(luma.height) - 0.5f;
+}
+
+/// Where the pixels of a square were, displaced by one vector: alike, or each by how its motion differs from
+/// that in the middle.
+struct Warp {
+  const std::vector<Pixel>& pixels;
+  const Image& before;
+  bool isVarying = false;
+
+  glm::vec2 placeOf(const Pixel& pixel, const glm::dvec2& px) const {
+    return pixel.place - glm::vec2(px) - (isVarying ? pixel.motion : glm::vec2(0.0f));
+  }
+  /// Mean of |difference| over every n-th pixel; infinite where one leads out of the picture.
+  double left(const glm::dvec2& px, std::size_t step = 1) const {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < pixels.size(); i += step, ++count) {
+      const glm::vec2 place = placeOf(pixels[i], px);
+      if (!isInPicture(place, before)) return std::numeric_limits<double>::infinity();
+      sum += static_cast<double>(std::abs(pixels[i].luma - capture::betweenPixels(before, place)));
+    }
+    return sum / static_cast<double>(count);
+  }
+};
+
+struct Found {
+  glm::dvec2 px{0.0};
+  double left = std::numeric_limits<double>::infinity();
+  double errorPx = std::numeric_limits<double>::infinity();
+};
+
+/// Least squares from a place that is nearly right.
+Found refined(const Warp& warp, glm::dvec2 px) {
+  constexpr int kSteps = 8;
+  constexpr double kConvergedPx = 1e-3, kFarthestPx = 1.5;
+  const glm::dvec2 start = px;
+  glm::dmat2 normal(0.0);
+  double squares = 0.0;
+  for (int step = 0; step < kSteps; ++step) {
+    normal = glm::dmat2(0.0);
+    squares = 0.0;
+    glm::dvec2 sum(0.0);
+    for (const Pixel& pixel : warp.pixels) {
+      const glm::vec2 place = warp.placeOf(pixel, px);
+      const auto at = [&](float x, float y) {
+        return static_cast<double>(capture::betweenPixels(warp.before, place + glm::vec2(x, y)));
+      };
+      const glm::dvec2 slope(at(0.5f, 0.0f) - at(-0.5f, 0.0f), at(0.0f, 0.5f) - at(0.0f, -0.5f));
+      const double difference = static_cast<double>(pixel.luma) - at(0.0f, 0.0f);
+      normal += glm::outerProduct(slope, slope);
+      sum += slope * difference;
+      squares += difference * difference;
+    }
+    const double determinant = glm::determinant(normal);
+    if (!(determinant > 0.0)) return {};
+    const glm::dvec2 further = glm::inverse(normal) * sum;
+    px -= further;
+    if (!(glm::distance(px, start) <= kFarthestPx)) return {};
+    if (glm::length(further) < kConvergedPx) break;
+  }
+  const double half = 0.5 * (normal[0][0] + normal[1][1]);
+  const double least = half - std::sqrt(std::max(0.0, half * half - glm::determinant(normal)));
+  const double variance = squares / static_cast<double>(warp.pixels.size());
+  return {px, warp.left(px), std::sqrt(variance * kPixelsAlike / std::max(least, 1e-12))};
+}
+
+/// Displacements, px, at which small pictures fit best around the square.
+std::vector<glm::dvec2> roughly(const Image& now, const Image& before, const glm::ivec2& middle, int reach) {
+  const glm::ivec2 center = middle / kCoarse;
+  std::vector<std::pair<float, glm::ivec2>> all;
+  for (int dy = -reach; dy <= reach; ++dy)
+    for (int dx = -reach; dx <= reach; ++dx) {
+      float sum = 0.0f;
+      int count = 0;
+      for (int y = std::max(0, center.y - kCoarseHalf); y < std::min(now.height, center.y + kCoarseHalf); ++y)
+        for (int x = std::max(0, center.x - kCoarseHalf); x < std::min(now.width, center.x + kCoarseHalf);
+             ++x) {
+          if (x - dx < 0 || y - dy < 0 || x - dx >= before.width || y - dy >= before.height) continue;
+          sum += std::abs(*now.at(x, y) - *before.at(x - dx, y - dy));
+          ++count;
+        }
+      if (count >= 2 * kCoarseHalf * kCoarseHalf)
+        all.emplace_back(sum / static_cast<float>(count), glm::ivec2(dx, dy));
+    }
+  std::ranges::sort(all, {}, [](const auto& one) { return one.first; });
+  std::vector<glm::dvec2> out;
+  for (const auto& [left, at] : all) {
+    const glm::dvec2 px = glm::dvec2(at) * static_cast<double>(kCoarse);
+    if (std::ranges::any_of(
+            out, [&](const glm::dvec2& known) { return glm::distance(known, px) < 1.5 * kCoarse; }))
+      continue;
+    out.push_back(px);
+    if (out.size() == kCoarseStarts) break;
+  }
+  return out;
+}
+
+/// Best of whole pixels around a place.
+Found nearby(const Warp& warp, const glm::dvec2& around, int reach) {
+  constexpr std::size_t kEvery = 3;
+  Found best;
+  for (int y = -reach; y <= reach; ++y)
+    for (int x = -reach; x <= reach; ++x) {
+      const glm::dvec2 px = around + glm::dvec2(x, y);
+      if (const double left = warp.left(px, kEvery); left < best.left) best = {px, left};
+    }
+  return best;
+}
+
+void keepBetter(const Found& other, Found& best) {
+  if (other.left < best.left) best = other;
+}
+
+/// How many numbers say what is made of the motion given.
+enum class FlowModel : std::uint8_t { Factor, Factors, FactorsAndOffset };
+
+/// x and y of what is made of a motion are these, by (x, y, 1).
+struct FlowLine {
+  glm::dvec3 x{0.0}, y{0.0};
+  glm::dvec3 errorShares{0.0}; ///< of the root of the variance: standard errors
+
+  glm::dvec2 at(const glm::dvec2& given) const {
+    const glm::dvec3 row(given, 1.0);
+    return {glm::dot(x, row), glm::dot(y, row)};
+  }
+};
+
+/// Whether the motions given lie along no line, through zero or not: along one, two factors make anything of
+/// them.
+bool areSpread(const std::vector<const FlowSquare*>& squares) {
+  constexpr double kLeastSpread = 0.05; // 1 less the squared correlation of x and y
+  glm::dvec2 mean(0.0);
+  for (const FlowSquare* square : squares) mean += square->given / static_cast<double>(squares.size());
+  glm::dmat2 spread(0.0);
+  for (const FlowSquare* square : squares)
+    spread += glm::outerProduct(square->given - mean, square->given - mean);
+  return glm::determinant(spread) > kLeastSpread * spread[0][0] * spread[1][1];
+}
+
+/// Weighted least squares. Nothing where what is given does not tell all of the numbers.
+std::optional<FlowLine> solve(const std::vector<const FlowSquare*>& squares,
+                              const std::vector<double>& weights, FlowModel model) {
+  constexpr double kTellsApart = 1e-6;
+  glm::dmat3 normal(0.0);
+  glm::dvec3 x(0.0), y(0.0);
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    const glm::dvec3 row(squares[i]->given, model == FlowModel::FactorsAndOffset ? 1.0 : 0.0);
+    normal += weights[i] * glm::outerProduct(row, row);
+    x += weights[i] * squares[i]->px.x * row;
+    y += weights[i] * squares[i]->px.y * row;
+  }
+  if (model == FlowModel::Factor) {
+    const double length = normal[0][0] + normal[1][1];
+    if (!(length > 0.0)) return {};
+    const double factor = (x.x + y.y) / length;
+    return FlowLine{{factor, 0.0, 0.0}, {0.0, factor, 0.0}, glm::dvec3(1.0 / std::sqrt(length))};
+  }
+  if (model == FlowModel::Factors) normal[2][2] = 1.0;
+  if (!(glm::determinant(normal) > kTellsApart * normal[0][0] * normal[1][1] * normal[2][2])) return {};
+  const glm::dmat3 inverse = glm::inverse(normal);
+  return FlowLine{inverse * x,
+                  inverse * y,
+                  {std::sqrt(inverse[0][0]), std::sqrt(inverse[1][1]), std::sqrt(inverse[2][2])}};
+}
+
+std::optional<FlowFit> fitBy(const std::vector<const FlowSquare*>& squares, FlowModel model,
+                             double tolerancePx) {
+  constexpr int kRounds = 12;
+  constexpr double kLeastScalePx = 0.05;
+  std::vector<double> weights(squares.size(), 1.0), off(squares.size());
+  std::optional<FlowLine> found;
+  for (int round = 0; round < kRounds; ++round) {
+    found = solve(squares, weights, model);
+    if (!found) return {};
+    for (std::size_t i = 0; i < squares.size(); ++i)
+      off[i] = glm::distance(squares[i]->px, found->at(squares[i]->given));
+    const double scalePx = std::max(kLeastScalePx, median(off));
+    for (std::size_t i = 0; i < squares.size(); ++i) {
+      const double share = off[i] / (kTukeyMedians * scalePx);
+      weights[i] = share >= 1.0 ? 0.0 : (1.0 - share * share) * (1.0 - share * share);
+    }
+  }
+  FlowFit out;
+  out.factors = glm::dmat2(glm::dvec2(found->x.x, found->y.x), glm::dvec2(found->x.y, found->y.y));
+  double squared = 0.0, weight = 0.0;
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    squared += 0.5 * weights[i] * off[i] * off[i];
+    weight += weights[i];
+    if (off[i] <= std::max(tolerancePx, kChanceErrors * squares[i]->errorPx)) ++out.followed;
+  }
+  out.squares = squares.size();
+  const glm::dvec3 errors = std::sqrt(squared / std::max(1.0, weight - 3.0)) * found->errorShares;
+  out.factorErrors = glm::dmat2(glm::dvec2(errors.x), glm::dvec2(errors.y));
+  if (model != FlowModel::FactorsAndOffset) return out;
+  out.offsetPx = {found->x.z, found->y.z};
+  out.offsetErrorsPx = glm::dvec2(errors.z);
+  return out;
+}
+
+} // namespace
+
+double FlowSquare::offPx() const {
+  return glm::distance(px, given);
+}
+
+bool FlowSquare::refutesGiven(double tolerancePx) const {
+  // What repeats fits elsewhere as well.
+  if (std::isfinite(leftAsGiven) && apart < kRepeatsShare * leftAsGiven) return false;
+  return offPx() > std::max(tolerancePx, kChanceErrors * errorPx) && leftAsGiven >= kClearlyMore * left &&
+         leftAsGiven - left >= kLeastLuma;
+}
+
+FlowPair measureFlow(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels) {
+  FlowPair out{frames.now.frame, {}};
+  const DoctorFrame& now = frames.now;
+  if (now.motionPx.empty() || frames.before.luma.width != now.luma.width) return out;
+  const Image coarseNow = reduced(now.luma), coarseBefore = reduced(frames.before.luma);
+  const int reach = std::max(kLeastCoarseReach, now.luma.width / kCoarseReachShare);
+  const glm::dvec2 step(frames.jitterStep());
+  std::map<RegionIndex, glm::dvec2> lastOf;
+  for (const Square& square : squaresOf(now, labels)) {
+    const std::vector<Pixel> pixels = pixelsOf(now, square.pixel);
+    const Warp alike{pixels, frames.before.luma, false}, varying{pixels, frames.before.luma, true};
+    const glm::dvec2 given(now.motionAt(square.pixel.x, square.pixel.y));
+    const double leftAsGiven = varying.left(given - step);
+    // It may have come from beyond the border, where nothing tells it from what looks alike.
+    if (!std::isfinite(leftAsGiven) && glm::length(given) <= now.luma.width * kNearShare) continue;
+    std::vector<glm::dvec2> starts = roughly(coarseNow, coarseBefore, square.pixel, reach);
+    starts.push_back(given - step);
+    starts.push_back(-step);
+    if (const auto camera = cameraMotionPx(now, square.pixel)) starts.push_back(glm::dvec2(*camera) - step);
+    if (const auto last = lastOf.find(square.region); last != lastOf.end()) starts.push_back(last->second);
+    Found rough;
+    for (const glm::dvec2& start : starts) keepBetter(nearby(alike, start, kReachPx), rough);
+    Found best;
+    if (std::isfinite(rough.left)) best = refined(alike, rough.px);
+    // Motion that changes over the square, as that of what turns and of a floor does, is followed by what is
+    // given where that is right but for one vector.
+    const Found asGiven = refined(varying, given - step);
+    keepBetter(asGiven, best);
+    // What repeats fits at many places: then the one that is stated is as good as any other.
+    if (asGiven.left <= kAsGood * best.left + kAsGoodContrast * square.contrast) best = asGiven;
+    if (!(best.left <= kSameShare * square.contrast) || !(best.errorPx <= kFarthestErrorPx)) continue;
+    lastOf[square.region] = best.px;
+    const Warp itself{pixels, now.luma, false};
+    const double apart = itself.left(given - best.px - step);
+    out.squares.push_back({square.pixel, square.region, best.px + step, best.errorPx, given, best.left,
+                           leftAsGiven, std::isfinite(apart) ? apart : leftAsGiven});
+  }
+  return out;
+}
+
+bool FlowFit::isGood() const {
+  constexpr double kNearlyAll = 0.8, kKnownTo = 0.05;
+  double largest = 0.0, error = 0.0;
+  for (int column = 0; column < 2; ++column)
+    for (int row = 0; row < 2; ++row) {
+      largest = std::max(largest, std::abs(factors[column][row]));
+      error = std::max(error, factorErrors[column][row]);
+    }
+  return error <= kKnownTo * largest &&
+         static_cast<double>(followed) >= kNearlyAll * static_cast<double>(squares);
+}
+
+std::optional<FlowFit> fitFlow(const std::vector<const FlowSquare*>& squares, bool isThroughZero,
+                               double tolerancePx) {
+  constexpr std::size_t kEnough = 12;
+  if (squares.size() < kEnough) return {};
+  if (!areSpread(squares))
+    return isThroughZero ? fitBy(squares, FlowModel::Factor, tolerancePx) : std::nullopt;
+  return fitBy(squares, isThroughZero ? FlowModel::Factors : FlowModel::FactorsAndOffset, tolerancePx);
+}
+
+} // namespace taa::doctor

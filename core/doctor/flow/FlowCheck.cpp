@@ -1,0 +1,480 @@
+#include "core/doctor/flow/FlowCheck.h"
+
+#include "core/base/Median.h"
+#include "core/base/NumberText.h"
+#include "core/base/Say.h"
+#include "core/doctor/Mending.h"
+#include "core/doctor/frames/FramesText.h"
+#include "core/doctor/motion/MotionFindings.h"
+#include "core/doctor/motion/MotionMending.h"
+#include "core/doctor/motion/MotionWords.h"
+#include "core/settings/Faults.h"
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace taa::doctor {
+
+namespace {
+
+/// px: what pictures alias by is less; with jitter that is not known, that adds up.
+constexpr double kOffPx = 0.5, kOffPxWithOpenJitter = 1.5;
+/// Of a region's squares in a pair of frames: so many make the pair, else a light moves over it.
+constexpr double kMostSquares = 0.6;
+constexpr std::size_t kEnoughSquaresOfPair = 3, kEnoughRefutedPairs = 2, kEnoughRefutingSquares = 8;
+/// One pair alone has to say more.
+constexpr std::size_t kEnoughSquaresOfOnePair = 12;
+/// Of all squares: as many, refuted, refute an explanation of the whole picture.
+constexpr double kRefutesAll = 0.5;
+
+/// A region whose motion pictures refute.
+struct Refuted {
+  const Region* region = nullptr;
+  std::vector<int> frames;                ///< in which they do
+  std::vector<int> asked;                 ///< in which its motion was measured
+  std::vector<const FlowSquare*> squares; ///< of these frames, all that were measured …
+  std::vector<const FlowSquare*> ofAll;   ///< … and of all frames
+};
+
+struct PairOfRegion {
+  int frame = 0;
+  std::vector<const FlowSquare*> squares;
+  std::size_t refuting = 0;
+};
+
+std::map<RegionIndex, std::vector<PairOfRegion>> byRegion(const FlowSeen& seen, double tolerancePx) {
+  std::map<RegionIndex, std::vector<PairOfRegion>> out;
+  for (const FlowPair& pair : seen.pairs) {
+    std::map<RegionIndex, PairOfRegion> ofPair;
+    for (const FlowSquare& square : pair.squares) {
+      PairOfRegion& part = ofPair[square.region];
+      part.frame = pair.frame;
+      part.squares.push_back(&square);
+      if (square.refutesGiven(tolerancePx)) ++part.refuting;
+    }
+    for (auto& [region, part] : ofPair) out[region].push_back(std::move(part));
+  }
+  return out;
+}
+
+std::vector<Refuted> refutedRegions(const FlowSeen& seen, double tolerancePx) {
+  std::vector<Refuted> out;
+  for (const auto& [region, pairs] : byRegion(seen, tolerancePx)) {
+    Refuted refuted{&seen.regions[static_cast<std::size_t>(region)], {}, {}, {}, {}};
+    std::size_t refuting = 0;
+    for (const PairOfRegion& pair : pairs) {
+      refuted.ofAll.insert(refuted.ofAll.end(), pair.squares.begin(), pair.squares.end());
+      if (pair.squares.size() < kEnoughSquaresOfPair) continue;
+      refuted.asked.push_back(pair.frame);
+      if (static_cast<double>(pair.refuting) < kMostSquares * static_cast<double>(pair.squares.size()))
+        continue;
+      refuted.frames.push_back(pair.frame);
+      refuting += pair.refuting;
+      refuted.squares.insert(refuted.squares.end(), pair.squares.begin(), pair.squares.end());
+    }
+    const bool isEnough = refuted.frames.size() >= kEnoughRefutedPairs ? refuting >= kEnoughRefutingSquares
+                                                                       : refuting >= kEnoughSquaresOfOnePair;
+    if (isEnough) out.push_back(std::move(refuted));
+  }
+  return out;
+}
+
+bool isOfMotion(const Finding& finding) {
+  for (const FaultInfo& row : faultTable())
+    if (row.id == finding.id) return row.part == FaultPart::Motion;
+  return finding.id.starts_with("motion");
+}
+
+double allPixels(const Patient& patient, const Diagnosis& out) {
+  return static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
+}
+
+std::vector<const FlowSquare*> squaresOf(const std::vector<Refuted>& refuted) {
+  std::vector<const FlowSquare*> out;
+  for (const Refuted& one : refuted) out.insert(out.end(), one.squares.begin(), one.squares.end());
+  return out;
+}
+
+/// Frames of any of them.
+std::pair<std::vector<int>, std::vector<int>> framesOf(const std::vector<Refuted>& refuted) {
+  std::set<int> frames, asked;
+  for (const Refuted& one : refuted) {
+    frames.insert(one.frames.begin(), one.frames.end());
+    asked.insert(one.asked.begin(), one.asked.end());
+  }
+  return {{frames.begin(), frames.end()}, {asked.begin(), asked.end()}};
+}
+
+double medianOff(const std::vector<const FlowSquare*>& squares) {
+  std::vector<double> off;
+  for (const FlowSquare* square : squares) off.push_back(square->offPx());
+  return median(std::move(off));
+}
+
+double medianError(const std::vector<const FlowSquare*>& squares) {
+  std::vector<double> errors;
+  for (const FlowSquare* square : squares) errors.push_back(square->errorPx);
+  return median(std::move(errors));
+}
+
+double medianLeft(const std::vector<const FlowSquare*>& squares, double FlowSquare::*left) {
+  std::vector<double> all;
+  for (const FlowSquare* square : squares)
+    if (std::isfinite(square->*left)) all.push_back(1000.0 * square->*left);
+  return median(std::move(all));
+}
+
+/// Where pictures move most otherwise than is given, in numbers.
+std::string exampleOf(const std::vector<const FlowSquare*>& squares, const FlowSeen& seen,
+                      const Patient& patient) {
+  const FlowSquare* farthest = *std::ranges::max_element(
+      squares, {}, [](const FlowSquare* square) { return square->offPx() / (1.0 + 10.0 * square->errorPx); });
+  int frame = 0;
+  for (const FlowPair& pair : seen.pairs)
+    if (!pair.squares.empty() && farthest >= pair.squares.data() &&
+        farthest < pair.squares.data() + pair.squares.size())
+      frame = pair.frame;
+  return say<"For example around pixel %1, %2 of frame %3 you write %4; the pictures show %5.">(
+      farthest->pixel.x, farthest->pixel.y, frame, shortVector(storedMotion(patient, farthest->given)),
+      shortVector(storedMotion(patient, farthest->px)));
+}
+
+std::vector<Residual> residualsOf(const std::vector<const FlowSquare*>& squares) {
+  return {{"measured", say<"as the pictures move">(), medianLeft(squares, &FlowSquare::left), false, true},
+          {"asGiven", say<"as given">(), medianLeft(squares, &FlowSquare::leftAsGiven), true, false}};
+}
+
+/// Regions, frames and numbers, whatever explains them.
+Finding measuredFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,
+                        const Diagnosis& out) {
+  const std::vector<const FlowSquare*> squares = squaresOf(refuted);
+  Finding finding;
+  for (const Refuted& one : refuted)
+    if (one.region) finding.regions.push_back(placeOf(*one.region, patient, allPixels(patient, out)));
+  std::ranges::stable_sort(finding.regions, std::greater(), &RegionPlace::share);
+  finding.measure = say<"median difference of luma in squares that can be followed, × 1000">();
+  finding.residuals = residualsOf(squares);
+  const auto [frames, asked] = framesOf(refuted);
+  finding.reason =
+      say<"In %1 the pictures move otherwise there than is given, by %2 px in the middle of %3 squares "
+          "that can be followed to %4 px.">(framesText(frames, asked), shortNumber(medianOff(squares)),
+                                            squares.size(), shortNumber(medianError(squares)));
+  finding.change = exampleOf(squares, seen, patient);
+  return finding;
+}
+
+bool isNear(double value, double expected, double error) {
+  constexpr double kFitErrors = 3.0, kShare = 0.02;
+  return std::abs(value - expected) <=
+         std::max(kFitErrors * error, kShare * std::max(1.0, std::abs(expected)));
+}
+
+/// Whether x of motion has no part in y, nor y in x.
+bool isAlongAxes(const FlowFit& fit) {
+  const double scale = std::max(std::abs(fit.factors[0][0]), std::abs(fit.factors[1][1]));
+  return std::abs(fit.factors[0][1]) <= std::max(3.0 * fit.factorErrors[0][1], 0.02 * scale) &&
+         std::abs(fit.factors[1][0]) <= std::max(3.0 * fit.factorErrors[1][0], 0.02 * scale);
+}
+
+bool hasOffset(const FlowFit& fit) {
+  constexpr double kOffsetPx = 0.25;
+  return std::abs(fit.offsetPx.x) > std::max(kOffsetPx, 3.0 * fit.offsetErrorsPx.x) ||
+         std::abs(fit.offsetPx.y) > std::max(kOffsetPx, 3.0 * fit.offsetErrorsPx.y);
+}
+
+/// What is made of the motion given, where that is all that an explanation says.
+std::optional<glm::dmat2> factorsOf(const MotionTrial& trial) {
+  const auto along = [](const glm::vec2& factor) {
+    return glm::dmat2(glm::dvec2(factor.x, 0.0), glm::dvec2(0.0, factor.y));
+  };
+  switch (trial.kind) {
+  case MotionKind::Scaled:
+  case MotionKind::OtherUnit:
+    return along(trial.factor);
+  case MotionKind::MirroredX:
+    return along({-1.0f, 1.0f});
+  case MotionKind::MirroredY:
+    return along({1.0f, -1.0f});
+  case MotionKind::Opposite:
+    return along({-1.0f, -1.0f});
+  case MotionKind::SwappedAxes:
+    return glm::dmat2(glm::dvec2(0.0, 1.0), glm::dvec2(1.0, 0.0));
+  default:
+    return {};
+  }
+}
+
+/// A known explanation whose numbers lie within the errors of the fit.
+std::optional<MotionTrial> knownTrial(const FlowFit& fit, const glm::ivec2& sizePx) {
+  if (hasOffset(fit)) return {};
+  for (const MotionTrial& trial : motionTrials(sizePx)) {
+    const auto factors = factorsOf(trial);
+    if (!factors) continue;
+    bool isWithin = true;
+    for (int column = 0; column < 2; ++column)
+      for (int row = 0; row < 2; ++row)
+        isWithin = isWithin &&
+                   isNear(fit.factors[column][row], (*factors)[column][row], fit.factorErrors[column][row]);
+    if (isWithin) return trial;
+  }
+  return {};
+}
+
+std::string withError(double value, double error) {
+  return say<"%1 ± %2">(shortNumber(value), shortNumber(error));
+}
+
+/// What was fitted, in a sentence.
+std::string fitText(const FlowFit& fit, const glm::ivec2& sizePx) {
+  const glm::dmat2& f = fit.factors;
+  const glm::dmat2& e = fit.factorErrors;
+  std::string text;
+  if (isAlongAxes(fit)) {
+    text = say<"x of the motion in pictures is %1 times what is given, y %2 times">(
+        withError(f[0][0], e[0][0]), withError(f[1][1], e[1][1]));
+  } else {
+    text = say<"motion in pictures is (%1 x + %2 y, %3 x + %4 y) of what is given">(
+        shortNumber(f[0][0]), shortNumber(f[1][0]), shortNumber(f[0][1]), shortNumber(f[1][1]));
+  }
+  if (hasOffset(fit))
+    text += say<", and (%1, %2) px more, which is (%3, %4) of the picture">(
+        withError(fit.offsetPx.x, fit.offsetErrorsPx.x), withError(fit.offsetPx.y, fit.offsetErrorsPx.y),
+        shortNumber(fit.offsetPx.x / sizePx.x), shortNumber(fit.offsetPx.y / sizePx.y));
+  return text;
+}
+
+FaultWords fitWords(const FlowFit& fit) {
+  if (hasOffset(fit))
+    return {
+        "motionOffset", say<"Motion with an offset">(), say<"Everything smears, at rest too.">(),
+        say<"What is stored is encoded otherwise than is stated: state that offset and that factor, or decode "
+            "motion before it is used.">()};
+  if (!isAlongAxes(fit))
+    return {"motionTurned", say<"Motion with its axes turned">(), say<"Ghosts beside what moves.">(),
+            say<"Make motion along the axes of the picture.">()};
+  return {"motionScaled", say<"Motion of another length">(), say<"Ghosts grow with speed.">(),
+          say<"Multiply the motion that you write by %1.">(
+              shortVector(glm::dvec2(fit.factors[0][0], fit.factors[1][1])))};
+}
+
+/// Nothing where no linear function of the motion given is what pictures move by.
+std::optional<FlowFit> explaining(const std::vector<const FlowSquare*>& squares, double tolerancePx) {
+  const auto scaled = fitFlow(squares, true, tolerancePx);
+  if (scaled && scaled->isGood()) return scaled;
+  const auto shifted = fitFlow(squares, false, tolerancePx);
+  return shifted && shifted->isGood() && isAlongAxes(*shifted) ? shifted : std::nullopt;
+}
+
+void nameByFit(const FlowFit& fit, const Patient& patient, Finding& finding) {
+  const auto trial = knownTrial(fit, patient.sizePx);
+  const std::string example = finding.change;
+  nameBy(trial ? motionFault(&*trial, Region(), RegionEvidence()) : fitWords(fit), finding);
+  finding.change += " " + example;
+  finding.reason += " " + say<"By least squares %1: that explains %2 of %3 squares.">(
+                              fitText(fit, patient.sizePx), fit.followed, fit.squares);
+  if (trial)
+    mendBy(motionMending(*trial), finding);
+  else if (isAlongAxes(fit) && !hasOffset(fit))
+    mendBy(motionMending({MotionKind::Scaled, glm::vec2(fit.factors[0][0], fit.factors[1][1])}), finding);
+}
+
+bool areAllZero(const std::vector<const FlowSquare*>& squares) {
+  constexpr double kNearlyAll = 0.98;
+  const auto zero = std::ranges::count_if(
+      squares, [](const FlowSquare* square) { return square->given == glm::dvec2(0.0); });
+  return static_cast<double>(zero) >= kNearlyAll * static_cast<double>(squares.size());
+}
+
+/// Whether motion is right elsewhere: the pass that writes it does so for what moves by itself.
+bool isRightElsewhere(const FlowSeen& seen, const std::vector<Refuted>& refuted) {
+  constexpr std::size_t kEnough = 8;
+  std::size_t right = 0;
+  for (const FlowPair& pair : seen.pairs)
+    for (const FlowSquare& square : pair.squares) {
+      const Region* region = &seen.regions[static_cast<std::size_t>(square.region)];
+      if (std::ranges::count(refuted, region, &Refuted::region) > 0) continue;
+      if (glm::length(square.given) > kOffPx && square.offPx() <= kOffPx) ++right;
+    }
+  return right >= kEnough;
+}
+
+void nameUnknown(Finding& finding) {
+  finding.id = kUnknownMotionId;
+  finding.name = say<"Motion that none of the known mistakes explains">();
+  finding.symptom = say<"Ghosts or smears where and when it is wrong.">();
+  finding.reason +=
+      " " + say<"None of the mistakes that are known here makes what is given of what pictures show.">();
+  finding.change =
+      say<"Look at how motion is made of these objects in these frames: what is drawn, with which transforms, into "
+          "which target.">() +
+      " " + finding.change;
+}
+
+/// Of what pictures refute, and whatever explains all of it best.
+Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,
+                    double tolerancePx, const Diagnosis& out) {
+  const std::vector<const FlowSquare*> squares = squaresOf(refuted);
+  Finding finding = measuredFinding(refuted, seen, patient, out);
+  finding.sureness = Sureness::Likely;
+  if (areAllZero(squares)) {
+    const bool isOfCamera = isRightElsewhere(seen, refuted);
+    const std::string example = finding.change;
+    const FaultInfo& row = faultInfo(isOfCamera ? Fault::MotionWithoutCamera : Fault::MotionZero);
+    finding.id = row.id;
+    finding.name = row.label;
+    finding.symptom = row.symptom;
+    finding.reason +=
+        " " + (isOfCamera ? say<"What is given there is 0, and where something moves by itself it is "
+                                "right: the camera's motion is missing.">()
+                          : say<"What is given there is 0.">());
+    finding.change =
+        (isOfCamera ? say<"Write the motion of what rests in the world, too: that of the camera.">()
+                    : say<"Write motion for it: draw it in the pass that writes motion, with the "
+                          "transforms of this frame and of the one before.">()) +
+        " " + example;
+    return finding;
+  }
+  // A line that all frames follow says more than one of those in which it shows.
+  std::vector<const FlowSquare*> ofAll;
+  for (const Refuted& one : refuted) ofAll.insert(ofAll.end(), one.ofAll.begin(), one.ofAll.end());
+  auto fit = explaining(ofAll, tolerancePx);
+  if (!fit) fit = explaining(squares, tolerancePx);
+  if (fit)
+    nameByFit(*fit, patient, finding);
+  else
+    nameUnknown(finding);
+  return finding;
+}
+
+/// Whether a finding tells of a region already, or one of motion of all of them.
+bool isToldOf(const Region& region, const Patient& patient, const Diagnosis& out) {
+  const std::string name = placeOf(region, patient, 1.0).name;
+  return std::ranges::any_of(out.findings, [&](const Finding& finding) {
+    return (finding.isWholePicture && isOfMotion(finding)) ||
+           std::ranges::count(finding.regions, name, &RegionPlace::name) > 0;
+  });
+}
+
+/// Whether the motion given is longer or shorter than what pictures move by, by a factor that hardly shows in
+/// any square: over all of them it is known much better.
+bool isOfOtherLength(const FlowSeen& seen, double tolerancePx) {
+  constexpr double kMovingPx = 1.0, kShare = 0.04, kFitErrors = 5.0;
+  constexpr std::size_t kEnoughMoving = 60;
+  std::vector<const FlowSquare*> moving;
+  for (const FlowPair& pair : seen.pairs)
+    for (const FlowSquare& square : pair.squares)
+      if (glm::length(square.given) >= kMovingPx) moving.push_back(&square);
+  if (moving.size() < kEnoughMoving) return false;
+  const auto fit = fitFlow(moving, true, tolerancePx);
+  if (!fit || !fit->isGood() || !isAlongAxes(*fit)) return false;
+  const auto isOther = [&](int axis) {
+    return std::abs(fit->factors[axis][axis] - 1.0) >
+           std::max(kShare, kFitErrors * fit->factorErrors[axis][axis]);
+  };
+  return isOther(0) && isOther(1) && fit->factors[0][0] > 0.0 && fit->factors[1][1] > 0.0;
+}
+
+/// Of the whole picture, whose squares are all alike wrong.
+Refuted wholePicture(const FlowSeen& seen) {
+  Refuted out;
+  for (const FlowPair& pair : seen.pairs) {
+    if (pair.squares.empty()) continue;
+    out.frames.push_back(pair.frame);
+    for (const FlowSquare& square : pair.squares) out.squares.push_back(&square);
+  }
+  out.asked = out.frames;
+  out.ofAll = out.squares;
+  return out;
+}
+
+/// Whether an explanation that says what is made of the motion given makes it what pictures move by.
+/// `squares`: of where it was told.
+bool isBorneOut(const MotionTrial& trial, const std::vector<const FlowSquare*>& squares) {
+  constexpr double kBorneOutPx = 0.35, kShareOfMotion = 0.15, kMost = 0.7;
+  const auto factors = factorsOf(trial);
+  if (!factors || squares.size() < kEnoughRefutingSquares) return true;
+  const auto near = std::ranges::count_if(squares, [&](const FlowSquare* square) {
+    return glm::distance(square->px, *factors * square->given) <=
+           std::max(kBorneOutPx, kShareOfMotion * glm::length(square->px));
+  });
+  return static_cast<double>(near) >= kMost * static_cast<double>(squares.size());
+}
+
+/// Takes back findings of regions whose explanation does not make what is measured there.
+void takeBackRefuted(const std::vector<Refuted>& refuted, const Patient& patient, Diagnosis& out) {
+  const std::vector<MotionTrial> trials = motionTrials(patient.sizePx);
+  std::erase_if(out.findings, [&](const Finding& finding) {
+    if (!isOfMotion(finding) || finding.isWholePicture || finding.residuals.empty()) return false;
+    const auto trial = std::ranges::find(trials, finding.residuals.front().id, &trialId);
+    if (trial == trials.end()) return false;
+    std::vector<const FlowSquare*> squares;
+    for (const Refuted& one : refuted) {
+      const std::string name = placeOf(*one.region, patient, 1.0).name;
+      if (std::ranges::count(finding.regions, name, &RegionPlace::name) > 0)
+        squares.insert(squares.end(), one.squares.begin(), one.squares.end());
+    }
+    return !isBorneOut(*trial, squares);
+  });
+}
+
+/// How much of what was measured is refuted.
+double refutedShare(const FlowSeen& seen, double tolerancePx) {
+  std::size_t all = 0, refuting = 0;
+  for (const FlowPair& pair : seen.pairs)
+    for (const FlowSquare& square : pair.squares) {
+      ++all;
+      if (square.refutesGiven(tolerancePx)) ++refuting;
+    }
+  return all == 0 ? 0.0 : static_cast<double>(refuting) / static_cast<double>(all);
+}
+
+/// What was told of the whole picture, in words: it is refuted.
+std::string takeBackOfAll(Diagnosis& out) {
+  std::string names;
+  std::erase_if(out.findings, [&](const Finding& finding) {
+    if (!finding.isWholePicture || !isOfMotion(finding)) return false;
+    names += (names.empty() ? "" : ", ") + finding.name;
+    return true;
+  });
+  return names;
+}
+
+} // namespace
+
+void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient& patient, Diagnosis& out) {
+  const double tolerancePx = patient.isJitterOpen ? kOffPxWithOpenJitter : kOffPx;
+  const bool isOtherLength = isOfOtherLength(mended, tolerancePx);
+  if (isOtherLength || (patient.isMotionMended && refutedShare(mended, tolerancePx) >= kRefutesAll)) {
+    // What is wrong everywhere shows in the sum of squares in none of which it is clear.
+    std::vector<Refuted> refuted{wholePicture(asGiven)};
+    if (!isOtherLength && !explaining(refuted.front().squares, tolerancePx))
+      refuted = refutedRegions(asGiven, tolerancePx);
+    if (refuted.empty()) return;
+    const std::string told = takeBackOfAll(out);
+    Finding finding = bestFinding(refuted, asGiven, patient.patient, tolerancePx, out);
+    finding.isWholePicture = true;
+    if (finding.id == kUnknownMotionId && !told.empty())
+      finding.reason += " " + say<"What comes nearest does not explain it either: %1.">(told);
+    out.findings.push_back(std::move(finding));
+    out.parts.takeBack(say<"Motion">());
+    return;
+  }
+  std::vector<Refuted> refuted = refutedRegions(mended, tolerancePx);
+  takeBackRefuted(refuted, patient.patient, out);
+  std::erase_if(refuted, [&](const Refuted& one) { return isToldOf(*one.region, patient.patient, out); });
+  if (refuted.empty()) return;
+  out.findings.push_back(bestFinding(refuted, mended, patient.patient, tolerancePx, out));
+  out.parts.takeBack(say<"Motion">());
+}
+
+} // namespace taa::doctor

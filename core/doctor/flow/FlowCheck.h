@@ -1,0 +1,36 @@
+// Motion that is given against what pictures move by: the last word on whether what was found explains what
+// is seen. Where nothing does, that is a finding.
+#pragma once
+
+#include "core/doctor/Diagnosis.h"
+#include "core/doctor/Patient.h"
+#include "core/doctor/flow/Flow.h"
+#include "core/doctor/frames/Regions.h"
+
+#include <string_view>
+#include <vector>
+
+namespace taa::doctor {
+
+/// What was measured of frames, and the regions of these.
+struct FlowSeen {
+  const std::vector<FlowPair>& pairs;
+  const std::vector<Region>& regions;
+};
+
+/// What was told of motion and jitter before.
+struct FlowPatient {
+  const Patient& patient;
+  bool isMotionMended = false; ///< by one explanation for the whole picture, which was told
+  bool isJitterOpen = false;   ///< by a pixel or so motion may be off, then
+};
+
+/// Id of what none of the known mistakes explains.
+inline constexpr std::string_view kUnknownMotionId = "motionUnknown";
+
+/// Adds findings, by what is measured where it can be, of the regions that pictures refute, and takes back
+/// those that pictures refute. `asGiven`: of the frames as they are; `mended`: as they are once all that was
+/// told is right.
+void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient& patient, Diagnosis& out);
+
+} // namespace taa::doctor

@@ -1,0 +1,120 @@
+// What pictures refute is found, by its number where a line explains it and as unknown where nothing does; of
+// painted frames with mistakes that no list has.
+#include "core/doctor/flow/FlowCheck.h"
+
+#include "core/doctor/frames/FramesText.h"
+#include "tests/support/doctor/PaintedFrames.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace taa::doctor {
+namespace {
+
+constexpr int kFrames = 12;
+
+/// Speeds that change, so that no factor looks like an offset.
+test::PaintedShot changingShot() {
+  test::PaintedShot shot;
+  shot.change = 0.3;
+  return shot;
+}
+
+using MotionChange = std::function<glm::vec2(const glm::vec2& motion, int frame)>;
+
+Diagnosis diagnosisOf(const MotionChange& ground, const MotionChange& board, bool hasCamera = false) {
+  Examination examination = test::paintedExamination(changingShot(), kFrames, [=](DoctorFrame& frame) {
+    const int number = frame.frame;
+    const auto with = [number](const MotionChange& change) {
+      return [&change, number](const glm::vec2& motion) { return change(motion, number); };
+    };
+    if (ground)
+      for (const std::uint32_t id : {0u, test::kGroundId}) test::changeMotion(frame, id, with(ground));
+    if (board) test::changeMotion(frame, test::kBoardId, with(board));
+    if (!hasCamera) frame.previousClipFromClip.reset();
+  });
+  examination.known.camera = hasCamera;
+  return examine(examination);
+}
+
+std::string idsOf(const Diagnosis& diagnosis) {
+  std::string text;
+  for (const Finding& finding : diagnosis.findings) text += (text.empty() ? "" : ", ") + finding.id;
+  return text;
+}
+
+bool isRight(const Diagnosis& diagnosis, const std::string& part) {
+  return std::ranges::count(diagnosis.parts.right(), part, &RightPart::part) > 0;
+}
+
+} // namespace
+
+TEST(FlowCheck, FindsNothingInHealthyFrames) {
+  const Diagnosis diagnosis = diagnosisOf({}, {}, true);
+  EXPECT_EQ(idsOf(diagnosis), "");
+  EXPECT_TRUE(isRight(diagnosis, "Motion"));
+}
+
+// 1 / 1.18 is on no list: what is nearest there leaves more than a tenth of the motion.
+TEST(FlowCheck, MeasuresAFactorThatNoListHas) {
+  const MotionChange change = [](const glm::vec2& motion, int) { return 1.18f * motion; };
+  const Diagnosis diagnosis = diagnosisOf(change, change);
+  ASSERT_EQ(idsOf(diagnosis), "motionScaled");
+  const Finding& finding = diagnosis.findings[0];
+  EXPECT_NE(finding.change.find("(0.848, 0.84"), std::string::npos) << finding.change;
+  EXPECT_FALSE(isRight(diagnosis, "Motion"));
+}
+
+TEST(FlowCheck, SaysUnknownWhereNothingExplains) {
+  // Of the place on the screen and the frame: no function of the motion is what pictures show.
+  const MotionChange change = [](const glm::vec2& motion, int frame) {
+    return motion + glm::vec2(6.0f * std::sin(2.0f * static_cast<float>(frame)),
+                              5.0f * std::cos(3.1f * static_cast<float>(frame)));
+  };
+  const Diagnosis diagnosis = diagnosisOf(change, change);
+  ASSERT_EQ(idsOf(diagnosis), std::string(kUnknownMotionId));
+  const Finding& finding = diagnosis.findings[0];
+  EXPECT_NE(finding.reason.find("all frames"), std::string::npos) << finding.reason;
+  ASSERT_FALSE(finding.residuals.empty());
+  EXPECT_LT(2.0 * finding.residuals.front().value, finding.residuals.back().value);
+  EXPECT_FALSE(isRight(diagnosis, "Motion"));
+  EXPECT_FALSE(diagnosis.isHealthy());
+}
+
+// The mean over all frames hides what is wrong in every third one.
+TEST(FlowCheck, NamesTheFramesInWhichOneObjectIsWrong) {
+  const Diagnosis diagnosis = diagnosisOf(
+      {},
+      [](const glm::vec2& motion, int frame) {
+        return frame % 3 == 0 ? motion + glm::vec2(-5.0f, 4.0f) : motion;
+      },
+      true);
+  ASSERT_EQ(idsOf(diagnosis), std::string(kUnknownMotionId));
+  const Finding& finding = diagnosis.findings[0];
+  ASSERT_EQ(finding.regions.size(), 1u);
+  EXPECT_EQ(finding.regions[0].objectId, test::kBoardId);
+  EXPECT_NE(finding.reason.find("frames 3, 6, 9 (3 of 11)"), std::string::npos) << finding.reason;
+}
+
+TEST(FlowCheck, NamesMotionThatIsMissingWithoutCameras) {
+  const auto zero = [](const glm::vec2&, int) { return glm::vec2(0.0f); };
+  EXPECT_EQ(idsOf(diagnosisOf(zero, {})), "motionWithoutCamera") << "what moves by itself has it";
+}
+
+TEST(FramesText, SaysWhichOfThoseAsked) {
+  const std::vector<int> asked{1, 2, 3, 5, 6, 7, 8, 9, 10};
+  EXPECT_EQ(framesText(asked, asked), "all frames");
+  EXPECT_EQ(framesText({5}, asked), "frame 5");
+  EXPECT_EQ(framesText({3, 5, 6}, asked), "frames 3 to 6") << "4 was not asked";
+  EXPECT_EQ(framesText({1, 3, 6}, asked), "frames 1, 3, 6 (3 of 9)");
+  EXPECT_EQ(framesText({1, 3, 5, 6, 7, 8, 10}, asked), "frames 1, 3, 5, 6, 7, 8 and 1 more (7 of 9)");
+}
+
+} // namespace taa::doctor

@@ -1,0 +1,145 @@
+// What squares of the picture move by, measured in painted frames whose motion is known; and lines fitted to
+// it.
+#include "core/doctor/flow/Flow.h"
+
+#include "tests/support/doctor/PaintedFrames.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace taa::doctor {
+namespace {
+
+const test::PaintedShot kShot;
+
+FlowPair flowOf(const test::FrameFault& fault, int frame = 3) {
+  DoctorFrame now = test::paintedFrame(kShot, frame), before = test::paintedFrame(kShot, frame - 1);
+  RegionTracker tracker;
+  tracker.label(before);
+  const std::vector<RegionIndex> labels = tracker.label(now);
+  if (fault) fault(now);
+  return measureFlow({now, before}, labels);
+}
+
+/// Squares that move by `factors · given + offset`, and some that do not.
+std::vector<FlowSquare> squaresBy(const glm::dmat2& factors, const glm::dvec2& offset, std::size_t outliers) {
+  std::vector<FlowSquare> out;
+  for (std::size_t i = 0; i < 60; ++i) {
+    FlowSquare square;
+    const auto x = static_cast<double>(i % 10), y = static_cast<double>(i / 10);
+    square.given = {x - 4.0, 0.5 * y - 1.0};
+    square.px = factors * square.given + offset;
+    if (i % 7 == 0 && i / 7 < outliers) square.px += glm::dvec2(9.0, -7.0);
+    square.errorPx = 0.01;
+    out.push_back(square);
+  }
+  return out;
+}
+
+std::vector<const FlowSquare*> pointersTo(const std::vector<FlowSquare>& squares) {
+  std::vector<const FlowSquare*> out;
+  for (const FlowSquare& square : squares) out.push_back(&square);
+  return out;
+}
+
+} // namespace
+
+TEST(Flow, IsWhatPaintedThingsMoveBy) {
+  const FlowPair flow = flowOf({});
+  EXPECT_EQ(flow.frame, 3);
+  ASSERT_GE(flow.squares.size(), 16u);
+  for (const FlowSquare& square : flow.squares) {
+    EXPECT_LT(square.offPx(), 0.2) << "around " << square.pixel.x << ", " << square.pixel.y;
+    EXPECT_LT(square.errorPx, 0.2);
+    EXPECT_FALSE(square.refutesGiven(0.5));
+  }
+}
+
+TEST(Flow, IsTheSameWhateverIsGiven) {
+  for (const glm::vec2& given : {glm::vec2(0.0f), glm::vec2(-7.0f, 11.0f)}) {
+    const FlowPair flow = flowOf([&](DoctorFrame& frame) {
+      for (const std::uint32_t id : {test::kGroundId, test::kBoardId})
+        test::changeMotion(frame, id, [&](const glm::vec2&) { return given; });
+    });
+    ASSERT_GE(flow.squares.size(), 16u);
+    for (const FlowSquare& square : flow.squares) {
+      const bool isGround = glm::distance(square.px, kShot.cameraPx) < 0.25;
+      const bool isBoard = glm::distance(square.px, kShot.cameraPx + kShot.boardPx) < 0.25;
+      EXPECT_TRUE(isGround || isBoard) << square.px.x << ", " << square.px.y;
+      EXPECT_TRUE(square.refutesGiven(0.5));
+      EXPECT_EQ(square.given, glm::dvec2(given));
+    }
+  }
+}
+
+TEST(Flow, SaysNothingOfWhatIsPlainOrMarked) {
+  const FlowPair plain =
+      flowOf([](DoctorFrame& frame) { frame.luma.pixels.assign(frame.luma.pixels.size(), 0.3f); });
+  EXPECT_TRUE(plain.squares.empty());
+  const FlowPair marked = flowOf([](DoctorFrame& frame) {
+    for (const std::uint32_t id : {test::kGroundId, test::kBoardId})
+      test::changeMotion(frame, id, [](const glm::vec2&) { return glm::vec2(kNoPreviousPosition); });
+  });
+  EXPECT_TRUE(marked.squares.empty());
+}
+
+TEST(FlowFit, IsTheLineThatMostFollow) {
+  const glm::dmat2 factors(glm::dvec2(0.85, 0.1), glm::dvec2(-0.2, -1.7));
+  const glm::dvec2 offset(3.0, -2.0);
+  const std::vector<FlowSquare> squares = squaresBy(factors, offset, 6);
+  const auto fit = fitFlow(pointersTo(squares), false, 0.5);
+  ASSERT_TRUE(fit);
+  for (int column = 0; column < 2; ++column)
+    for (int row = 0; row < 2; ++row) EXPECT_NEAR(fit->factors[column][row], factors[column][row], 1e-6);
+  EXPECT_NEAR(fit->offsetPx.x, offset.x, 1e-6);
+  EXPECT_NEAR(fit->offsetPx.y, offset.y, 1e-6);
+  EXPECT_EQ(fit->followed, 54u);
+  EXPECT_EQ(fit->squares, 60u);
+  EXPECT_TRUE(fit->isGood());
+}
+
+TEST(FlowFit, IsNoneOfWhatIsGivenAlike) {
+  std::vector<FlowSquare> squares = squaresBy(glm::dmat2(0.5), {}, 0);
+  const auto scaled = fitFlow(pointersTo(squares), true, 0.5);
+  ASSERT_TRUE(scaled);
+  EXPECT_NEAR(scaled->factors[0][0], 0.5, 1e-9);
+  EXPECT_EQ(scaled->offsetPx, glm::dvec2(0.0));
+  for (FlowSquare& square : squares) square.given = {0.0, 0.0};
+  EXPECT_FALSE(fitFlow(pointersTo(squares), true, 0.5));
+  EXPECT_FALSE(fitFlow(pointersTo(squares), false, 0.5));
+  squares.resize(11);
+  EXPECT_FALSE(fitFlow(pointersTo(squares), true, 0.5)) << "too few";
+}
+
+TEST(FlowFit, IsOneFactorWhereOneMotionIsGiven) {
+  std::vector<FlowSquare> squares = squaresBy(glm::dmat2(0.5), {}, 0);
+  for (FlowSquare& square : squares) {
+    square.given = {6.0, -2.0};
+    square.px = {7.2, -2.4};
+  }
+  const auto fit = fitFlow(pointersTo(squares), true, 0.5);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->factors[0][0], 1.2, 1e-12);
+  EXPECT_EQ(fit->factors[0][0], fit->factors[1][1]);
+  EXPECT_EQ(fit->factors[1][0], 0.0);
+  EXPECT_TRUE(fit->isGood());
+  for (FlowSquare& square : squares) square.px = {2.4, 7.2};
+  EXPECT_FALSE(fitFlow(pointersTo(squares), true, 0.5)->isGood()) << "no factor turns";
+}
+
+TEST(FlowFit, IsNotGoodWhereManyFollowAnother) {
+  std::vector<FlowSquare> squares = squaresBy(glm::dmat2(0.5), {}, 0);
+  for (std::size_t i = 0; i < squares.size(); i += 3)
+    squares[i].px = -squares[i].given + glm::dvec2(2.0, 2.0);
+  const auto fit = fitFlow(pointersTo(squares), true, 0.5);
+  ASSERT_TRUE(fit);
+  EXPECT_FALSE(fit->isGood());
+}
+
+} // namespace taa::doctor
