@@ -334,6 +334,9 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
     out.notes.push_back(
         say<"What is right here is so of the frames as they are once that is stated which the "
             "first findings name.">());
+  if (patient.conventions && patient.conventions->motion.whereNothing)
+    out.notes.push_back(say<"Where nothing is drawn motion is what the capture states of it "
+                            "(motion.whereNothing), whatever is stored there.">());
   if (examination.known.output) tellResolve(first.resolve(), out.findings.empty(), out);
   return out;
 }

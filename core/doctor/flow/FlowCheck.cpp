@@ -356,30 +356,44 @@ Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, c
   return finding;
 }
 
-/// Whether a finding tells of a region already, or one of motion of all of them.
-bool isToldOf(const Region& region, const Patient& patient, const Diagnosis& out) {
+/// Whether a finding tells of a region by its name.
+bool isToldAlone(const Region& region, const Patient& patient, const Diagnosis& out) {
   const std::string name = placeOf(region, patient, 1.0).name;
   return std::ranges::any_of(out.findings, [&](const Finding& finding) {
-    return (finding.isWholePicture && isOfMotion(finding)) ||
-           std::ranges::count(finding.regions, name, &RegionPlace::name) > 0;
+    return !finding.isWholePicture && std::ranges::count(finding.regions, name, &RegionPlace::name) > 0;
   });
+}
+
+/// The same, or one of motion of all of them.
+bool isToldOf(const Region& region, const Patient& patient, const Diagnosis& out) {
+  return isToldAlone(region, patient, out) || std::ranges::any_of(out.findings, [](const Finding& finding) {
+           return finding.isWholePicture && isOfMotion(finding);
+         });
 }
 
 /// Whether the motion given is longer or shorter than what pictures move by, by a factor that hardly shows in
 /// any square: over all of them it is known much better.
-bool isOfOtherLength(const FlowSeen& seen, double tolerancePx) {
+bool isOfOtherLength(const FlowSeen& seen, const FlowPatient& patient, double tolerancePx,
+                     const Diagnosis& out) {
   constexpr double kMovingPx = 1.0, kShare = 0.04, kFitErrors = 5.0;
   constexpr std::size_t kEnoughMoving = 60;
+  std::vector<bool> isTold;
+  for (const Region& region : seen.regions) isTold.push_back(isToldAlone(region, patient.patient, out));
   std::vector<const FlowSquare*> moving;
   for (const FlowPair& pair : seen.pairs)
     for (const FlowSquare& square : pair.squares)
-      if (glm::length(square.given) >= kMovingPx) moving.push_back(&square);
+      if (glm::length(square.given) >= kMovingPx && !isTold[static_cast<std::size_t>(square.region)])
+        moving.push_back(&square);
   if (moving.size() < kEnoughMoving) return false;
   const auto fit = fitFlow(moving, true, tolerancePx);
   if (!fit || !fit->isGood() || !isAlongAxes(*fit)) return false;
+  // Jitter that is not known is one error of all squares of a pair.
+  const double alike = patient.isJitterOpen
+                           ? static_cast<double>(moving.size()) / static_cast<double>(seen.pairs.size())
+                           : 1.0;
   const auto isOther = [&](int axis) {
     return std::abs(fit->factors[axis][axis] - 1.0) >
-           std::max(kShare, kFitErrors * fit->factorErrors[axis][axis]);
+           std::max(kShare, kFitErrors * std::sqrt(alike) * fit->factorErrors[axis][axis]);
   };
   return isOther(0) && isOther(1) && fit->factors[0][0] > 0.0 && fit->factors[1][1] > 0.0;
 }
@@ -410,19 +424,47 @@ bool isBorneOut(const MotionTrial& trial, const std::vector<const FlowSquare*>& 
   return static_cast<double>(near) >= kMost * static_cast<double>(squares.size());
 }
 
-/// Takes back findings of regions whose explanation does not make what is measured there.
-void takeBackRefuted(const std::vector<Refuted>& refuted, const Patient& patient, Diagnosis& out) {
+/// Whether the motion given is what pictures move by, and an explanation would make something else of it.
+bool isRightAsGiven(const MotionTrial& trial, const std::vector<const FlowSquare*>& squares) {
+  constexpr double kNearlyAll = 0.8, kOtherPx = 1.0;
+  const auto factors = factorsOf(trial);
+  if (!factors || squares.size() < kEnoughRefutingSquares) return false;
+  const auto right = std::ranges::count_if(squares, [&](const FlowSquare* square) {
+    return square->offPx() <= kOffPx && glm::distance(*factors * square->given, square->given) >= kOtherPx;
+  });
+  return static_cast<double>(right) >= kNearlyAll * static_cast<double>(squares.size());
+}
+
+/// All that was measured where a finding is.
+std::vector<const FlowSquare*> squaresIn(const Finding& finding, const FlowSeen& seen,
+                                         const Patient& patient) {
+  std::set<RegionIndex> regions;
+  for (std::size_t i = 0; i < seen.regions.size(); ++i)
+    if (std::ranges::count(finding.regions, placeOf(seen.regions[i], patient, 1.0).name, &RegionPlace::name) >
+        0)
+      regions.insert(static_cast<RegionIndex>(i));
+  std::vector<const FlowSquare*> out;
+  for (const FlowPair& pair : seen.pairs)
+    for (const FlowSquare& square : pair.squares)
+      if (regions.contains(square.region)) out.push_back(&square);
+  return out;
+}
+
+/// Takes back findings of regions whose explanation does not make what is measured there, or where nothing is
+/// wrong.
+void takeBackRefuted(const FlowSeen& seen, const std::vector<Refuted>& refuted, const Patient& patient,
+                     Diagnosis& out) {
   const std::vector<MotionTrial> trials = motionTrials(patient.sizePx);
   std::erase_if(out.findings, [&](const Finding& finding) {
     if (!isOfMotion(finding) || finding.isWholePicture || finding.residuals.empty()) return false;
     const auto trial = std::ranges::find(trials, finding.residuals.front().id, &trialId);
     if (trial == trials.end()) return false;
+    if (isRightAsGiven(*trial, squaresIn(finding, seen, patient))) return true;
     std::vector<const FlowSquare*> squares;
-    for (const Refuted& one : refuted) {
-      const std::string name = placeOf(*one.region, patient, 1.0).name;
-      if (std::ranges::count(finding.regions, name, &RegionPlace::name) > 0)
+    for (const Refuted& one : refuted)
+      if (std::ranges::count(finding.regions, placeOf(*one.region, patient, 1.0).name, &RegionPlace::name) >
+          0)
         squares.insert(squares.end(), one.squares.begin(), one.squares.end());
-    }
     return !isBorneOut(*trial, squares);
   });
 }
@@ -453,7 +495,7 @@ std::string takeBackOfAll(Diagnosis& out) {
 
 void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient& patient, Diagnosis& out) {
   const double tolerancePx = patient.isJitterOpen ? kOffPxWithOpenJitter : kOffPx;
-  const bool isOtherLength = isOfOtherLength(mended, tolerancePx);
+  const bool isOtherLength = isOfOtherLength(mended, patient, tolerancePx, out);
   if (isOtherLength || (patient.isMotionMended && refutedShare(mended, tolerancePx) >= kRefutesAll)) {
     // What is wrong everywhere shows in the sum of squares in none of which it is clear.
     std::vector<Refuted> refuted{wholePicture(asGiven)};
@@ -470,7 +512,7 @@ void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient
     return;
   }
   std::vector<Refuted> refuted = refutedRegions(mended, tolerancePx);
-  takeBackRefuted(refuted, patient.patient, out);
+  takeBackRefuted(mended, refuted, patient.patient, out);
   std::erase_if(refuted, [&](const Refuted& one) { return isToldOf(*one.region, patient.patient, out); });
   if (refuted.empty()) return;
   out.findings.push_back(bestFinding(refuted, mended, patient.patient, tolerancePx, out));

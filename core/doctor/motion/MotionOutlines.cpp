@@ -149,9 +149,18 @@ class PairOutlines {
   std::map<RegionIndex, OutlineEvidence> out_;
 };
 
+/// Pixels that came from outside, of those that a square of as many pixels has along its sides: of a large
+/// surface some always do, at corners and where something passes.
+bool isOfWholeRim(const OutlineCounts& counts) {
+  constexpr double kLeastOfRim = 0.1;
+  const double pairs = static_cast<double>(counts.pairs);
+  const double rim = 4.0 * std::sqrt(static_cast<double>(counts.pixels) / pairs) * pairs;
+  return static_cast<double>(counts.given) >= kLeastOfRim * rim;
+}
+
 bool fitsOutline(const OutlineCounts& counts) {
   return counts.pixels >= kEnoughOutline && counts.given >= kEnoughOutside &&
-         counts.pairs >= kEnoughOutlinePairs &&
+         counts.pairs >= kEnoughOutlinePairs && isOfWholeRim(counts) &&
          static_cast<double>(counts.given) >= kOutlineFactor * static_cast<double>(counts.tried) &&
          static_cast<double>(counts.pairsWon) >= kPairsShare * static_cast<double>(counts.pairs);
 }
