@@ -25,7 +25,7 @@ struct ImportCommand final : Command {
   std::string folder, out; ///< out empty: it is only measured
   std::string like;        ///< id of a starting point; empty: none
   std::vector<std::string> assignments;
-  bool checks = false; ///< measure what is stated or guessed, and write nothing
+  bool checks = false; ///< what contradicts what is stated makes the exit code
   bool force = false, json = false;
 
   ImportCommand() : Command("import") {
@@ -36,9 +36,10 @@ struct ImportCommand final : Command {
     add_option("--set", assignments,
                "key=value of a convention, which is then not questioned; repeat it for more")
         ->allow_extra_args(false);
-    CLI::Option* written = add_option("--out", out,
-                                      "Folder of capture.json. Planes stay where they are when that is below "
-                                      "it, and are linked or copied into it otherwise");
+    CLI::Option* written =
+        add_option("--out", out,
+                   "Folder of capture.json. Planes stay where they are when that is below "
+                   "it, and are linked or copied into it otherwise; without it nothing is written");
     add_flag("--check", checks,
              "Write nothing, and end with 3 where pixels contradict a convention that is stated")
         ->excludes(written);
@@ -104,15 +105,17 @@ ordered_json guessJson(const capture::Guess& guess) {
 }
 
 int ImportCommand::run(std::ostream& output, const Progress& progress) const {
-  if (out.empty() && !checks)
-    throw UsageError("--out FOLDER is required, or --check to measure without writing");
   const capture::Guess guess = capture::guessCapture(folder, like, assignments, progress);
   ordered_json result;
   if (json)
     result = guessJson(guess);
   else
     printGuess(output, guess);
-  if (!checks) {
+  if (out.empty() && !checks && !json)
+    output
+        << "\nNothing is written: give --out FOLDER, or --check to end with 3 where pixels contradict what is "
+           "stated\n";
+  if (!out.empty()) {
     const capture::SavedImport saved = capture::saveImport(folder, guess.manifest, out, force, progress);
     result["written"] = saved.manifest.string();
     if (!json) output << '\n' << saved.manifest.string() << '\n';

@@ -142,9 +142,13 @@ TrialComparison compare(const FrameSamples& samples, const std::vector<Outcome>&
 }
 
 double roughResidual(FrameSamples& samples, const TestState& state) {
+  return roughResidual(samples, samples.pairs(), state);
+}
+
+double roughResidual(FrameSamples& samples, std::span<const FramePair> pairs, const TestState& state) {
   double sum = 0.0;
   std::size_t count = 0;
-  for (const FramePair& pair : samples.pairs()) {
+  for (const FramePair& pair : pairs) {
     const std::optional<PairMotion> motion = samples.motionOf(pair, state, false);
     if (!motion) return kImpossible;
     for (std::size_t i = 0; i < pair.places.size(); i += kRoughStep) {

@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,8 @@ TrialComparison compare(const FrameSamples& samples, const std::vector<Outcome>&
 /// The mean of |luma − luma of the frame before| × 1000 over every n-th pixel of the sample; infinite where
 /// conventions contradict the capture. Faster than compare(), for many states.
 double roughResidual(FrameSamples& samples, const TestState& state);
+/// The same of some pairs.
+double roughResidual(FrameSamples& samples, std::span<const FramePair> pairs, const TestState& state);
 
 /// A sentence: what makes a comparison clear or not.
 std::string reasonOf(const TrialComparison& comparison);

@@ -168,16 +168,52 @@ std::string depthGuess(const DepthValues& values) {
       significantText(values.median, 4));
 }
 
+namespace {
+
+/// Of x where y is the same.
+std::optional<double> markOf(const std::vector<float>& x, const std::vector<float>& y) {
+  constexpr double kLeastMarked = 0.1, kMostMarked = 0.98;
+  std::vector<float> same;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (x[i] == y[i] && x[i] != 0.0f) same.push_back(x[i]);
+  if (same.empty()) return {};
+  const float mark = mostCommon(same);
+  const auto share = static_cast<double>(std::ranges::count(same, mark)) / static_cast<double>(x.size());
+  if (share < kLeastMarked || share > kMostMarked) return {};
+  return static_cast<double>(mark);
+}
+
+/// Of values without sign that nothing but 0 comes near the ends of: motion is short against its range.
+bool areAroundHalf(const std::vector<float>& x, const std::vector<float>& y) {
+  constexpr float kFromEnds = 0.02f, kMiddle = 0.15f;
+  std::vector<double> written;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (x[i] == 0.0f && y[i] == 0.0f) continue;
+    for (const float value : {x[i], y[i]}) {
+      if (!(value >= kFromEnds && value <= 1.0f - kFromEnds)) return false;
+      written.push_back(static_cast<double>(value));
+    }
+  }
+  return !written.empty() && std::abs(median(std::move(written)) - 0.5) <= static_cast<double>(kMiddle);
+}
+
+} // namespace
+
 MotionValues motionValuesOf(const Image& motion) {
   MotionValues out;
   std::vector<float> x, y;
+  std::size_t zeros = 0;
   for (std::size_t i = 0; i + 1 < motion.pixels.size(); i += static_cast<std::size_t>(motion.channels)) {
     if (!std::isfinite(motion.pixels[i]) || !std::isfinite(motion.pixels[i + 1])) continue;
     x.push_back(motion.pixels[i]);
     y.push_back(motion.pixels[i + 1]);
+    if (x.back() == 0.0f && y.back() == 0.0f) ++zeros;
     const float longer = std::max(std::abs(x.back()), std::abs(y.back()));
     out.largest = std::max(out.largest, static_cast<double>(longer));
   }
+  if (!x.empty()) out.zeroShare = static_cast<double>(zeros) / static_cast<double>(x.size());
+  out.mark = markOf(x, y);
+  out.isAroundHalf = areAroundHalf(x, y);
   out.restX = static_cast<double>(mostCommon(std::move(x)));
   out.restY = static_cast<double>(mostCommon(std::move(y)));
   return out;

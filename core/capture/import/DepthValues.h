@@ -28,6 +28,12 @@ std::string depthGuess(const DepthValues& values);
 struct MotionValues {
   double largest = 0.0;            ///< of either component, without sign
   double restX = 0.0, restY = 0.0; ///< the values that most pixels have
+  /// One value other than 0 in both components of many pixels and not of all, to the last bit: no motion, but
+  /// a mark of what nobody wrote. Nothing: there is none.
+  std::optional<double> mark;
+  /// All that is not 0 lies within 0 to 1 and around a half: encoded with an offset.
+  bool isAroundHalf = false;
+  double zeroShare = 0.0; ///< of pixels that hold 0 in both
 };
 MotionValues motionValuesOf(const Image& motion);
 

@@ -54,6 +54,11 @@ bool isNormalized(const FolderPlan& plan, PlaneKind kind) {
          (found->second == StoredType::Normalized8 || found->second == StoredType::Normalized16);
 }
 
+bool isBytes(const FolderPlan& plan, PlaneKind kind) {
+  const auto found = plan.types.find(kind);
+  return found != plan.types.end() && found->second == StoredType::Normalized8;
+}
+
 /// Puts a finding in the place of one about the same convention that pixels have not made sure.
 void replaceUnsure(std::vector<Finding>& findings, std::optional<Finding> finding) {
   if (!finding) return;
@@ -97,6 +102,7 @@ class Guesser {
   void takeColor();
   void takeExposure();
   void takeMotionValues();
+  void takeMark(const MotionValues& values);
   void takePlanes();
   void takeValues();
   void askAll();
@@ -188,14 +194,32 @@ void Guesser::takeMotionValues() {
         say<"motion is 0 at all pixels of frame %1: the frame is at rest, or motion was not written; Blender "
             "leaves it so with motion blur on, and some engines where nothing asks for it">(
             middleFrame(plan_.manifest).number));
-  if (!isNormalized(plan_, PlaneKind::Motion) || !like_.empty()) return;
+  takeMark(values);
+  const bool isInteger = isNormalized(plan_, PlaneKind::Motion);
+  if (!(isInteger || values.isAroundHalf) || !like_.empty()) return;
   MotionConventions& stored = stated().motion;
   stored.encoding = MotionEncoding::Offset;
-  const auto restOf = [](double rest) { return std::abs(rest - 0.5) < 0.02 ? rest : 0.5; };
+  // What most pixels have is rest where that is a value beside a half; else nothing rests.
+  const double step = isBytes(plan_, PlaneKind::Motion) ? 1.0 / 255.0 : 1.0 / 65535.0;
+  const auto restOf = [&](double rest) { return std::abs(rest - 0.5) < 1.5 * step ? rest : 0.5; };
   stored.offset = {restOf(values.restX), restOf(values.restY)};
   stored.unit = ScreenUnit::Uv;
   out_.unsure.push_back(
-      say<"motion is stored as integers without sign: the value in the middle is taken as rest">());
+      isInteger ? say<"motion is stored as integers without sign: the value in the middle is taken as rest">()
+                : say<"motion is stored without sign, around a half: that is taken as rest">());
+}
+
+/// Exact values of many pixels are no motion.
+void Guesser::takeMark(const MotionValues& values) {
+  constexpr double kSomeZeros = 0.01;
+  std::optional<double> mark = values.mark;
+  if (!mark && values.isAroundHalf && values.zeroShare >= kSomeZeros) mark = 0.0;
+  if (!mark || isFixed("motion.notWritten")) return;
+  stated().motion.notWritten = *mark;
+  out_.unsure.push_back(
+      say<"many pixels hold %1 in both components of motion, to the last bit: that is taken as a mark of what "
+          "nobody wrote (motion.notWritten=%1), and the camera's motion is put in its place">(
+          decimalText(*mark)));
 }
 
 /// Where no matrix says them.
@@ -286,9 +310,7 @@ void Guesser::finish() {
   out_.sure.insert(out_.sure.begin(), plan_.found.begin(), plan_.found.end());
   out_.unsure.insert(out_.unsure.end(), plan_.unsure.begin(), plan_.unsure.end());
   out_.missing = missingInputs(manifest);
-  const auto color = plan_.types.find(PlaneKind::Color);
-  if (isLinearInSteps(manifest, color != plan_.types.end() && color->second == StoredType::Normalized8))
-    out_.unsure.push_back(linearInSteps());
+  if (isLinearInSteps(manifest, isBytes(plan_, PlaneKind::Color))) out_.unsure.push_back(linearInSteps());
   manifest.notes = {say<"conventions were guessed from names, values and pixels">()};
   manifest.notes.insert(manifest.notes.end(), out_.unsure.begin(), out_.unsure.end());
   checkManifest(manifest, folder_.string());

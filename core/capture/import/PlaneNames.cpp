@@ -42,6 +42,7 @@ constexpr NameOfKind kNames[] = {
     {"vectors", PlaneKind::Motion},
     {"velocity", PlaneKind::Motion},
     {"flow", PlaneKind::Motion},
+    {"rsmb", PlaneKind::Motion},
     {"depth", PlaneKind::Depth},
     {"z", PlaneKind::Depth},
     {"zbuffer", PlaneKind::Depth},

@@ -6,12 +6,18 @@
 #include "core/capture/format/ConventionText.h"
 #include "core/capture/import/Comparison.h"
 
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/vector_relational.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -258,6 +264,123 @@ void search(FrameSamples& samples, TestState& state, const QuestionRules& rules,
   }
 }
 
+TestState timesLength(TestState state, double factor) {
+  state.conventions.motion.scale *= factor;
+  return state;
+}
+
+/// What a factor of 2 to the power of `octaves` leaves.
+using LeftBy = std::function<double(double octaves)>;
+
+/// The power of 2 near 0 by which least is left: from below ½ to above 2, then to a thousandth of an octave.
+/// Infinite where ever less is left towards an end: a sign that is wrong has no length.
+double bestOctaves(const LeftBy& left) {
+  constexpr double kFarthest = 1.25, kStep = 0.125, kNarrow = 1e-3, kGolden = 0.6180339887;
+  double least = std::numeric_limits<double>::infinity(), around = 0.0;
+  for (double octaves = -kFarthest; octaves <= kFarthest; octaves += kStep)
+    if (const double residual = left(octaves); residual < least) {
+      least = residual;
+      around = octaves;
+    }
+  if (std::abs(around) == kFarthest) return std::numeric_limits<double>::infinity();
+  double low = around - kStep, high = around + kStep;
+  while (high - low > kNarrow) {
+    const double below = high - kGolden * (high - low), above = low + kGolden * (high - low);
+    if (left(below) <= left(above))
+      high = above;
+    else
+      low = below;
+  }
+  return 0.5 * (low + high);
+}
+
+/// Whether the first and the last pairs are of one length: what is of another frame is longer or shorter by
+/// turns.
+bool isOneLength(FrameSamples& samples, const TestState& state) {
+  constexpr double kSameOctaves = 0.06;
+  const std::span<const FramePair> pairs = samples.pairs();
+  if (pairs.size() < 2) return true;
+  const auto lengthOf = [&](std::span<const FramePair> some) {
+    return bestOctaves(
+        [&](double octaves) { return roughResidual(samples, some, timesLength(state, std::exp2(octaves))); });
+  };
+  const std::size_t half = pairs.size() / 2;
+  return std::abs(lengthOf(pairs.first(half)) - lengthOf(pairs.last(half))) <= kSameOctaves;
+}
+
+/// By what motion has to be multiplied along each axis so that least is left; nothing where no length is
+/// best.
+std::optional<glm::dvec2> measuredLength(FrameSamples& samples, const TestState& state) {
+  glm::dvec2 factor(1.0);
+  const auto residualOf = [&](const glm::dvec2& factors) {
+    TestState tried = state;
+    tried.conventions.motion.scale *= factors;
+    return roughResidual(samples, tried);
+  };
+  const auto lengthen = [&](const glm::dvec2& axes) {
+    const double octaves =
+        bestOctaves([&](double tried) { return residualOf(factor * glm::exp2(axes * tried)); });
+    factor *= glm::exp2(axes * octaves);
+    return std::isfinite(octaves);
+  };
+  if (!lengthen({1.0, 1.0})) return {};
+  for (int round = 0; round < 2; ++round)
+    if (!lengthen({1.0, 0.0}) || !lengthen({0.0, 1.0})) return {};
+  return factor;
+}
+
+/// The length that is measured, where it is none of those that are tried anyway.
+void addMeasuredLength(FrameSamples& samples, const TestState& state, std::vector<Trial>& trials) {
+  constexpr double kSameLength = 0.03;
+  const auto factor = measuredLength(samples, state);
+  if (!factor) return;
+  for (const double known : {0.5, 1.0, 2.0})
+    if (glm::all(glm::lessThan(glm::abs(*factor / known - 1.0), glm::dvec2(kSameLength)))) return;
+  TestState measured = state;
+  measured.conventions.motion.scale *= *factor;
+  if (!isOneLength(samples, measured)) return;
+  const glm::dvec2 scale = measured.conventions.motion.scale;
+  trials.push_back(trialOf(
+      state,
+      say<"Times %1 and %2, as measured">(significantText(factor->x, 4), significantText(factor->y, 4)),
+      {scaleText("motion.scaleX", scale.x), scaleText("motion.scaleY", scale.y)}));
+}
+
+/// Motion of which no sign and unit makes much of the pictures may be of any length, in shares of the picture
+/// or in pixels: all are tried with each direction.
+void searchLength(FrameSamples& samples, const MotionConventions& begun, TestState& state,
+                  const QuestionRules& rules) {
+  constexpr double kExplains = 0.15, kClearlyLess = 0.75, kNearlyNone = 1e-6;
+  constexpr int kOctaves = 5, kOfOctave = 4;
+  // With a part of it stated, the rest could be bent to that.
+  const bool isStated = std::ranges::any_of(
+      rules.fixedPaths, [](const std::string& path) { return path.starts_with("motion."); });
+  if (!samples.hasMotion() || isStated) return;
+  const double atRest = roughResidual(samples, timesLength(state, kNearlyNone));
+  const double now = roughResidual(samples, state);
+  if (now <= kExplains * atRest) return;
+  double least = kClearlyLess * std::min(now, atRest);
+  TestState best = state, start = state;
+  start.conventions.motion = begun;
+  for (const ScreenUnit unit : {ScreenUnit::Uv, ScreenUnit::Pixels})
+    for (const Trial& direction : directions(start))
+      for (const Trial& axis : motionAxes(direction.state))
+        for (int step = -kOctaves * kOfOctave; step <= kOctaves * kOfOctave; ++step) {
+          const double asWide =
+              unit == ScreenUnit::Uv ? 1.0 : static_cast<double>(samples.manifest().sizePx.x);
+          TestState tried =
+              timesLength(axis.state, asWide * std::exp2(static_cast<double>(step) / kOfOctave));
+          tried.conventions.motion.unit = unit;
+          const double residual = roughResidual(samples, tried);
+          if (!(residual < least)) continue;
+          least = residual;
+          best = tried;
+        }
+  if (best.conventions == state.conventions) return;
+  state = best;
+  if (const auto factor = measuredLength(samples, state)) state.conventions.motion.scale *= *factor;
+}
+
 /// Whether something has motion, and nothing as much as a pixel, as stated.
 bool isShort(FrameSamples& samples, const TestState& state) {
   float longest = 0.0f;
@@ -311,7 +434,11 @@ std::vector<Finding> askPixels(FrameSamples& samples, TestState& state, const Qu
   constexpr int kMaxRounds = 4;
   std::vector<Finding> findings;
   if (samples.pairs().empty()) return findings;
-  if (rules.adopt == Adopt::Best) search(samples, state, rules, progress);
+  if (rules.adopt == Adopt::Best) {
+    const MotionConventions begun = state.conventions.motion;
+    search(samples, state, rules, progress);
+    searchLength(samples, begun, state, rules);
+  }
   bool isChanged = true;
   for (int round = 0; round < kMaxRounds && isChanged; ++round) {
     isChanged = false;
@@ -320,8 +447,9 @@ std::vector<Finding> askPixels(FrameSamples& samples, TestState& state, const Qu
     for (const ConventionQuestion& question : kQuestions) {
       report(progress, question.text, done++, static_cast<int>(std::size(kQuestions)));
       if (!question.isAsked(samples)) continue;
-      const std::vector<Trial> trials = question.trials(state);
+      std::vector<Trial> trials = question.trials(state);
       if (trials.empty()) continue;
+      if (question.trials == lengths) addMeasuredLength(samples, state, trials);
       AskedQuestion answer = ask(question, trials, samples, state, rules);
       if (answer.adopted) {
         state.conventions = *answer.adopted;

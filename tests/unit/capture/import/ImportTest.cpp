@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -120,6 +121,52 @@ TEST_F(ImportTest, IsNotSureWhereNothingMoves) {
   EXPECT_TRUE(findingOf(guess.findings, "jitter.meaning").isSure);
   EXPECT_TRUE(saysSomeOf(guess.unsure, "motion is 0 at all pixels of frame 3")) << "it alone was looked at";
   EXPECT_TRUE(saysSomeOf(guess.unsure, "too little moves to tell"));
+}
+
+/// Frames as they are, with what is stored as motion changed.
+void changeStored(const fs::path& folder, const MovingSquare& scene, const Conventions& stated,
+                  const std::function<glm::vec2(const glm::vec2&, std::size_t pixel)>& change) {
+  writeSquare(folder, scene, stated);
+  for (int frame = 0; frame < MovingSquare::kFrames; ++frame) {
+    std::vector<float> values = squareFrame(scene, stated, frame);
+    for (std::size_t i = 0; i + 4 < values.size(); i += 5) {
+      const glm::vec2 changed = change({values[i + 3], values[i + 4]}, i / 5);
+      values[i + 3] = changed.x;
+      values[i + 4] = changed.y;
+    }
+    writeExr(folder / ("frame.000" + std::to_string(frame + 1) + ".exr"),
+             {"R", "G", "B", "velocity.X", "velocity.Y"}, values);
+  }
+}
+
+// As "a half and a fortieth of it" are kept: no list has such a length.
+TEST_F(ImportTest, MeasuresTheLengthOfEncodedMotion) {
+  scene_.wallPx = {5.3, -3.1}; // so much that jitter of either sign is little beside it
+  scene_.squarePx = {-4.2, 5.4};
+  changeStored(folder_, scene_, stated_, [](const glm::vec2& px, std::size_t) { return 0.5f + px / 37.0f; });
+  const Guess guess = guessCapture(folder_, "", {});
+  const MotionConventions& motion = guess.manifest.conventions.motion;
+  EXPECT_EQ(motion.encoding, MotionEncoding::Offset);
+  EXPECT_EQ(motion.offset, glm::dvec2(0.5));
+  const glm::dvec2 perValue = motion.unit == ScreenUnit::Pixels
+                                  ? motion.scale
+                                  : motion.scale * unitPx(motion.unit, VerticalAxis::Down);
+  EXPECT_NEAR(perValue.x, 37.0, 1.0);
+  EXPECT_NEAR(perValue.y, 37.0, 1.0);
+  EXPECT_EQ(motion.yAxis, VerticalAxis::Down);
+  EXPECT_EQ(motion.direction, MotionDirection::CurrentMinusPrevious);
+}
+
+TEST_F(ImportTest, TakesAValueThatManyPixelsHoldForAMark) {
+  stated_.motion.unit = ScreenUnit::Uv;
+  changeStored(folder_, scene_, stated_, [](const glm::vec2& uv, std::size_t pixel) {
+    return pixel / MovingSquare::kWidth < MovingSquare::kHeight / 3 ? glm::vec2(1.0f) : uv;
+  });
+  const Guess guess = guessCapture(folder_, "", {});
+  EXPECT_EQ(guess.manifest.conventions.motion.notWritten, 1.0);
+  EXPECT_EQ(guess.manifest.conventions.motion.unit, ScreenUnit::Uv);
+  EXPECT_TRUE(saysSomeOf(guess.unsure, "motion.notWritten=1"));
+  EXPECT_EQ(guessCapture(folder_, "", {"motion.notWritten=2"}).manifest.conventions.motion.notWritten, 2.0);
 }
 
 TEST_F(ImportTest, TakesWhatTheCallerStates) {
