@@ -2,7 +2,9 @@
 
 #include "core/base/Median.h"
 #include "core/capture/import/FrameSamples.h"
+#include "core/doctor/motion/MotionEvidence.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -112,22 +114,32 @@ Square measured(const Image& luma, const glm::ivec2& first, RegionIndex region) 
   return out;
 }
 
-/// Evenly of all that each region has.
-std::vector<Square> squaresOf(const DoctorFrame& frame, const std::vector<RegionIndex>& labels) {
-  std::map<RegionIndex, std::vector<Square>> byRegion;
+/// Of a region: squares with detail, evenly of all that it has, and what share of all squares that is.
+struct RegionSquares {
+  std::vector<Square> squares;
+  std::size_t all = 0, detailed = 0;
+};
+
+std::map<RegionIndex, RegionSquares> squaresOf(const DoctorFrame& frame,
+                                               const std::vector<RegionIndex>& labels) {
+  std::map<RegionIndex, RegionSquares> out;
   for (int y = kRingPx; y + kSquarePx + kRingPx <= frame.luma.height; y += kStepPx)
     for (int x = kRingPx; x + kSquarePx + kRingPx <= frame.luma.width; x += kStepPx) {
       if (!isOfOneRegion(frame, labels, {x, y})) continue;
       const RegionIndex region = labels[static_cast<std::size_t>(y) * frame.luma.width + x];
       const Square square = measured(frame.luma, {x, y}, region);
-      if (square.detail >= kLeastDetail) byRegion[region].push_back(square);
+      RegionSquares& of = out[region];
+      ++of.all;
+      if (square.detail >= kLeastDetail) of.squares.push_back(square);
     }
   const std::size_t most = std::max<std::size_t>(
-      4, std::min(kMaxOfRegion, kMaxFlowSquares / std::max<std::size_t>(1, byRegion.size())));
-  std::vector<Square> out;
-  for (const auto& [region, squares] : byRegion) {
-    const std::size_t count = std::min(most, squares.size());
-    for (std::size_t i = 0; i < count; ++i) out.push_back(squares[i * squares.size() / count]);
+      4, std::min(kMaxOfRegion, kMaxFlowSquares / std::max<std::size_t>(1, out.size())));
+  for (auto& [region, of] : out) {
+    of.detailed = of.squares.size();
+    const std::size_t count = std::min(most, of.detailed);
+    std::vector<Square> chosen;
+    for (std::size_t i = 0; i < count; ++i) chosen.push_back(of.squares[i * of.detailed / count]);
+    of.squares = std::move(chosen);
   }
   return out;
 }
@@ -142,6 +154,20 @@ std::vector<Pixel> pixelsOf(const DoctorFrame& frame, const glm::ivec2& middle) 
                      *frame.luma.at(x, y)});
     }
   return out;
+}
+
+/// Whether something nearer lay where some of a square is said to have been: it cannot be found then.
+bool wasPartlyHidden(const FrameNeighbors& frames, const glm::ivec2& middle) {
+  constexpr int kEvery = 3;
+  const glm::ivec2 size = frames.now.sizePx();
+  for (int y = middle.y - kHalfSquarePx; y < middle.y + kHalfSquarePx; y += kEvery)
+    for (int x = middle.x - kHalfSquarePx; x < middle.x + kHalfSquarePx; x += kEvery) {
+      const glm::ivec2 before(
+          glm::floor(glm::vec2(x, y) + 0.5f - frames.now.motionAt(x, y) + frames.jitterStep()));
+      const bool isInside = before.x >= 0 && before.y >= 0 && before.x < size.x && before.y < size.y;
+      if (isInside && wasHidden(frames, {x, y}, before)) return true;
+    }
+  return false;
 }
 
 bool isInPicture(const glm::vec2& place, const Image& luma) {
@@ -346,6 +372,65 @@ std::optional<FlowFit> fitBy(const std::vector<const FlowSquare*>& squares, Flow
   return out;
 }
 
+/// A pair of frames, square by square.
+class FlowMeter {
+ public:
+  explicit FlowMeter(const FrameNeighbors& frames)
+      : frames_(frames), coarseNow_(reduced(frames.now.luma)), coarseBefore_(reduced(frames.before.luma)),
+        reach_(std::max(kLeastCoarseReach, frames.now.luma.width / kCoarseReachShare)),
+        step_(frames.jitterStep()) {}
+
+  /// Whether a square that moves as given was in the frame before: it may have come from beyond the border,
+  /// or from behind something, where nothing tells it from what looks alike.
+  bool canBeThere(const Square& square) const {
+    if (wasPartlyHidden(frames_, square.pixel)) return false;
+    const std::vector<Pixel> pixels = pixelsOf(frames_.now, square.pixel);
+    const glm::dvec2 given = givenAt(square);
+    return std::isfinite(Warp{pixels, frames_.before.luma, true}.left(given - step_)) ||
+           glm::length(given) > frames_.now.luma.width * kNearShare;
+  }
+  /// `last`: what the square of its region before it was displaced by. Nothing: pictures do not say.
+  std::optional<FlowSquare> measure(const Square& square, const std::optional<glm::dvec2>& last) const {
+    const std::vector<Pixel> pixels = pixelsOf(frames_.now, square.pixel);
+    const Warp alike{pixels, frames_.before.luma, false}, varying{pixels, frames_.before.luma, true};
+    const glm::dvec2 given = givenAt(square);
+    const auto camera = cameraMotionPx(frames_.now, square.pixel);
+    std::vector<glm::dvec2> starts = roughly(coarseNow_, coarseBefore_, square.pixel, reach_);
+    starts.push_back(given - step_);
+    starts.push_back(-step_);
+    if (camera) starts.push_back(glm::dvec2(*camera) - step_);
+    if (last) starts.push_back(*last);
+    Found rough;
+    for (const glm::dvec2& start : starts) keepBetter(nearby(alike, start, kReachPx), rough);
+    Found best;
+    if (std::isfinite(rough.left)) best = refined(alike, rough.px);
+    // Motion that changes over the square, as that of what turns and of a floor does, is followed by what is
+    // given where that is right but for one vector.
+    const Found asGiven = refined(varying, given - step_);
+    keepBetter(asGiven, best);
+    // What repeats fits at many places: then the one that is stated is as good as any other.
+    if (asGiven.left <= kAsGood * best.left + kAsGoodContrast * square.contrast) best = asGiven;
+    if (!(best.left <= kSameShare * square.contrast) || !(best.errorPx <= kFarthestErrorPx)) return {};
+    FlowSquare out{square.pixel, square.region, best.px + step_, best.errorPx, given, best.left};
+    out.leftAsGiven = varying.left(given - step_);
+    const double apart = Warp{pixels, frames_.now.luma, false}.left(given - best.px - step_);
+    out.apart = std::isfinite(apart) ? apart : out.leftAsGiven;
+    out.isOfCamera = camera && isSameMotion(glm::vec2(given), *camera);
+    return out;
+  }
+  glm::dvec2 step() const { return step_; }
+
+ private:
+  glm::dvec2 givenAt(const Square& square) const {
+    return glm::dvec2(frames_.now.motionAt(square.pixel.x, square.pixel.y));
+  }
+
+  const FrameNeighbors& frames_;
+  Image coarseNow_, coarseBefore_;
+  int reach_;
+  glm::dvec2 step_;
+};
+
 } // namespace
 
 double FlowSquare::offPx() const {
@@ -353,6 +438,7 @@ double FlowSquare::offPx() const {
 }
 
 bool FlowSquare::refutesGiven(double tolerancePx) const {
+  if (isOfCamera) return false;
   // What repeats fits elsewhere as well.
   if (std::isfinite(leftAsGiven) && apart < kRepeatsShare * leftAsGiven) return false;
   return offPx() > std::max(tolerancePx, kChanceErrors * errorPx) && leftAsGiven >= kClearlyMore * left &&
@@ -360,41 +446,24 @@ bool FlowSquare::refutesGiven(double tolerancePx) const {
 }
 
 FlowPair measureFlow(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels) {
-  FlowPair out{frames.now.frame, {}};
-  const DoctorFrame& now = frames.now;
-  if (now.motionPx.empty() || frames.before.luma.width != now.luma.width) return out;
-  const Image coarseNow = reduced(now.luma), coarseBefore = reduced(frames.before.luma);
-  const int reach = std::max(kLeastCoarseReach, now.luma.width / kCoarseReachShare);
-  const glm::dvec2 step(frames.jitterStep());
-  std::map<RegionIndex, glm::dvec2> lastOf;
-  for (const Square& square : squaresOf(now, labels)) {
-    const std::vector<Pixel> pixels = pixelsOf(now, square.pixel);
-    const Warp alike{pixels, frames.before.luma, false}, varying{pixels, frames.before.luma, true};
-    const glm::dvec2 given(now.motionAt(square.pixel.x, square.pixel.y));
-    const double leftAsGiven = varying.left(given - step);
-    // It may have come from beyond the border, where nothing tells it from what looks alike.
-    if (!std::isfinite(leftAsGiven) && glm::length(given) <= now.luma.width * kNearShare) continue;
-    std::vector<glm::dvec2> starts = roughly(coarseNow, coarseBefore, square.pixel, reach);
-    starts.push_back(given - step);
-    starts.push_back(-step);
-    if (const auto camera = cameraMotionPx(now, square.pixel)) starts.push_back(glm::dvec2(*camera) - step);
-    if (const auto last = lastOf.find(square.region); last != lastOf.end()) starts.push_back(last->second);
-    Found rough;
-    for (const glm::dvec2& start : starts) keepBetter(nearby(alike, start, kReachPx), rough);
-    Found best;
-    if (std::isfinite(rough.left)) best = refined(alike, rough.px);
-    // Motion that changes over the square, as that of what turns and of a floor does, is followed by what is
-    // given where that is right but for one vector.
-    const Found asGiven = refined(varying, given - step);
-    keepBetter(asGiven, best);
-    // What repeats fits at many places: then the one that is stated is as good as any other.
-    if (asGiven.left <= kAsGood * best.left + kAsGoodContrast * square.contrast) best = asGiven;
-    if (!(best.left <= kSameShare * square.contrast) || !(best.errorPx <= kFarthestErrorPx)) continue;
-    lastOf[square.region] = best.px;
-    const Warp itself{pixels, now.luma, false};
-    const double apart = itself.left(given - best.px - step);
-    out.squares.push_back({square.pixel, square.region, best.px + step, best.errorPx, given, best.left,
-                           leftAsGiven, std::isfinite(apart) ? apart : leftAsGiven});
+  FlowPair out{frames.now.frame, {}, {}};
+  if (frames.now.motionPx.empty() || frames.before.luma.width != frames.now.luma.width) return out;
+  const FlowMeter meter(frames);
+  for (const auto& [region, of] : squaresOf(frames.now, labels)) {
+    std::optional<glm::dvec2> last;
+    std::size_t asked = 0, said = 0;
+    for (const Square& square : of.squares) {
+      if (!meter.canBeThere(square)) continue;
+      ++asked;
+      const auto measured = meter.measure(square, last);
+      if (!measured) continue;
+      ++said;
+      last = measured->px - meter.step();
+      out.squares.push_back(*measured);
+    }
+    if (asked > 0)
+      out.said[region] = static_cast<double>(of.detailed) * static_cast<double>(said) /
+                         (static_cast<double>(of.all) * static_cast<double>(asked));
   }
   return out;
 }

@@ -9,6 +9,7 @@
 #include <glm/vec2.hpp>
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -28,6 +29,10 @@ struct FlowSquare {
   /// `leftAsGiven` if what was measured is so, and less if the picture repeats by that much.
   double apart = 0.0;
 
+  /// Motion given is what depth and matrices make of what rests there: a light or a reflection may move over
+  /// it.
+  bool isOfCamera = false;
+
   double offPx() const;
   /// Whether pictures refute the motion given, by more than `tolerancePx` and by more than chance.
   bool refutesGiven(double tolerancePx) const;
@@ -37,6 +42,8 @@ struct FlowSquare {
 struct FlowPair {
   int frame = 0; ///< the later one
   std::vector<FlowSquare> squares;
+  /// By region: of the squares well inside it, the share whose motion pictures say.
+  std::map<RegionIndex, double> said;
 };
 
 /// Squares whose motion pictures say: nearly all that is seen there must have been in the frame before. At

@@ -31,6 +31,8 @@ namespace {
 constexpr double kOffPx = 0.5, kOffPxWithOpenJitter = 1.5;
 /// Of a region's squares in a pair of frames: so many make the pair, else a light moves over it.
 constexpr double kMostSquares = 0.6;
+/// Of a region: where pictures say so little, that may be what shines, or a shadow, on something plain.
+constexpr double kLeastSaid = 0.3;
 constexpr std::size_t kEnoughSquaresOfPair = 3, kEnoughRefutedPairs = 2, kEnoughRefutingSquares = 8;
 /// One pair alone has to say more.
 constexpr std::size_t kEnoughSquaresOfOnePair = 12;
@@ -57,6 +59,7 @@ std::map<RegionIndex, std::vector<PairOfRegion>> byRegion(const FlowSeen& seen, 
   for (const FlowPair& pair : seen.pairs) {
     std::map<RegionIndex, PairOfRegion> ofPair;
     for (const FlowSquare& square : pair.squares) {
+      if (pair.said.at(square.region) < kLeastSaid) continue;
       PairOfRegion& part = ofPair[square.region];
       part.frame = pair.frame;
       part.squares.push_back(&square);
@@ -452,20 +455,14 @@ std::vector<const FlowSquare*> squaresIn(const Finding& finding, const FlowSeen&
 
 /// Takes back findings of regions whose explanation does not make what is measured there, or where nothing is
 /// wrong.
-void takeBackRefuted(const FlowSeen& seen, const std::vector<Refuted>& refuted, const Patient& patient,
-                     Diagnosis& out) {
+void takeBackRefuted(const FlowSeen& seen, const Patient& patient, Diagnosis& out) {
   const std::vector<MotionTrial> trials = motionTrials(patient.sizePx);
   std::erase_if(out.findings, [&](const Finding& finding) {
     if (!isOfMotion(finding) || finding.isWholePicture || finding.residuals.empty()) return false;
     const auto trial = std::ranges::find(trials, finding.residuals.front().id, &trialId);
     if (trial == trials.end()) return false;
-    if (isRightAsGiven(*trial, squaresIn(finding, seen, patient))) return true;
-    std::vector<const FlowSquare*> squares;
-    for (const Refuted& one : refuted)
-      if (std::ranges::count(finding.regions, placeOf(*one.region, patient, 1.0).name, &RegionPlace::name) >
-          0)
-        squares.insert(squares.end(), one.squares.begin(), one.squares.end());
-    return !isBorneOut(*trial, squares);
+    const std::vector<const FlowSquare*> squares = squaresIn(finding, seen, patient);
+    return isRightAsGiven(*trial, squares) || !isBorneOut(*trial, squares);
   });
 }
 
@@ -512,7 +509,7 @@ void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient
     return;
   }
   std::vector<Refuted> refuted = refutedRegions(mended, tolerancePx);
-  takeBackRefuted(mended, refuted, patient.patient, out);
+  takeBackRefuted(mended, patient.patient, out);
   std::erase_if(refuted, [&](const Refuted& one) { return isToldOf(*one.region, patient.patient, out); });
   if (refuted.empty()) return;
   out.findings.push_back(bestFinding(refuted, mended, patient.patient, tolerancePx, out));
