@@ -89,6 +89,30 @@ TEST(Flow, SaysNothingOfWhatIsPlainOrMarked) {
   EXPECT_TRUE(marked.squares.empty());
 }
 
+// A shadow, or what is mirrored, moves over what rests as it likes.
+TEST(Flow, RefutesNothingThatDepthAndMatricesMake) {
+  test::PaintedShot shadows = kShot;
+  shadows.cameraPx = {7.25, 3.5};
+  DoctorFrame now = test::paintedFrame(kShot, 3), before = test::paintedFrame(kShot, 2);
+  RegionTracker tracker;
+  tracker.label(before);
+  const std::vector<RegionIndex> labels = tracker.label(now);
+  now.luma = test::paintedFrame(shadows, 3).luma;
+  before.luma = test::paintedFrame(shadows, 2).luma;
+  std::size_t ofCamera = 0;
+  for (const FlowSquare& square : measureFlow({now, before}, labels).squares) {
+    if (!square.isOfCamera) continue;
+    ++ofCamera;
+    EXPECT_FALSE(square.refutesGiven(0.5));
+  }
+  EXPECT_GT(ofCamera, 8u);
+  now.previousClipFromClip.reset();
+  std::size_t refuting = 0;
+  for (const FlowSquare& square : measureFlow({now, before}, labels).squares)
+    if (square.refutesGiven(0.5)) ++refuting;
+  EXPECT_GT(refuting, 8u) << "nothing else says that they rest";
+}
+
 TEST(FlowFit, IsTheLineThatMostFollow) {
   const glm::dmat2 factors(glm::dvec2(0.85, 0.1), glm::dvec2(-0.2, -1.7));
   const glm::dvec2 offset(3.0, -2.0);
