@@ -150,13 +150,13 @@ FaultWords otherCameraFault(MotionKind kind) {
             "the matrices of the frame before of the same view.">());
   case MotionKind::CameraUnmoved:
     return {
-        "cameraWayMissing", say<"The camera's way missing in motion">(),
+        "motionWithoutCamerasWay", say<"The camera's way missing in motion">(),
         say<"Near things smear while the camera moves; where it turns all is right.">(),
         say<"Motion knows the turning of the camera and not its way: the previous matrix has this frame's "
             "position. Keep the whole matrix of the frame before.">()};
   case MotionKind::CameraUnturned:
     return {
-        "cameraTurnMissing", say<"The camera's turning missing in motion">(),
+        "motionWithoutCamerasTurn", say<"The camera's turning missing in motion">(),
         say<"Everything smears while the camera turns; where it moves straight on all is right.">(),
         say<"Motion knows the way of the camera and not its turning: the previous matrix has this frame's "
             "rotation. Keep the whole matrix of the frame before.">()};

@@ -139,9 +139,12 @@ std::optional<Changes> bestChanges(MotionFits& fits, const Conventions& stated,
   const auto leastOf = [least](const Changes& changes) {
     return changes.size() > 1 ? std::max(least, kExplainedByTwo) : least;
   };
+  // What makes most pixels rest explains the few that are left by chance.
+  const std::size_t leastMoved = fits.of(stated).moved / 2;
   double best = least;
   for (Changes& changes : changesOf(others)) {
-    const double share = fits.of(changed(stated, changes)).share();
+    const Fit fit = fits.of(changed(stated, changes));
+    const double share = fit.moved >= leastMoved ? fit.share() : 0.0;
     if (share < leastOf(changes)) continue;
     best = std::max(best, share);
     tried.emplace_back(share, std::move(changes));
