@@ -83,12 +83,8 @@ bool isOfOneRegion(const DoctorFrame& frame, const std::vector<RegionIndex>& lab
     for (int x = first.x - kRingPx; x < first.x + kSquarePx + kRingPx; ++x)
       if (at(x, y) != region) return false;
   for (int y = first.y; y < first.y + kSquarePx; ++y)
-    for (int x = first.x; x < first.x + kSquarePx; ++x) {
-      if (frame.isCovered({x, y}) || !isMotion(frame.motionAt(x, y))) return false;
-      if (frame.mask.empty()) continue;
-      const float* mask = frame.mask.at(x, y);
-      if (mask[0] > 0.0f || mask[1] > 0.0f) return false;
-    }
+    for (int x = first.x; x < first.x + kSquarePx; ++x)
+      if (isMasked(frame, {x, y}) || !isMotion(frame.motionAt(x, y))) return false;
   return true;
 }
 
@@ -170,11 +166,6 @@ bool wasPartlyHidden(const FrameNeighbors& frames, const glm::ivec2& middle) {
   return false;
 }
 
-bool isInPicture(const glm::vec2& place, const Image& luma) {
-  return place.x >= 0.5f && place.y >= 0.5f && place.x <= static_cast<float>(luma.width) - 0.5f &&
-         place.y <= static_cast<float>(luma.height) - 0.5f;
-}
-
 /// Where the pixels of a square were, displaced by one vector: alike, or each by how its motion differs from
 /// that in the middle.
 struct Warp {
@@ -191,7 +182,7 @@ struct Warp {
     std::size_t count = 0;
     for (std::size_t i = 0; i < pixels.size(); i += step, ++count) {
       const glm::vec2 place = placeOf(pixels[i], px);
-      if (!isInPicture(place, before)) return std::numeric_limits<double>::infinity();
+      if (!isInPicture(place, {before.width, before.height})) return std::numeric_limits<double>::infinity();
       sum += static_cast<double>(std::abs(pixels[i].luma - capture::betweenPixels(before, place)));
     }
     return sum / static_cast<double>(count);

@@ -1,5 +1,6 @@
-// Optical flow: what squares of the picture move by, measured from two pictures alone. Nothing that a capture
-// states of motion has a part in it, so that it is a witness of all that is stated.
+// Optical flow: what squares of the picture move by, measured from two pictures. Motion that is given is one
+// of the places where the search begins, and is kept where it fits as well as any other; where it does not,
+// it has no part.
 #pragma once
 
 #include "core/doctor/frames/Regions.h"
@@ -46,8 +47,9 @@ struct FlowPair {
   std::map<RegionIndex, double> said;
 };
 
-/// Squares whose motion pictures say: nearly all that is seen there must have been in the frame before. At
-/// most kMaxFlowSquares, evenly of all regions. `labels`: regions of `frames.now`. Motion has to be known.
+/// Squares whose motion pictures say: nearly all that is seen there must have been in the frame before.
+/// Evenly of all regions: kMaxFlowSquares, and four of each where there are many. `labels`: regions of
+/// `frames.now`. Motion has to be known.
 FlowPair measureFlow(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels);
 inline constexpr std::size_t kMaxFlowSquares = 256;
 
@@ -57,7 +59,7 @@ struct FlowFit {
   glm::dvec2 offsetPx{0.0};
   glm::dmat2 factorErrors{0.0}; ///< standard errors of each
   glm::dvec2 offsetErrorsPx{0.0};
-  std::size_t squares = 0, followed = 0; ///< that were asked; that are as near as they are measured
+  std::size_t squares = 0, followed = 0; ///< that were asked; that lie within the tolerance
 
   /// Whether nearly all follow it, and its numbers are known to a twentieth.
   bool isGood() const;

@@ -33,6 +33,19 @@ float distanceFactor(const shared::FrameBlock& block) {
 
 } // namespace
 
+bool isInPicture(const glm::vec2& place, const glm::ivec2& sizePx) {
+  // Comparisons are written so that NaN fails them.
+  return place.x >= 0.5f && place.y >= 0.5f && place.x <= static_cast<float>(sizePx.x) - 0.5f &&
+         place.y <= static_cast<float>(sizePx.y) - 0.5f;
+}
+
+bool isMasked(const DoctorFrame& frame, const glm::ivec2& pixel) {
+  if (frame.isCovered(pixel)) return true;
+  if (frame.mask.empty()) return false;
+  const float* mask = frame.mask.at(pixel.x, pixel.y);
+  return mask[0] > 0.0f || mask[1] > 0.0f;
+}
+
 bool isMotion(const glm::vec2& motionPx) {
   // Comparisons are written so that NaN fails them.
   return std::abs(motionPx.x) < kNoPreviousPosition && std::abs(motionPx.y) < kNoPreviousPosition;

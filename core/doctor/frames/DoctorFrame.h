@@ -74,6 +74,11 @@ class EngineOutput;
 DoctorFrame readFrame(FrameSource& source, const FrameRequest& request, const KnownPlanes& known, int frame,
                       EngineOutput* output = nullptr);
 
+/// Whether a place, px from the picture's corner, can be read between pixels. NaN cannot.
+bool isInPicture(const glm::vec2& place, const glm::ivec2& sizePx);
+/// Whether an interface lies at a pixel, or something is blended in: no witness of what is behind.
+bool isMasked(const DoctorFrame& frame, const glm::ivec2& pixel);
+
 /// Whether a motion is one: not the mark of no previous position, not NaN.
 bool isMotion(const glm::vec2& motionPx);
 

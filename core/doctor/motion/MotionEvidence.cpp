@@ -37,22 +37,9 @@ struct CellPixel {
 /// Pixels with detail, by region and square.
 using CellPixels = std::map<std::pair<RegionIndex, int>, std::vector<CellPixel>>;
 
-bool isInPicture(const glm::vec2& place, const glm::ivec2& sizePx) {
-  // Comparisons are written so that NaN fails them.
-  return place.x >= 0.5f && place.y >= 0.5f && place.x <= static_cast<float>(sizePx.x) - 0.5f &&
-         place.y <= static_cast<float>(sizePx.y) - 0.5f;
-}
-
 bool isLongerThanPicture(const glm::vec2& motionPx, const glm::ivec2& sizePx) {
   return std::abs(motionPx.x) >= static_cast<float>(sizePx.x) ||
          std::abs(motionPx.y) >= static_cast<float>(sizePx.y);
-}
-
-bool isMasked(const DoctorFrame& frame, const glm::ivec2& pixel) {
-  if (frame.isCovered(pixel)) return true;
-  if (frame.mask.empty()) return false;
-  const float* mask = frame.mask.at(pixel.x, pixel.y);
-  return mask[0] > 0.0f || mask[1] > 0.0f;
 }
 
 /// What a trial leaves of a square's pixels.

@@ -224,10 +224,7 @@ void Judge::conclude() {
       concludeGhost();
       return;
     }
-    if (isOfOtherPlace())
-      concludeDrift();
-    else
-      concludeHistory();
+    concludeHistory();
     return;
   case ErrorPart::Rectification:
     if (hasJustAppeared()) {
@@ -238,10 +235,7 @@ void Judge::conclude() {
       concludeGhost();
       return;
     }
-    if (isOfOtherPlace())
-      concludeDrift();
-    else
-      concludeHistory();
+    concludeHistory();
     return;
   }
 }
@@ -632,6 +626,10 @@ void Judge::concludeSamples() {
 }
 
 void Judge::concludeHistory() {
+  if (isOfOtherPlace()) {
+    concludeDrift();
+    return;
+  }
   addHistoryRows();
   found_.kind = VerdictKind::Blur;
   found_.throwsGoodAway = found_.part == ErrorPart::Rectification;
