@@ -106,8 +106,7 @@ int LessonsCommand::run(std::ostream& out, const Progress& progress) const {
   const LessonPages pages{html, manual, figures};
   const std::vector<std::filesystem::path> written = lessonPageFiles(lessons, pages);
   if (!force) refuseToReplace(written);
-  Inspector inspector;
-  writeLessonPages(inspector, lessons, pages, progress);
+  writeLessonPages(lessons, pages, progress);
   for (const std::filesystem::path& file : written) out << file.string() << '\n';
   return kDone;
 }

@@ -17,12 +17,17 @@
 #include "core/settings/Presets.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -32,8 +37,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr float kPageZoom = 2.0f; ///< pixels of a page for one of a picture that is not looked into
-constexpr int kClipFrames = 24;
+constexpr float kPageZoom = 2.0f;  ///< pixels of a page for one of a picture that is not looked into
+constexpr int kClipFrames = 16;    ///< after which most jitter repeats, so that a clip goes on where it began
 constexpr double kClipRate = 12.5; ///< frames a second: slow enough to see each
 
 /// Pictures of somebody's own lesson may be large: a page shows them as they are.
@@ -152,27 +157,38 @@ int openView(Inspector& inspector, const LessonView& view, const LessonState& st
   return lane;
 }
 
-void writeFigure(Inspector& inspector, const LessonView& view, const LessonState& state, const fs::path& file,
-                 const Progress& progress) {
+Picture drawFigure(Inspector& inspector, const PictureRequest& request, const LessonState& state,
+                   const Progress& progress) {
+  Picture picture = shownPicture(inspector, request, progress);
+  if (!state.probes.empty()) markPixel(picture, request.transform, state.probes.front());
+  return picture;
+}
+
+void writePicture(Inspector& inspector, const LessonView& view, const LessonState& state,
+                  const fs::path& file, const Progress& progress) {
   const int otherLane = openView(inspector, view, state, progress);
-  const PictureRequest request = requestOf(view, state, otherLane);
-  const auto draw = [&] {
-    Picture picture = shownPicture(inspector, request, progress);
-    if (!state.probes.empty()) markPixel(picture, request.transform, state.probes.front());
-    return picture;
-  };
-  if (!state.plays) {
-    const Picture picture = draw();
-    writePng(file, picture.width, picture.height, picture.rgba);
-    return;
+  const Picture picture = drawFigure(inspector, requestOf(view, state, otherLane), state, progress);
+  writePng(file, picture.width, picture.height, picture.rgba);
+}
+
+/// Of all views frame by frame, which are made once.
+void writeClips(Inspector& inspector, const LessonState& state, const std::vector<fs::path>& files,
+                const Progress& progress) {
+  std::vector<PictureRequest> requests;
+  std::vector<std::unique_ptr<GifWriter>> clips;
+  for (std::size_t view = 0; view < files.size(); ++view) {
+    const int otherLane = openView(inspector, state.views[view], state, progress);
+    const PictureRequest& request = requests.emplace_back(requestOf(state.views[view], state, otherLane));
+    clips.push_back(
+        std::make_unique<GifWriter>(files[view], files[view], request.width, request.height, kClipRate));
   }
-  GifWriter clip(file, file, request.width, request.height, kClipRate);
   const int last = std::min(state.shot.frame + kClipFrames, inspector.shot().frameCount());
   for (int frame = state.shot.frame; frame < last; ++frame) {
     inspector.shot().seek(frame, progress);
-    clip.add(draw().rgba);
+    for (std::size_t view = 0; view < clips.size(); ++view)
+      clips[view]->add(drawFigure(inspector, requests[view], state, progress).rgba);
   }
-  clip.finish();
+  for (const std::unique_ptr<GifWriter>& clip : clips) clip->finish();
 }
 
 /// What the window drew of a step; empty: nothing.
@@ -192,11 +208,15 @@ std::vector<LessonFigure> writeFigures(Inspector& inspector, const Lesson& lesso
   const LessonState state = withComparisons(lesson.steps[step]);
   const int width = static_cast<int>(zoomOf(state) * static_cast<float>(state.shot.size.x));
   std::vector<LessonFigure> figures;
+  std::vector<fs::path> files;
   for (std::size_t view = 0; view < state.views.size(); ++view) {
     const std::string name = figureName(lesson, step, view);
-    writeFigure(inspector, state.views[view], state, pages.folder / name, progress);
+    files.push_back(pages.folder / name);
     figures.push_back({name, captionOf(state.views[view], state), width});
   }
+  if (state.plays) writeClips(inspector, state, files, progress);
+  for (std::size_t view = 0; view < files.size() && !state.plays; ++view)
+    writePicture(inspector, state.views[view], state, files[view], progress);
   if (const fs::path file = windowFigureFile(lesson, step, pages); !file.empty()) {
     writeFile(pages.folder / file.filename(), readFile(file));
     figures.push_back({file.filename().string(), say<"What the window shows of it">(), 0});
@@ -232,6 +252,80 @@ void writeManual(const LessonPages& pages) {
   for (std::size_t page = 0; page < files.size(); ++page) writeFile(files[page], manualHtml(manual[page]));
 }
 
+/// Draws steps of lessons on several threads, each with an inspector of its own, whose GL context is its
+/// thread's. What one of them throws ends all.
+class PageDrawing {
+ public:
+  PageDrawing(const std::vector<Lesson>& lessons, const LessonPages& pages, const Progress& progress)
+      : lessons_(lessons), pages_(pages), progress_(progress), drawn_(lessons.size()) {
+    for (const Lesson& lesson : lessons) all_ += static_cast<int>(lesson.steps.size());
+  }
+
+  /// Of each lesson its steps. Throws Error, Cancelled.
+  std::vector<std::vector<StepOnPage>> draw() {
+    const std::size_t most = std::max(1u, std::thread::hardware_concurrency());
+    {
+      std::vector<std::jthread> threads;
+      for (std::size_t i = 0; i < std::min({most, kMostThreads, lessons_.size()}); ++i)
+        threads.emplace_back([this] { drawLessons(); });
+    }
+    if (failure_) std::rethrow_exception(failure_);
+    measureLadders();
+    return std::move(drawn_);
+  }
+
+ private:
+  static constexpr std::size_t kMostThreads = 4; ///< a context holds hundreds of megabytes
+
+  void drawLessons() try {
+    Inspector inspector;
+    for (std::size_t next = next_++; next < lessons_.size() && !ends_; next = next_++)
+      for (std::size_t step = 0; step < lessons_[next].steps.size(); ++step)
+        drawStep(inspector, lessons_[next], step, drawn_[next]);
+  } catch (...) {
+    const std::lock_guard lock(mutex_);
+    if (!failure_) failure_ = std::current_exception();
+    ends_ = true;
+  }
+
+  void drawStep(Inspector& inspector, const Lesson& lesson, std::size_t step,
+                std::vector<StepOnPage>& drawn) {
+    const Progress told = [&](std::string_view, int, int) { return tell(step, lesson); };
+    report(told, "", 0, 0);
+    drawn.push_back({writeFigures(inspector, lesson, step, pages_, told),
+                     numbersOfStep(inspector, lesson.steps[step], told)});
+    ++done_;
+  }
+
+  /// How far all is, whatever a part of it counts; whether to go on.
+  bool tell(std::size_t step, const Lesson& lesson) {
+    const std::lock_guard lock(mutex_);
+    return !ends_ &&
+           (!progress_ || progress_(say<"Steps, now %1 of \"%2\"">(step + 1, lesson.title), done_, all_));
+  }
+
+  /// With nothing beside it: times are compared.
+  void measureLadders() {
+    Inspector inspector;
+    for (std::size_t lesson = 0; lesson < lessons_.size(); ++lesson)
+      for (std::size_t step = 0; step < lessons_[lesson].steps.size(); ++step) {
+        const LessonStep& measured = lessons_[lesson].steps[step];
+        drawn_[lesson][step].times = measureTimes(inspector, measured.state, measured.ladder, progress_);
+      }
+  }
+
+  const std::vector<Lesson>& lessons_;
+  const LessonPages& pages_;
+  const Progress& progress_;
+  int all_ = 0;
+  std::vector<std::vector<StepOnPage>> drawn_; ///< of each lesson, which one thread draws
+  std::atomic<std::size_t> next_ = 0;          ///< lesson
+  std::atomic<int> done_ = 0;                  ///< steps
+  std::atomic<bool> ends_ = false;
+  std::mutex mutex_; ///< of what is told, and of
+  std::exception_ptr failure_;
+};
+
 } // namespace
 
 std::string windowFigure(const LessonStep& step) {
@@ -256,29 +350,17 @@ std::vector<fs::path> lessonPageFiles(const std::vector<Lesson>& lessons, const 
   return files;
 }
 
-void writeLessonPages(Inspector& inspector, const std::vector<Lesson>& lessons, const LessonPages& pages,
+void writeLessonPages(const std::vector<Lesson>& lessons, const LessonPages& pages,
                       const Progress& progress) {
   makeFolder(pages.folder);
   LessonLinks links;
   links.manual = pages.manual.empty() ? "manual/" : pages.manual;
   links.manualEnding = pages.manual.empty() ? "html" : "md";
+  const std::vector<std::vector<StepOnPage>> drawn = PageDrawing(lessons, pages, progress).draw();
   std::vector<std::string> pictures;
-  int done = 0, all = 0;
-  for (const Lesson& lesson : lessons) all += static_cast<int>(lesson.steps.size());
   for (std::size_t index = 0; index < lessons.size(); ++index) {
     const Lesson& lesson = lessons[index];
-    std::vector<StepOnPage> steps;
-    for (std::size_t step = 0; step < lesson.steps.size(); ++step, ++done) {
-      // How far all is, whatever a part of it counts.
-      const std::string what = say<"Steps, now %1 of \"%2\"">(step + 1, lesson.title);
-      const Progress told = [&](std::string_view, int, int) {
-        return !progress || progress(what, done, all);
-      };
-      report(told, what, done, all);
-      steps.push_back({writeFigures(inspector, lesson, step, pages, told),
-                       numbersOfStep(inspector, lesson.steps[step], told),
-                       measureTimes(inspector, lesson.steps[step].state, lesson.steps[step].ladder, told)});
-    }
+    const std::vector<StepOnPage>& steps = drawn[index];
     links.before = index > 0 ? &lessons[index - 1] : nullptr;
     links.after = index + 1 < lessons.size() ? &lessons[index + 1] : nullptr;
     writeFile(pages.folder / (lesson.id + ".html"), lessonHtml(lesson, steps, links));

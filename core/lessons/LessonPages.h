@@ -11,8 +11,6 @@
 
 namespace taa {
 
-class Inspector;
-
 struct LessonPages {
   std::filesystem::path folder;
   /// Folder or address of the manual that pages link to, with "/" at its end; empty: the manual is written as
@@ -32,9 +30,9 @@ std::vector<std::filesystem::path> lessonPageFiles(const std::vector<Lesson>& le
                                                    const LessonPages& pages);
 
 /// Writes them, over those that are there; pictures are drawn by the core, as views show them, two pixels of
-/// the page for one of theirs or as near as the step looks; clips are of steps that play. Throws Error,
-/// Cancelled.
-void writeLessonPages(Inspector& inspector, const std::vector<Lesson>& lessons, const LessonPages& pages,
+/// the page for one of theirs or as near as the step looks; clips are of steps that play. On threads of its
+/// own, which call `progress` one at a time. Throws Error, Cancelled.
+void writeLessonPages(const std::vector<Lesson>& lessons, const LessonPages& pages,
                       const Progress& progress = {});
 
 } // namespace taa
