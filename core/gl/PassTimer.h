@@ -30,6 +30,9 @@ class PassTimer {
   PassTimer(const PassTimer&) = delete;
   PassTimer& operator=(const PassTimer&) = delete;
 
+  /// Whether one is there on this thread.
+  static bool isTiming() { return current_ != nullptr; }
+
   TimingMethod method() const { return method_; }
   int framesStarted() const { return frames_; }
   /// The passes since the last call, in their order; waits for the GPU to have done them.

@@ -2,6 +2,7 @@
 
 #include "core/base/Say.h"
 #include "core/gl/Context.h"
+#include "core/gl/PassTimer.h"
 #include "core/render/FrameClock.h"
 #include "core/render/View.h"
 #include "core/render/passes/CameraMotionPass.h"
@@ -35,6 +36,17 @@ InputSettings forwardInputs(InputSettings settings) {
   settings.noise = InputNoise::None;
   settings.mask = MaskSource::None;
   return settings;
+}
+
+/// Whether something is another one at another time though no node has moved.
+bool movesByTime(const Scene& scene) {
+  const bool hasMaterial = std::ranges::any_of(scene.materials, [](const Material& material) {
+    return material.wind.amplitude != 0.0f || material.uvAnimation != UvAnimation();
+  });
+  return hasMaterial || std::ranges::any_of(scene.meshes, [](const Mesh& mesh) {
+           return std::ranges::any_of(mesh.primitives,
+                                      [](const Primitive& part) { return part.cache.frames > 0; });
+         });
 }
 
 /// Whether the second is the first at another place of the pixel, as the samples of a reference are. (Forms
@@ -95,11 +107,16 @@ struct SceneRenderer::Impl {
   std::optional<Prepared> last;
   /// What the shadow map is of: neither where the camera is nor which part of its picture is wanted.
   struct MapOf {
-    int frame = 0;
     ObjectFilter filter;
     InputSettings inputs;
+    glm::vec4 light{0.0f};
+    std::vector<glm::mat4> worldFromNode;
+    std::vector<float> morphWeights;
+    std::vector<bool> visible;  ///< nodes
+    std::optional<double> time; ///< s; of a scene whose vertices or pictures move by it
     bool operator==(const MapOf&) const = default;
   };
+  MapOf shadowMapOf(const FrameRequest& request, const View& view) const;
   std::optional<MapOf> mapOf;
 
   Impl(std::shared_ptr<const Scene> scene_, const Progress& progress)
@@ -110,7 +127,7 @@ struct SceneRenderer::Impl {
   /// The view, with which the passes are ready to draw.
   const View& prepare(const FrameRequest& request, int frame, const Progress& warmUp);
   /// Draws what the sun sees, if shadows are wanted.
-  void drawShadows(const FrameRequest& request, int number, const View& view, const Progress& warmUp);
+  void drawShadows(const FrameRequest& request, const View& view, const Progress& warmUp);
   /// What surfaces of the prepared view are drawn from.
   GBufferPass::Source source(const FrameRequest& request, int number, const View& view);
   void drawSurfaces(const GBufferPass::Source& source, const FrameInputs& out, const Progress& warmUp);
@@ -140,16 +157,29 @@ const View& SceneRenderer::Impl::prepare(const FrameRequest& request, int number
   last.reset();
   Prepared next{request, number, viewAt(*scene, request, number), static_cast<bool>(warmUp)};
   gbuffer.prepare(*scene, request.inputs, next.view, warmUp);
-  drawShadows(request, number, next.view, warmUp);
+  drawShadows(request, next.view, warmUp);
   return last.emplace(std::move(next)).view;
 }
 
-void SceneRenderer::Impl::drawShadows(const FrameRequest& request, int number, const View& view,
-                                      const Progress& warmUp) {
+SceneRenderer::Impl::MapOf SceneRenderer::Impl::shadowMapOf(const FrameRequest& request,
+                                                            const View& view) const {
+  MapOf out{request.filter,
+            request.inputs,
+            view.lights.lightDirection[0],
+            view.pose.worldFromNode,
+            view.pose.morphWeights,
+            {},
+            {}};
+  for (const NodeState& node : view.nodes) out.visible.push_back(node.isVisible);
+  if (movesByTime(*scene)) out.time = view.pose.time;
+  return out;
+}
+
+void SceneRenderer::Impl::drawShadows(const FrameRequest& request, const View& view, const Progress& warmUp) {
   if (!castsShadows(*scene, request.inputs)) return;
-  const MapOf wanted{number, request.filter, request.inputs};
-  // A whole frame is drawn as in a game, with its own map; more of the same one only looks closer at it.
-  if (mapOf == wanted && (request.part || request.sample) && !warmUp) return;
+  const MapOf wanted = shadowMapOf(request, view);
+  // A frame whose time is taken is drawn as in a game, with its own map.
+  if (mapOf == wanted && !warmUp && !gl::PassTimer::isTiming()) return;
   mapOf.reset();
   if (!shadows) shadows = std::make_unique<ShadowPass>(*scene);
   shadows->draw(*scene, resources, request.inputs, view, warmUp);
