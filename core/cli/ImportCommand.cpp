@@ -3,6 +3,7 @@
 #include "core/base/ShownText.h"
 #include "core/capture/import/Guess.h"
 #include "core/capture/import/SavedImport.h"
+#include "core/capture/import/StatedPlanes.h"
 #include "core/cli/Command.h"
 #include "core/cli/Options.h"
 #include "core/cli/Table.h"
@@ -24,7 +25,7 @@ namespace {
 struct ImportCommand final : Command {
   std::string folder, out; ///< out empty: it is only measured
   std::string like;        ///< id of a starting point; empty: none
-  std::vector<std::string> assignments;
+  std::vector<std::string> assignments, planes;
   bool checks = false; ///< what contradicts what is stated makes the exit code
   bool force = false, json = false;
 
@@ -35,6 +36,11 @@ struct ImportCommand final : Command {
     add_option("--like", like, "A starting point to begin with: " + startingPointIds());
     add_option("--set", assignments,
                "key=value of a convention, which is then not questioned; repeat it for more")
+        ->allow_extra_args(false);
+    add_option(
+        "--plane", planes,
+        "KIND=FILES:CHANNELS, as motion=dmv_{frame:4}.exr:G,B: what these files hold, whatever they are "
+        "called; repeat it for more")
         ->allow_extra_args(false);
     CLI::Option* written =
         add_option("--out", out,
@@ -105,7 +111,9 @@ ordered_json guessJson(const capture::Guess& guess) {
 }
 
 int ImportCommand::run(std::ostream& output, const Progress& progress) const {
-  const capture::Guess guess = capture::guessCapture(folder, like, assignments, progress);
+  std::vector<std::string> stated = assignments;
+  for (const std::string& plane : planes) stated.push_back(std::string(capture::kPlanePrefix) + plane);
+  const capture::Guess guess = capture::guessCapture(folder, like, stated, progress);
   ordered_json result;
   if (json)
     result = guessJson(guess);

@@ -13,8 +13,6 @@ namespace taa::capture {
 
 namespace {
 
-// Unreal: sign(v) · √(2|v|) · kSlope + kRest, v in NDC, in 16 bits; 0 is kept for what is not written.
-constexpr double kUnrealSlope = 0.2495, kUnrealRest = 32767.0 / 65535.0;
 constexpr double kUnrealSmallest = 1.0 / 65535.0;
 
 /// No picture is so wide: motion this long stands for kNoPreviousPosition, which other units have rounded.

@@ -12,6 +12,10 @@
 
 namespace taa::capture {
 
+/// Unreal: sign(v) · √(2|v|) · kUnrealSlope + kUnrealRest, v in NDC, in 16 bits; 0 is kept for what is not
+/// written.
+inline constexpr double kUnrealSlope = 0.2495, kUnrealRest = 32767.0 / 65535.0;
+
 /// What motion is made of besides its own plane.
 struct MotionInputs {
   glm::dvec2 jitterPx{0.0}, previousJitterPx{0.0};

@@ -5,6 +5,7 @@
 #include "core/base/ShownText.h"
 #include "core/capture/import/FolderScan.h"
 #include "core/capture/import/SideLimits.h"
+#include "core/capture/import/StatedPlanes.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -47,7 +48,7 @@ const SideFrames* listFor(const SideFile& file, const PictureSequence& sequence)
 /// jitter.
 int scoreOf(const PictureSequence& sequence, const std::vector<SideFile>& sides) {
   if (!planeIn(sequence, PlaneKind::Color)) return -1;
-  int score = 1;
+  int score = planeIn(sequence, PlaneKind::Color)->isNamed ? 2 : 1;
   if (planeIn(sequence, PlaneKind::Motion)) score += 8;
   if (planeIn(sequence, PlaneKind::Depth)) score += 4;
   for (const SideFile& side : sides)
@@ -92,6 +93,14 @@ bool hasAll(const std::vector<int>& numbers, const std::vector<int>& wanted) {
   return std::ranges::includes(numbers, wanted);
 }
 
+std::string exampleChannels(const PictureSequence& sequence) {
+  std::string text;
+  for (const NamedPlane& plane : sequence.planes.planes)
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, plane.channels.size()) && text.empty(); ++i)
+      text = plane.channels.size() > 1 ? plane.channels[0] + "," + plane.channels[1] : plane.channels[0];
+  return text.empty() ? std::string("R,G") : shownText(text);
+}
+
 /// Planes that other files have, by their names, for the frames there are.
 void addOthers(FolderPlan& plan, const FolderScan& scan, const PictureSequence& main,
                std::vector<int>& numbers) {
@@ -116,7 +125,13 @@ void addOthers(FolderPlan& plan, const FolderScan& scan, const PictureSequence& 
       addPlane(plan, sequence, plane);
       isUsed = true;
     }
-    if (!isUsed) unused.push_back(sequence.pattern);
+    if (isUsed) continue;
+    if (sequence.numbers == main.numbers)
+      plan.unsure.push_back(
+          say<"%1 is not used: it has the same frames and no name that says what it holds; --plane "
+              "motion=%1:%2 says so of channels">(shownText(sequence.pattern), exampleChannels(sequence)));
+    else
+      unused.push_back(sequence.pattern);
   }
   if (unused.size() == 1)
     plan.unsure.push_back(say<"%1 is not used: it is another sequence">(shownText(unused.front())));
@@ -222,9 +237,11 @@ void sayPlanes(FolderPlan& plan, const PictureSequence& main) {
 
 } // namespace
 
-FolderPlan planFolder(const fs::path& folder, const Progress& progress) {
+FolderPlan planFolder(const fs::path& folder, const std::vector<std::string>& planes,
+                      const Progress& progress) {
   FolderPlan plan;
-  const FolderScan scan = scanFolder(folder, progress);
+  FolderScan scan = scanFolder(folder, progress);
+  statePlanes(planes, folder, scan);
   const std::vector<SideFile> sides = sidesOf(folder, scan, plan, progress);
   const PictureSequence& main = mainOf(folder, scan, sides);
   for (const NamedPlane& plane : main.planes.planes) addPlane(plan, main, plane);

@@ -24,7 +24,9 @@ struct FolderPlan {
   std::vector<std::string> found, unsure; ///< sentences
 };
 
-/// Throws Error that says what was looked for where there is no color; Cancelled.
-FolderPlan planFolder(const std::filesystem::path& folder, const Progress& progress);
+/// `planes`: those that are stated, see statePlanes(). Throws Error that says what was looked for where there
+/// is no color; Cancelled.
+FolderPlan planFolder(const std::filesystem::path& folder, const std::vector<std::string>& planes,
+                      const Progress& progress);
 
 } // namespace taa::capture

@@ -12,6 +12,7 @@
 #include "core/capture/import/FolderPlan.h"
 #include "core/capture/import/FrameSamples.h"
 #include "core/capture/import/Questions.h"
+#include "core/capture/import/StatedPlanes.h"
 #include "core/capture/planes/Planes.h"
 
 #include <algorithm>
@@ -82,7 +83,8 @@ class Guesser {
  public:
   Guesser(fs::path folder, const std::string& like, std::vector<std::string> assignments, Progress progress)
       : folder_(std::move(folder)), like_(like), assignments_(std::move(assignments)),
-        progress_(std::move(progress)), plan_(planFolder(folder_, progress_)) {}
+        progress_(std::move(progress)),
+        plan_(planFolder(folder_, takeStatedPlanes(assignments_), progress_)) {}
 
   Guess guess() {
     begin();

@@ -40,8 +40,9 @@ struct Guess {
 };
 
 /// What names, formats and side files of `folder` say, then what pixels say. `like`: a starting point to
-/// begin with, or empty; `assignments` are not questioned. Throws Error that says what was looked for where
-/// nothing is found; Cancelled.
+/// begin with, or empty; `assignments` are not questioned, those of planes included
+/// ("plane.motion=FILES:R,G", see statePlanes()). Throws Error that says what was looked for where nothing is
+/// found; Cancelled.
 Guess guessCapture(const std::filesystem::path& folder, const std::string& like,
                    const std::vector<std::string>& assignments, const Progress& progress = {});
 

@@ -4,6 +4,7 @@
 #include "core/base/Say.h"
 #include "core/capture/decode/Cameras.h"
 #include "core/capture/decode/DecodedFrame.h"
+#include "core/capture/decode/Motion.h"
 #include "core/capture/decode/ScreenUnits.h"
 #include "core/capture/import/DepthValues.h"
 #include "core/capture/planes/Planes.h"
@@ -232,7 +233,7 @@ bool areAroundHalf(const Image& stored) {
 }
 
 std::optional<Finding> mendEncoding(const std::filesystem::path& folder, Manifest& manifest) {
-  constexpr double kUnrealRest = 32767.0 / 65535.0, kUnrealStep = 1.0 / 65535.0;
+  constexpr double kUnrealStep = 1.0 / 65535.0;
   capture::MotionConventions& motion = manifest.conventions.motion;
   const bool isUnreal = motion.encoding == capture::MotionEncoding::Unreal;
   if (motion.encoding == capture::MotionEncoding::Offset) return {};
@@ -251,7 +252,7 @@ std::optional<Finding> mendEncoding(const std::filesystem::path& folder, Manifes
         say<"State that motion is stored plain, in the unit that it has.">());
   }
   const auto rests = [&](double value) {
-    return value == 0.0 || std::abs(value - kUnrealRest) <= 1.5 * kUnrealStep;
+    return value == 0.0 || std::abs(value - capture::kUnrealRest) <= 1.5 * kUnrealStep;
   };
   const bool isAtRest = rests(values.restX) && rests(values.restY) && values.restX + values.restY > 0.5;
   const bool isUnsigned = !isBelow0 && values.largest <= 1.0 && areAroundHalf(stored);

@@ -426,4 +426,35 @@ TEST(ImportOfRealFrames, FindsThreesConventions) {
   EXPECT_TRUE(saysSomeOf(guess.unsure, "pixels say \"Drawn without\""));
 }
 
+// A sequence that is called color, and one beside it whose channels are called as those of color, with motion
+// in two of them.
+TEST_F(ImportTest, TakesColorByItsNameAndPlanesThatAreStated) {
+  fs::create_directories(folder_);
+  for (int frame = 0; frame < MovingSquare::kFrames; ++frame) {
+    const std::vector<float> all = squareFrame(scene_, stated_, frame);
+    std::vector<float> color, packed;
+    for (std::size_t at = 0; at < all.size(); at += 5) {
+      color.insert(color.end(), all.begin() + static_cast<std::ptrdiff_t>(at),
+                   all.begin() + static_cast<std::ptrdiff_t>(at + 3));
+      packed.insert(packed.end(), {0.5f, all[at + 3], all[at + 4]});
+    }
+    const std::string number = "000" + std::to_string(frame + 1) + ".exr";
+    writeExr(folder_ / ("rgb_" + number), {"R", "G", "B"}, color);
+    writeExr(folder_ / ("dmv_" + number), {"R", "G", "B"}, packed);
+  }
+  const Guess without = guessCapture(folder_, "", {});
+  EXPECT_EQ(without.manifest.planes.at(PlaneKind::Color).file, "rgb_{frame:4}.exr");
+  EXPECT_FALSE(without.manifest.planes.contains(PlaneKind::Motion));
+  EXPECT_TRUE(saysSomeOf(without.unsure, "--plane motion=dmv_{frame:4}.exr"));
+  const Guess with = guessCapture(folder_, "", {"plane.motion=dmv_{frame:4}.exr:G,B"});
+  ASSERT_TRUE(with.manifest.planes.contains(PlaneKind::Motion));
+  EXPECT_EQ(with.manifest.planes.at(PlaneKind::Motion).channels, (std::vector<std::string>{"G", "B"}));
+  EXPECT_TRUE(findingOf(with.findings, "motion.direction").isSure);
+  EXPECT_EQ(convention("motion.direction").text(with.manifest.conventions),
+            convention("motion.direction").text(stated_));
+  for (const char* wrong : {"plane.motion=dmv_{frame:4}.exr:G,Q", "plane.speed=dmv_{frame:4}.exr",
+                            "plane.motion=nothing.exr", "plane.motion"})
+    EXPECT_THROW(guessCapture(folder_, "", {wrong}), Error) << wrong;
+}
+
 } // namespace taa::capture
