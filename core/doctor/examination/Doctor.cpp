@@ -167,7 +167,11 @@ Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, ToldO
   if (tellsDepth && !isMotionWrong) {
     const DepthPatient patient{isMotionRight, examiner.isDepthDistance(), motion.isOfCameraOrDepth,
                                examiner.isDepthDrawn()};
-    tellDepth(examiner.depth(), out, patient);
+    if (isDepthConfirmed(examiner.flow()))
+      out.parts.addRight(say<"Depth and matrices">(),
+                         say<"Pictures move as depth and matrices make what rests move.">());
+    else
+      tellDepth(examiner.depth(), out, patient);
     if (told.isNearWrong) blameMatrices(out);
   }
   if (examiner.rims().coarseDepth()) withholdParts(static_cast<std::size_t>(before), out);
@@ -199,7 +203,8 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
   if (known.depth && !told.depth)
     hiding.allDepth = tellEnds(examiner.depth().ends, examiner.isDepthDistance(), out);
   if (hiding.allDepth) return hiding;
-  if (known.motion && hasCamera && !told.depth) hiding.depth = otherDepth(examiner.depth());
+  const bool isDepthRight = isDepthConfirmed(examiner.flow());
+  if (known.motion && hasCamera && !told.depth && !isDepthRight) hiding.depth = otherDepth(examiner.depth());
   if (hiding.depth) {
     tellDepth(examiner.depth(), out);
     return hiding;
@@ -317,13 +322,20 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
   const std::vector<std::uint8_t> covered = tellInterface(first.color(), out);
   const BrightnessEvidence& brightness = first.color().brightness;
   const std::map<int, double> stepped = brightness.stepped();
-  if (covered.empty() && stepped.empty()) {
+  std::vector<OrderFound> order = first.order().found();
+  // What is twice as bright is not found again either.
+  std::erase_if(order, [&](const OrderFound& one) {
+    return one.fault == OrderFault::Cut && stepped.contains(one.frame);
+  });
+  tellOrder(order, out);
+  first.tellValues(out);
+  if (covered.empty() && stepped.empty() && order.empty()) {
     tellAll(examination, first, brightness, false, examination.read, out);
   } else {
-    // An interface, or a step of brightness, makes jitter and motion look wrong: all else is looked at again
-    // without them.
+    // An interface, a step of brightness or frames out of order make jitter and motion look wrong: all else
+    // is looked at again without them.
     Examiner bare = first.another();
-    FrameReader read = examination.read;
+    FrameReader read = inOrder(examination.read, order);
     if (!covered.empty()) read = coveredReader(read, covered);
     if (!stepped.empty()) read = withBrightness(std::move(read), stepped);
     bare.look(read, out);

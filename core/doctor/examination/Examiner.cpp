@@ -47,7 +47,9 @@ bool Examiner::areMatricesFlipped() const {
 MotionTold Examiner::tellMotion(Diagnosis& out) const {
   const bool ofTime = rims_.depth.verdict() != RimVerdict::Unjittered;
   const RimsSeen rims{ofTime, ofTime && !isBeside(rims_.motion.verdict())};
-  return doctor::tellMotion(motion_, tracker_.regions(), patient_, rims, out);
+  MotionTold told = doctor::tellMotion(motion_, tracker_.regions(), patient_, rims, out);
+  tellReturns(returns_.found(), tracker_.regions(), patient_, out);
+  return told;
 }
 
 DoctorFrame Examiner::readNext(const FrameReader& read, int frame) const {
@@ -62,8 +64,11 @@ void Examiner::add(const DoctorFrame* before, const DoctorFrame& now, const Doct
   auto output = std::async(std::launch::async, [&] {
     rims_.add(now);
     if (looksAtOutput_) resolve_.add(now, before);
+    order_.add(now);
   });
   const std::vector<RegionIndex> labels = tracker_.label(now);
+  values_.add(now, labels);
+  returns_.add(now, labels);
   const std::vector<RegionIndex> labelsBefore = std::exchange(labels_, labels);
   jitter_.stated[now.frame] = now.jitterPx;
   if (!before || now.startsHistory) {
@@ -87,6 +92,7 @@ void Examiner::add(const DoctorFrame* before, const DoctorFrame& now, const Doct
   }
   pictures.get();
   output.get();
+  if (!flow_.empty()) order_.addPair(now.frame, {flow_.back().asked, flow_.back().squares.size()});
 }
 
 std::optional<RegionPlace> Examiner::skyPlace(const Diagnosis& out) const {

@@ -12,8 +12,11 @@
 #include "core/doctor/motion/MotionEvidence.h"
 #include "core/doctor/motion/MotionFindings.h"
 #include "core/doctor/motion/MotionLength.h"
+#include "core/doctor/motion/MotionReturns.h"
 #include "core/doctor/motion/MotionRims.h"
 #include "core/doctor/resolve/ResolveEvidence.h"
+#include "core/doctor/sequence/BadValues.h"
+#include "core/doctor/sequence/FrameOrder.h"
 
 #include <functional>
 #include <optional>
@@ -50,6 +53,8 @@ class Examiner {
   std::optional<FittedLength> motionLength() const { return length_.fit(); }
   MotionTold tellMotion(Diagnosis& out) const;
   FlowSeen flow() const { return {flow_, tracker_.regions()}; }
+  const OrderEvidence& order() const { return order_; }
+  void tellValues(Diagnosis& out) const { tellBadValues(values_, tracker_.regions(), patient_, out); }
   const Patient& patient() const { return patient_; }
 
  private:
@@ -73,6 +78,9 @@ class Examiner {
   JitterEvidence jitter_;
   DepthEvidence depth_;
   RimEvidence rims_;
+  OrderEvidence order_;
+  ValueEvidence values_;
+  ReturnEvidence returns_;
   ResolveEvidence resolve_;
   bool looksAtOutput_;
 };

@@ -402,10 +402,17 @@ class FlowMeter {
     // What repeats fits at many places: then the one that is stated is as good as any other.
     if (asGiven.left <= kAsGood * best.left + kAsGoodContrast * square.contrast) best = asGiven;
     if (!(best.left <= kSameShare * square.contrast) || !(best.errorPx <= kFarthestErrorPx)) return {};
-    FlowSquare out{square.pixel, square.region, best.px + step_, best.errorPx, given, best.left};
+    FlowSquare out;
+    out.pixel = square.pixel;
+    out.region = square.region;
+    out.px = best.px + step_;
+    out.errorPx = best.errorPx;
+    out.given = given;
+    out.left = best.left;
     out.leftAsGiven = varying.left(given - step_);
     const double apart = Warp{pixels, frames_.now.luma, false}.left(given - best.px - step_);
     out.apart = std::isfinite(apart) ? apart : out.leftAsGiven;
+    if (camera) out.camera = glm::dvec2(*camera);
     out.isOfCamera = camera && isSameMotion(glm::vec2(given), *camera);
     return out;
   }
@@ -437,7 +444,7 @@ bool FlowSquare::refutesGiven(double tolerancePx) const {
 }
 
 FlowPair measureFlow(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels) {
-  FlowPair out{frames.now.frame, {}, {}};
+  FlowPair out{frames.now.frame, {}, {}, 0};
   if (frames.now.motionPx.empty() || frames.before.luma.width != frames.now.luma.width) return out;
   const FlowMeter meter(frames);
   for (const auto& [region, of] : squaresOf(frames.now, labels)) {
@@ -452,6 +459,7 @@ FlowPair measureFlow(const FrameNeighbors& frames, const std::vector<RegionIndex
       last = measured->px - meter.step();
       out.squares.push_back(*measured);
     }
+    out.asked += asked;
     if (asked > 0)
       out.said[region] = static_cast<double>(of.detailed) * static_cast<double>(said) /
                          (static_cast<double>(of.all) * static_cast<double>(asked));

@@ -33,6 +33,7 @@ struct FlowSquare {
   /// Motion given is what depth and matrices make of what rests there: a light or a reflection may move over
   /// it.
   bool isOfCamera = false;
+  std::optional<glm::dvec2> camera; ///< what that is, px; nothing where it is not known
 
   double offPx() const;
   /// Whether pictures refute the motion given, by more than `tolerancePx` and by more than chance.
@@ -45,6 +46,7 @@ struct FlowPair {
   std::vector<FlowSquare> squares;
   /// By region: of the squares well inside it, the share whose motion pictures say.
   std::map<RegionIndex, double> said;
+  std::size_t asked = 0; ///< squares that were looked for; those that were found are `squares`
 };
 
 /// Squares whose motion pictures say: nearly all that is seen there must have been in the frame before.

@@ -3,6 +3,7 @@
 #include "core/base/Median.h"
 #include "core/base/NumberText.h"
 #include "core/base/Say.h"
+#include "core/capture/decode/Motion.h"
 #include "core/doctor/Mending.h"
 #include "core/doctor/frames/FramesText.h"
 #include "core/doctor/motion/MotionFindings.h"
@@ -10,6 +11,8 @@
 #include "core/doctor/motion/MotionWords.h"
 #include "core/settings/Faults.h"
 
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -311,6 +314,46 @@ bool isRightElsewhere(const FlowSeen& seen, const std::vector<Refuted>& refuted)
   return right >= kEnough;
 }
 
+/// Unreal's encoding is stated, and what is stored is its argument and not its root.
+std::optional<FlowFit> explainingWithoutRoot(const std::vector<const FlowSquare*>& squares,
+                                             const Patient& patient, double tolerancePx) {
+  const bool isUnreal =
+      patient.conventions && patient.conventions->motion.encoding == capture::MotionEncoding::Unreal;
+  if (!isUnreal) return {};
+  const glm::dvec2 pxPerNdc = 0.5 * glm::dvec2(patient.sizePx);
+  std::vector<FlowSquare> linear;
+  for (const FlowSquare* square : squares) {
+    FlowSquare& one = linear.emplace_back(*square);
+    one.given = glm::sign(square->given) * glm::sqrt(2.0 * glm::abs(square->given) / pxPerNdc);
+  }
+  std::vector<const FlowSquare*> all;
+  for (const FlowSquare& square : linear) all.push_back(&square);
+  const auto fit = fitFlow(all, true, tolerancePx);
+  return fit && fit->isGood() && isAlongAxes(*fit) ? fit : std::nullopt;
+}
+
+void nameWithoutRoot(const FlowFit& fit, const Patient& patient, Finding& finding) {
+  const std::string example = finding.change;
+  const glm::dvec2 perHalf = capture::kUnrealSlope * 0.5 * glm::dvec2(patient.sizePx);
+  const glm::dvec2 perStored = glm::dvec2(fit.factors[0][0], fit.factors[1][1]) / perHalf;
+  const glm::dvec2 errors = glm::dvec2(fit.factorErrors[0][0], fit.factorErrors[1][1]) / perHalf;
+  nameBy(
+      {"motionWithoutRoot", say<"Motion that is linear decoded as a root">(),
+       say<"Small motion is lost, and fast things have far too little.">(),
+       say<"State that motion is stored with an offset, %1, times (%2, %3) in device coordinates: the root that "
+           "Unreal's encoding takes is not in what is stored. Or take it before you store.">(
+           shortestText(static_cast<float>(capture::kUnrealRest)), withError(perStored.x, errors.x),
+           withError(perStored.y, errors.y))},
+      finding);
+  finding.change += " " + example;
+  finding.reason +=
+      " " + say<"By least squares the pictures move by (%1, %2) px times what is stored less the "
+                "offset, over %3: that explains %4 of %5 squares.">(
+                withError(fit.factors[0][0], fit.factorErrors[0][0]),
+                withError(fit.factors[1][1], fit.factorErrors[1][1]), shortNumber(capture::kUnrealSlope),
+                fit.followed, fit.squares);
+}
+
 void nameUnknown(Finding& finding) {
   finding.id = kUnknownMotionId;
   finding.name = say<"Motion that none of the known mistakes explains">();
@@ -352,8 +395,14 @@ Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, c
   for (const Refuted& one : refuted) ofAll.insert(ofAll.end(), one.ofAll.begin(), one.ofAll.end());
   auto fit = explaining(ofAll, tolerancePx);
   if (!fit) fit = explaining(squares, tolerancePx);
-  if (fit)
+  if (fit) {
     nameByFit(*fit, patient, finding);
+    return finding;
+  }
+  auto withoutRoot = explainingWithoutRoot(ofAll, patient, tolerancePx);
+  if (!withoutRoot) withoutRoot = explainingWithoutRoot(squares, patient, tolerancePx);
+  if (withoutRoot)
+    nameWithoutRoot(*withoutRoot, patient, finding);
   else
     nameUnknown(finding);
   return finding;
@@ -489,6 +538,20 @@ std::string takeBackOfAll(Diagnosis& out) {
 }
 
 } // namespace
+
+bool isDepthConfirmed(const FlowSeen& seen) {
+  constexpr std::size_t kEnough = 24;
+  constexpr double kMost = 0.6;
+  std::size_t apart = 0, ofCamera = 0;
+  for (const FlowPair& pair : seen.pairs)
+    for (const FlowSquare& square : pair.squares) {
+      const double tolerancePx = std::max(kOffPx, 3.0 * square.errorPx);
+      if (!square.camera || glm::distance(*square.camera, square.given) <= 2.0 * tolerancePx) continue;
+      ++apart;
+      if (glm::distance(*square.camera, square.px) <= tolerancePx) ++ofCamera;
+    }
+  return ofCamera >= kEnough && static_cast<double>(ofCamera) >= kMost * static_cast<double>(apart);
+}
 
 void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient& patient, Diagnosis& out) {
   const double tolerancePx = patient.isJitterOpen ? kOffPxWithOpenJitter : kOffPx;

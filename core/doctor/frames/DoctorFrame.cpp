@@ -22,6 +22,16 @@ UnjitteredCameras camerasOf(const shared::FrameBlock& block) {
           glm::dmat4(block.previousViewFromWorld)};
 }
 
+std::size_t badPixels(const Image& color) {
+  std::size_t count = 0;
+  for (int y = 0; y < color.height; ++y)
+    for (int x = 0; x < color.width; ++x) {
+      const float* at = color.at(x, y);
+      if (!std::isfinite(at[0] + at[1] + at[2])) ++count;
+    }
+  return count;
+}
+
 /// Of something 10 m away, in the middle of the picture.
 float distanceFactor(const shared::FrameBlock& block) {
   constexpr double kDistance = 10.0;
@@ -61,6 +71,7 @@ DoctorFrame readFrame(FrameSource& source, const FrameRequest& request, const Kn
   out.jitterPx = drawn.info.jitterPx;
   Image color = drawn.color.download();
   out.luma = capture::comparedLuma(color);
+  out.badColors = badPixels(color);
   if (output) {
     out.output = output->read(source, request, drawn, frame);
     out.color = std::move(color);

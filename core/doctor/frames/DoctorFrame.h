@@ -38,13 +38,14 @@ struct UnjitteredCameras {
 struct DoctorFrame {
   int frame = 0;
   bool startsHistory = false;
-  glm::vec2 jitterPx{0.0f}; ///< as stated: displacement of image content, x right, y down
-  Image luma;               ///< light that is compared, 0 to 1; see comparedLuma()
-  Image motionPx;           ///< two channels, current − previous, without jitter; see kNoPreviousPosition
-  Image depth;              ///< reversed, 0: sky
-  Image depthView;          ///< m, 0: sky
-  Image previousDepthView;  ///< m, of the same surface a frame ago; 0: sky or none
-  Image mask;               ///< two channels: reactive, responsive; 0 to 1
+  glm::vec2 jitterPx{0.0f};  ///< as stated: displacement of image content, x right, y down
+  Image luma;                ///< light that is compared, 0 to 1; see comparedLuma()
+  std::size_t badColors = 0; ///< pixels whose color is no number; their luma is 0 or 1
+  Image motionPx;            ///< two channels, current − previous, without jitter; see kNoPreviousPosition
+  Image depth;               ///< reversed, 0: sky
+  Image depthView;           ///< m, 0: sky
+  Image previousDepthView;   ///< m, of the same surface a frame ago; 0: sky or none
+  Image mask;                ///< two channels: reactive, responsive; 0 to 1
   std::vector<std::uint32_t> objectId; ///< 0: nothing
   std::vector<std::uint8_t>
       covered; ///< 1: an interface lies there, no witness of what is behind; empty: none does

@@ -302,7 +302,8 @@ void leaveSkyAlone(std::vector<JudgedRegion>& judged, const std::vector<MotionTr
   for (JudgedRegion& sky : judged) {
     if (!sky.region->isSky || !sky.trial) continue;
     const MotionKind kind = trials[*sky.trial].kind;
-    const bool isOfTime = kind == MotionKind::FrameLate || kind == MotionKind::FrameEarly;
+    const bool isOfTime =
+        kind == MotionKind::FrameLate || kind == MotionKind::FrameEarly || kind == MotionKind::Forward;
     const bool isAlone = std::ranges::none_of(
         judged, [&](const JudgedRegion& other) { return &other != &sky && other.trial == sky.trial; });
     if (!isOfTime || !isAlone) continue;

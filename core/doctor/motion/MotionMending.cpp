@@ -76,6 +76,8 @@ std::vector<std::string> motionMending(const MotionTrial& trial) {
     return {"fault.motionLag=-1"};
   case MotionKind::FrameEarly:
     return {"fault.motionLag=1"};
+  case MotionKind::Forward: // no setting looks for the same surface
+    return {};
   case MotionKind::Encoded:
     return {"fault.motionUnit=asBiased"};
   case MotionKind::Root:

@@ -19,7 +19,7 @@ struct TrialWords {
 };
 
 /// In the order of the enumerators; those with a factor say it.
-constexpr std::array<TrialWords, 28> kTrialWords = {{
+constexpr std::array<TrialWords, 29> kTrialWords = {{
     {"asGiven", "as given"},
     {"resting", "at rest on the screen"},
     {"ofCamera", "that of the camera"},
@@ -39,6 +39,7 @@ constexpr std::array<TrialWords, 28> kTrialWords = {{
     {"jitterOfPreviousTakenOff", "with the jitter of the frame before added"},
     {"frameLate", "that of the frame after"},
     {"frameEarly", "that of the frame before"},
+    {"forward", "that which the frame before holds of the same surface"},
     {"encoded", "decoded from 0 to 1"},
     {"root", "squared, in shares of the picture"},
     {"twoFramesOld", "without that of the frame before, which it holds as well"},
@@ -92,6 +93,22 @@ std::optional<glm::vec2> withoutOlderCamera(const FrameNeighbors& frames, const 
   return withOther(frames.now.motionAt(pixel.x, pixel.y), cameraMotionPx(frames.before, *before), -1.0f);
 }
 
+/// What the frame before says that its surface moves by until this one.
+std::optional<glm::vec2> forwardMotion(const FrameNeighbors& frames, const glm::ivec2& pixel) {
+  constexpr int kSteps = 4;
+  constexpr float kConvergedPx = 0.05f;
+  if (frames.before.motionPx.empty()) return {};
+  glm::vec2 motion = frames.now.motionAt(pixel.x, pixel.y); // about as long
+  for (int step = 0; step < kSteps && isMotion(motion); ++step) {
+    const auto before = placeBefore(frames, pixel, motion - frames.jitterStep());
+    if (!before) return {};
+    const glm::vec2 next = frames.before.motionAt(before->x, before->y);
+    if (isMotion(next) && glm::distance(next, motion) <= kConvergedPx) return next;
+    motion = next;
+  }
+  return {};
+}
+
 /// What an object's motion has grown by since the frame before, where it lay by its mean over two frames; 0
 /// where that is not known, or is much, as after a start.
 glm::vec2 growth(const FrameNeighbors& frames, const glm::ivec2& pixel) {
@@ -142,7 +159,8 @@ std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx) {
        {MotionKind::AsGiven, MotionKind::Resting, MotionKind::MirroredX, MotionKind::MirroredY,
         MotionKind::Opposite, MotionKind::SwappedAxes, MotionKind::JitterOfThis, MotionKind::JitterOfPrevious,
         MotionKind::JitterOfBoth, MotionKind::JitterTakenOff, MotionKind::JitterOfThisTakenOff,
-        MotionKind::JitterOfPreviousTakenOff, MotionKind::FrameLate, MotionKind::FrameEarly})
+        MotionKind::JitterOfPreviousTakenOff, MotionKind::FrameLate, MotionKind::FrameEarly,
+        MotionKind::Forward})
     trials.push_back({kind});
   for (const float factor :
        {0.5f, 2.0f, 0.25f, 1.0f / 3.0f, 2.0f / 3.0f, 0.75f, 4.0f / 3.0f, 1.5f, 3.0f, 4.0f})
@@ -234,6 +252,8 @@ std::optional<glm::vec2> trueMotion(const MotionTrial& trial, const FrameNeighbo
   case MotionKind::FrameEarly:
     if (frames.before.startsHistory || frames.before.motionPx.empty()) return {};
     return knownMotion(frames.before.motionAt(pixel.x, pixel.y));
+  case MotionKind::Forward:
+    return forwardMotion(frames, pixel);
   case MotionKind::Encoded:
     return 2.0f * given - glm::vec2(frames.now.sizePx());
   case MotionKind::Root:

@@ -37,6 +37,7 @@ enum class MotionKind : std::uint8_t {
   JitterOfPreviousTakenOff,
   FrameLate,    ///< m is that of the frame before
   FrameEarly,   ///< m is that of the frame after
+  Forward,      ///< m is what the surface moves by until the frame after
   Encoded,      ///< m is ½ + ½ of what it should be, in shares of the picture
   Root,         ///< m is the root of what it should be, in shares of the picture
   TwoFramesOld, ///< m goes back two frames

@@ -114,6 +114,13 @@ FaultWords frameFault(MotionKind kind) {
   if (kind == MotionKind::FrameLate)
     return ofTable(Fault::MotionLingers,
                    say<"Give each frame its own motion: what you write is that of the frame before.">());
+  if (kind == MotionKind::Forward)
+    return {
+        "motionForward", say<"Motion to the next frame">(),
+        say<"Ghosts of what speeds up or slows down; the history of a pixel is looked for where it will be.">(),
+        say<"Motion has to say where a pixel was in the frame before. What you write says where it will be in the "
+            "next one (forward vectors): write the vectors to the frame before, or give each frame those that the "
+            "frame before has.">()};
   return {"motionFrameEarly", say<"Motion a frame early">(),
           say<"Edges break for a frame when something stops or starts.">(),
           say<"Give each frame its own motion: what you write is that of the frame after.">()};
@@ -216,6 +223,7 @@ FaultWords motionFault(const MotionTrial* trial, const Region& region, const Reg
     return jitterLeftFault(trial->kind);
   case MotionKind::FrameLate:
   case MotionKind::FrameEarly:
+  case MotionKind::Forward:
     return frameFault(trial->kind);
   case MotionKind::Encoded:
   case MotionKind::Root:

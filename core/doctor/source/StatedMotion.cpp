@@ -77,12 +77,12 @@ class MotionFits {
     Fit out;
     for (const FramePair& pair : pairs_)
       if (const auto motion = samples_.motionOf(pair, {conventions}, true))
-        add(*motion, conventions.motion.includesCamera, out);
+        add(*motion, conventions.motion, out);
     return out;
   }
 
  private:
-  static void add(const capture::PairMotion& motion, bool includesCamera, Fit& out) {
+  static void add(const capture::PairMotion& motion, const capture::MotionConventions& stated, Fit& out) {
     constexpr float kMovedPx = 0.5f, kSamePx = 0.05f, kSameShareOfLength = 1.0f / 512.0f;
     // Where the camera's motion is added, what rests has none: motion of too small a unit is nearly none.
     constexpr float kNothingPx = 5e-4f;
@@ -91,10 +91,13 @@ class MotionFits {
     for (std::size_t i = 0; i < motion.camera.size(); ++i) {
       const glm::vec2& camera = motion.camera[i];
       const float length = glm::length(camera);
+      // Where nothing is drawn it may be the camera's because that is stated.
+      const bool isNothing = !motion.depth.empty() && motion.depth[i] == 0.0f;
+      if (isNothing && stated.whereNothing) continue;
       ++out.places;
       if (!(length >= kMovedPx) || !(length < kNoPreviousPosition)) continue;
       ++out.moved;
-      const float sameAsPx = includesCamera ? kSamePx + kSameShareOfLength * length : kNothingPx;
+      const float sameAsPx = stated.includesCamera ? kSamePx + kSameShareOfLength * length : kNothingPx;
       // Written so that NaN fails it.
       if (glm::distance(motion.stored[i], camera) <= sameAsPx) ++out.fits;
     }
@@ -139,12 +142,17 @@ std::optional<Changes> bestChanges(MotionFits& fits, const Conventions& stated,
   const auto leastOf = [least](const Changes& changes) {
     return changes.size() > 1 ? std::max(least, kExplainedByTwo) : least;
   };
-  // What makes most pixels rest explains the few that are left by chance.
-  const std::size_t leastMoved = fits.of(stated).moved / 2;
+  // What makes pixels rest explains those that are left by chance: it has to explain more pixels, too, than
+  // what is stated.
+  const Fit asStated = fits.of(stated);
+  const std::size_t leastMoved = asStated.moved / 2;
+  const double leastFits =
+      static_cast<double>(asStated.fits) + kMoreShare * static_cast<double>(asStated.moved);
   double best = least;
   for (Changes& changes : changesOf(others)) {
     const Fit fit = fits.of(changed(stated, changes));
-    const double share = fit.moved >= leastMoved ? fit.share() : 0.0;
+    const bool isMore = fit.moved >= leastMoved && static_cast<double>(fit.fits) >= leastFits;
+    const double share = isMore ? fit.share() : 0.0;
     if (share < leastOf(changes)) continue;
     best = std::max(best, share);
     tried.emplace_back(share, std::move(changes));

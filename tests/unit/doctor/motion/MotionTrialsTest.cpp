@@ -84,6 +84,15 @@ TEST_F(MotionTrialsTest, TakeMotionOfOtherFrames) {
   EXPECT_FALSE(trueMotion(early, {now, before, &after}, kOnGround));
 }
 
+// A pixel of the frame before that leads here says what led here; one that leads elsewhere does not.
+TEST_F(MotionTrialsTest, FollowMotionToTheNextFrame) {
+  fill(before, glm::vec2(4.0f, -3.0f));
+  set(now, glm::vec2(6.0f, -3.0f)); // it speeds up: what it moves by until the frame after
+  EXPECT_EQ(moved(MotionKind::Forward), glm::vec2(4.0f, -3.0f));
+  fill(before, glm::vec2(kNoPreviousPosition));
+  EXPECT_FALSE(trueMotion({MotionKind::Forward}, {now, before, nullptr}, kOnGround));
+}
+
 TEST_F(MotionTrialsTest, KnowTheCamerasMotion) {
   const glm::vec2 camera(2.25f, -1.5f); // of the painted shot
   const auto isNear = [](const glm::vec2& a, const glm::vec2& b) { return glm::distance(a, b) < 1e-4f; };

@@ -1,0 +1,70 @@
+#include "core/doctor/sequence/BadValues.h"
+
+#include "core/base/Say.h"
+#include "core/doctor/frames/FramesText.h"
+#include "core/doctor/motion/MotionFindings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace taa::doctor {
+
+namespace {
+
+constexpr std::size_t kFewInRegion = 16; ///< of a frame: at a rim they are those of what is beside
+
+} // namespace
+
+void ValueEvidence::add(const DoctorFrame& frame, const std::vector<RegionIndex>& labels) {
+  badColors_ += frame.badColors;
+  if (frame.motionPx.empty()) return;
+  asked_.push_back(frame.frame);
+  std::map<RegionIndex, std::size_t> counts;
+  const std::size_t before = motion_.nan + motion_.infinite;
+  for (int y = 0; y < frame.motionPx.height; ++y)
+    for (int x = 0; x < frame.motionPx.width; ++x) {
+      const glm::vec2 motion = frame.motionAt(x, y);
+      if (std::isfinite(motion.x) && std::isfinite(motion.y)) continue;
+      if (motion_.frames.empty()) motion_.pixel = {x, y};
+      if (motion_.frames.empty() || motion_.frames.back() != frame.frame)
+        motion_.frames.push_back(frame.frame);
+      ++(std::isnan(motion.x) || std::isnan(motion.y) ? motion_.nan : motion_.infinite);
+      ++counts[labels[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.motionPx.width) +
+                      static_cast<std::size_t>(x)]];
+    }
+  if (motion_.nan + motion_.infinite == before) return;
+  for (const auto& [region, count] : counts)
+    if (region != kNoRegion && count >= kFewInRegion) motion_.regions.insert(region);
+}
+
+void tellBadValues(const ValueEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
+                   Diagnosis& out) {
+  if (evidence.badColors() > 0)
+    out.notes.push_back(
+        say<"Color is no number (NaN or infinite) at %1 pixels of all frames: each that history takes "
+            "over stays there.">(evidence.badColors()));
+  const NotFinite& motion = evidence.motion();
+  if (motion.frames.empty()) return;
+  Finding finding;
+  finding.id = "motionNotFinite";
+  finding.name = say<"Motion that is no number">();
+  finding.symptom = say<"Pixels that flash, or spread black.">();
+  const double allPixels = static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
+  for (const RegionIndex region : motion.regions)
+    finding.regions.push_back(placeOf(regions[static_cast<std::size_t>(region)], patient, allPixels));
+  std::ranges::stable_sort(finding.regions, std::greater(), &RegionPlace::share);
+  finding.reason =
+      say<"In %1 motion is NaN at %2 pixels and infinite at %3, for example at pixel %4, %5 of frame %6.">(
+          framesText(motion.frames, evidence.asked()), motion.nan, motion.infinite, motion.pixel.x,
+          motion.pixel.y, motion.frames.front());
+  finding.change = say<
+      "Look for a division by 0 where its motion is made: w of a previous position that was never set, or "
+      "a matrix that cannot be inverted. If NaN says \"not written\", write a number for that and state it (motion.notWritten).">();
+  out.findings.push_back(std::move(finding));
+}
+
+} // namespace taa::doctor

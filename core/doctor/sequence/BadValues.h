@@ -1,0 +1,42 @@
+// Values that are no number, before anything is made of them.
+#pragma once
+
+#include "core/doctor/Diagnosis.h"
+#include "core/doctor/Patient.h"
+#include "core/doctor/frames/DoctorFrame.h"
+#include "core/doctor/frames/Regions.h"
+
+#include <cstddef>
+#include <set>
+#include <vector>
+
+namespace taa::doctor {
+
+/// NaN and infinities of motion.
+struct NotFinite {
+  std::size_t nan = 0, infinite = 0; ///< pixels of all frames
+  std::vector<int> frames;
+  glm::ivec2 pixel{0};           ///< one of them, in the first of these frames
+  std::set<RegionIndex> regions; ///< that hold more than a few
+};
+
+class ValueEvidence {
+ public:
+  void add(const DoctorFrame& frame, const std::vector<RegionIndex>& labels);
+
+  const NotFinite& motion() const { return motion_; }
+  const std::vector<int>& asked() const { return asked_; } ///< frames
+  /// Of all frames.
+  std::size_t badColors() const { return badColors_; }
+
+ private:
+  NotFinite motion_;
+  std::vector<int> asked_;
+  std::size_t badColors_ = 0;
+};
+
+/// A finding of motion; a note of colors, which a TAA may be made for.
+void tellBadValues(const ValueEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
+                   Diagnosis& out);
+
+} // namespace taa::doctor

@@ -1,0 +1,335 @@
+#include "core/doctor/sequence/FrameOrder.h"
+
+#include "core/base/Median.h"
+#include "core/base/NumberText.h"
+#include "core/base/Say.h"
+#include "core/capture/import/FrameSamples.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace taa::doctor {
+
+namespace {
+
+constexpr double kComparedPixels = 20000.0;
+constexpr std::size_t kEnoughCompared = 200;
+constexpr float kDetailLuma = 0.03f; ///< between the pixels beside one: plain ones fit anywhere
+/// px, and share of the pixels: what moves so is not the same picture a frame later.
+constexpr float kMovesPx = 0.5f;
+constexpr double kMovingShare = 0.02;
+/// A frame follows another one than the one before where that leaves so many times less, and of luma so much.
+constexpr double kFollowsFactor = 2.0, kFollowsLuma = 0.008;
+/// Of the squares that can be asked: in a cut so few are found again, in other pairs so many.
+constexpr double kCutShare = 0.15, kUsualShare = 0.5;
+constexpr std::size_t kEnoughAsked = 12;
+/// A cut leaves so many times as much as the pair in the middle.
+constexpr double kCutFactor = 3.0;
+constexpr std::size_t kMostNamed = 6;
+
+int stepFor(const Image& image) {
+  return std::max(
+      1, static_cast<int>(std::sqrt(static_cast<double>(image.width) * image.height / kComparedPixels)));
+}
+
+/// Median over pixels with detail; infinite where too few lead into the picture.
+double leftBetween(const Image& luma, const Image& motionPx, const Image& other,
+                   const glm::vec2& jitterStep) {
+  std::vector<double> left;
+  const int step = stepFor(luma);
+  const glm::ivec2 size(luma.width, luma.height);
+  for (int y = 1; y + 1 < size.y; y += step)
+    for (int x = 1; x + 1 < size.x; x += step) {
+      const float detail = std::abs(*luma.at(x + 1, y) - *luma.at(x - 1, y)) +
+                           std::abs(*luma.at(x, y + 1) - *luma.at(x, y - 1));
+      const glm::vec2 motion(motionPx.at(x, y)[0], motionPx.at(x, y)[1]);
+      if (detail < kDetailLuma || !isMotion(motion)) continue;
+      const glm::vec2 place = glm::vec2(x, y) + 0.5f - motion + jitterStep;
+      if (isInPicture(place, size))
+        left.push_back(static_cast<double>(std::abs(*luma.at(x, y) - capture::betweenPixels(other, place))));
+    }
+  return left.size() < kEnoughCompared ? std::numeric_limits<double>::infinity() : median(std::move(left));
+}
+
+bool moves(const Image& motionPx) {
+  std::size_t moving = 0;
+  for (int y = 0; y < motionPx.height; ++y)
+    for (int x = 0; x < motionPx.width; ++x) {
+      const glm::vec2 motion(motionPx.at(x, y)[0], motionPx.at(x, y)[1]);
+      if (isMotion(motion) && glm::length(motion) > kMovesPx) ++moving;
+    }
+  return static_cast<double>(moving) >=
+         kMovingShare * static_cast<double>(motionPx.width) * static_cast<double>(motionPx.height);
+}
+
+/// Of one row or column: pixels with detail that should differ from the frame before, and those that do not.
+struct StaleLine {
+  int moving = 0, stale = 0;
+
+  void add(std::uint8_t state) {
+    moving += state != 0 ? 1 : 0;
+    stale += state > 1 ? 1 : 0;
+  }
+};
+
+/// The first line from which on nearly all that should move does not; as many as there are: none.
+int firstStale(const std::vector<StaleLine>& lines) {
+  constexpr double kNearlyAll = 0.95;
+  auto first = static_cast<int>(lines.size());
+  for (int line = first - 1; line >= 0; --line) {
+    const StaleLine& at = lines[static_cast<std::size_t>(line)];
+    if (at.stale < kNearlyAll * at.moving) break;
+    if (at.moving > 0) first = line;
+  }
+  return first;
+}
+
+/// Nothing: the whole picture, as far as it moves.
+std::optional<glm::ivec2> drawnPart(const Image& luma, const Image& motionPx, const Image& before) {
+  constexpr double kLeastLeftOut = 0.02, kMostLeftOut = 0.75, kMostStaleInside = 0.05;
+  constexpr int kEnoughStale = 200;
+  const glm::ivec2 size(luma.width, luma.height);
+  if (before.width != size.x || before.height != size.y) return {};
+  /// 0: nothing to say; 1: should differ, and does; 2: does not.
+  const auto stateOf = [&](int x, int y) -> std::uint8_t {
+    const float detail =
+        std::abs(*luma.at(x + 1, y) - *luma.at(x - 1, y)) + std::abs(*luma.at(x, y + 1) - *luma.at(x, y - 1));
+    const glm::vec2 motion(motionPx.at(x, y)[0], motionPx.at(x, y)[1]);
+    if (detail < kDetailLuma || !isMotion(motion) || glm::length(motion) <= kMovesPx) return 0;
+    return *luma.at(x, y) == *before.at(x, y) ? 2 : 1;
+  };
+  std::vector<StaleLine> rows(static_cast<std::size_t>(size.y)), columns(static_cast<std::size_t>(size.x));
+  std::vector<std::pair<glm::ivec2, std::uint8_t>> pixels;
+  for (int y = 1; y + 1 < size.y; ++y)
+    for (int x = 1; x + 1 < size.x; ++x)
+      if (const std::uint8_t state = stateOf(x, y); state != 0) {
+        columns[static_cast<std::size_t>(x)].add(state);
+        rows[static_cast<std::size_t>(y)].add(state);
+        pixels.emplace_back(glm::ivec2(x, y), state);
+      }
+  const glm::ivec2 drawn(firstStale(columns), firstStale(rows));
+  StaleLine inside, outside;
+  // Beside the edge itself: there what was drawn is the detail.
+  constexpr int kEdge = 2;
+  for (const auto& [pixel, state] : pixels) {
+    if (pixel.x < drawn.x && pixel.y < drawn.y) inside.add(state);
+    if (pixel.x >= drawn.x + kEdge || pixel.y >= drawn.y + kEdge) outside.add(state);
+  }
+  const glm::dvec2 leftOut = 1.0 - glm::dvec2(drawn) / glm::dvec2(size);
+  const bool isLeftOut = leftOut.x >= kLeastLeftOut && leftOut.y >= kLeastLeftOut &&
+                         leftOut.x <= kMostLeftOut && leftOut.y <= kMostLeftOut;
+  if (!isLeftOut || outside.stale < kEnoughStale || inside.stale > kMostStaleInside * inside.moving)
+    return {};
+  return drawn;
+}
+
+struct OrderWords {
+  std::string id, name, symptom, change;
+};
+
+OrderWords wordsOf(OrderFault fault) {
+  switch (fault) {
+  case OrderFault::Doubled:
+    return {"frameDoubled", say<"A frame twice">(), say<"Things stand for a frame and then jump.">(),
+            say<"Write each frame once; where the picture was not drawn anew, motion is 0 and history does "
+                "not go on.">()};
+  case OrderFault::Swapped:
+    return {"framesSwapped", say<"Frames in each other's place">(), say<"Things jump back for a frame.">(),
+            say<"Number frames in the order in which they were drawn.">()};
+  case OrderFault::Partial:
+    return {
+        "drawnPartChanges", say<"Another part of the picture drawn from frame to frame">(),
+        say<"The whole picture jumps when the resolution changes; beyond what was drawn stands what was there.">(),
+        say<"A capture has one size: turn dynamic resolution off while you capture, or write the part that was "
+            "drawn, enlarged to one size. In the resolve read history with the size that it was drawn with.">()};
+  case OrderFault::Cut:
+    break;
+  }
+  return {"cutNotStated", say<"A cut that nobody states">(),
+          say<"The picture before the cut shows through for some frames.">(),
+          say<"Start history anew in that frame, and state it: \"cut\": true in the manifest.">()};
+}
+
+std::string framesOf(const std::vector<OrderFound>& found) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(found.size(), kMostNamed); ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(found[i].frame);
+  return found.size() > kMostNamed ? say<"%1 and %2 more">(text, found.size() - kMostNamed) : text;
+}
+
+/// "288 × 162 px are drawn in frame 3, 4; 256 × 144 px are drawn in frame 5"
+std::string partsOf(const std::vector<OrderFound>& found) {
+  std::string text;
+  for (auto at = found.begin(); at != found.end();) {
+    auto end = at;
+    while (end != found.end() && end->drawnPx == at->drawnPx) ++end;
+    text += (text.empty() ? "" : "; ") +
+            say<"%1 × %2 px are drawn in frame %3">(at->drawnPx.x, at->drawnPx.y, framesOf({at, end}));
+    at = end;
+  }
+  return text;
+}
+
+std::string reasonOf(const std::vector<OrderFound>& found) {
+  const OrderFound& first = found.front();
+  switch (first.fault) {
+  case OrderFault::Doubled:
+    return say<
+        "In frame %1 each pixel has the color that it had in the frame before, to the last bit, and motion "
+        "says that the picture moves.">(framesOf(found));
+  case OrderFault::Swapped:
+    return say<
+        "Along its motion frame %1 continues frame %2, which comes after it, and leaves %3 of the frame "
+        "before and %4 of that one (median difference of luma, × 1000).">(
+        first.frame, first.frame + 1, shortNumber(1000.0 * first.asNumbered),
+        shortNumber(1000.0 * first.asFound));
+  case OrderFault::Partial:
+    return say<
+        "Right of it and below everything is as in the frame before, to the last bit, where its motion "
+        "says that it moves: %1.">(partsOf(found));
+  case OrderFault::Cut:
+    break;
+  }
+  return say<
+      "In frame %1 hardly anything of the frame before is found again, wherever it may have moved, and in "
+      "other frames nearly everything is.">(framesOf(found));
+}
+
+} // namespace
+
+void OrderEvidence::add(const DoctorFrame& frame) {
+  if (frame.motionPx.empty()) return;
+  constexpr std::size_t kMostKept = 3;
+  kept_.push_back({frame.frame, frame.jitterPx, frame.luma, frame.motionPx});
+  if (kept_.size() > kMostKept) kept_.pop_front();
+  Followed& followed = frames_[frame.frame];
+  followed.startsHistory = frame.startsHistory;
+  const Kept& now = kept_.back();
+  const auto compare = [&](const Kept& one, const Kept& other) {
+    if (one.luma.width != other.luma.width || one.luma.height != other.luma.height) return;
+    frames_[one.frame].left[other.frame - one.frame] =
+        leftBetween(one.luma, one.motionPx, other.luma, other.jitterPx - one.jitterPx);
+  };
+  for (std::size_t i = 0; i + 1 < kept_.size(); ++i) compare(now, kept_[i]);
+  if (kept_.size() < 2) return;
+  const Kept& before = kept_[kept_.size() - 2];
+  compare(before, now);
+  followed.drawnPx = drawnPart(now.luma, now.motionPx, before.luma);
+  followed.isBefore = now.luma.pixels == before.luma.pixels && moves(now.motionPx);
+}
+
+double OrderEvidence::leftOf(int frame, int distance) const {
+  const auto followed = frames_.find(frame);
+  if (followed == frames_.end()) return std::numeric_limits<double>::infinity();
+  const auto left = followed->second.left.find(distance);
+  return left == followed->second.left.end() ? std::numeric_limits<double>::infinity() : left->second;
+}
+
+std::vector<OrderFound> OrderEvidence::swapped() const {
+  const auto follows = [&](int frame, int distance) {
+    const double numbered = leftOf(frame, -1), other = leftOf(frame, distance);
+    return std::isfinite(numbered) && std::isfinite(other) && numbered >= kFollowsFactor * other &&
+           numbered - other >= kFollowsLuma;
+  };
+  std::vector<OrderFound> out;
+  for (const auto& [frame, followed] : frames_) {
+    // The second of them continues what comes before both; what comes after both continues the first.
+    if (follows(frame, 1) && follows(frame + 1, -2) && follows(frame + 2, -2))
+      out.push_back({OrderFault::Swapped, frame, leftOf(frame, -1), leftOf(frame, 1), {}});
+  }
+  return out;
+}
+
+bool OrderEvidence::isCut(int frame) const {
+  std::vector<double> usual, left;
+  for (const auto& [other, squares] : squares_) {
+    if (other == frame || squares.asked < kEnoughAsked) continue;
+    usual.push_back(static_cast<double>(squares.found) / static_cast<double>(squares.asked));
+    left.push_back(leftOf(other, -1));
+  }
+  const FoundAgain& squares = squares_.at(frame);
+  return squares.asked >= kEnoughAsked && !usual.empty() && median(usual) >= kUsualShare &&
+         static_cast<double>(squares.found) <= kCutShare * static_cast<double>(squares.asked) &&
+         leftOf(frame, -1) >= kCutFactor * median(left) && leftOf(frame, -1) >= kFollowsLuma;
+}
+
+// What stands in all frames is an interface, or the frame around a picture.
+bool OrderEvidence::changesDrawnPart() const {
+  std::vector<std::optional<glm::ivec2>> sizes;
+  for (const auto& [frame, followed] : frames_)
+    if (frame != frames_.begin()->first) sizes.push_back(followed.drawnPx);
+  return std::ranges::any_of(sizes, [&](const auto& size) { return size != sizes.front(); });
+}
+
+std::vector<OrderFound> OrderEvidence::found() const {
+  std::vector<OrderFound> out = swapped();
+  const auto isTold = [&](int frame) {
+    return std::ranges::any_of(out, [frame](const OrderFound& one) {
+      return one.fault == OrderFault::Swapped && frame >= one.frame && frame <= one.frame + 2;
+    });
+  };
+  std::vector<OrderFound> others;
+  const bool isChanging = changesDrawnPart();
+  for (const auto& [frame, followed] : frames_) {
+    if (followed.startsHistory || isTold(frame)) continue;
+    if (followed.drawnPx && isChanging)
+      others.push_back({OrderFault::Partial, frame, 0.0, 0.0, *followed.drawnPx});
+    else if (followed.isBefore)
+      others.push_back({OrderFault::Doubled, frame, leftOf(frame, -1), 0.0, {}});
+    else if (squares_.contains(frame) && isCut(frame))
+      others.push_back({OrderFault::Cut, frame, leftOf(frame, -1), 0.0, {}});
+  }
+  out.insert(out.end(), others.begin(), others.end());
+  std::ranges::sort(out, {}, &OrderFound::frame);
+  return out;
+}
+
+void tellOrder(const std::vector<OrderFound>& found, Diagnosis& out) {
+  for (const OrderFault fault :
+       {OrderFault::Doubled, OrderFault::Swapped, OrderFault::Cut, OrderFault::Partial}) {
+    std::vector<OrderFound> alike;
+    std::ranges::copy_if(found, std::back_inserter(alike),
+                         [fault](const OrderFound& one) { return one.fault == fault; });
+    if (alike.empty()) continue;
+    OrderWords words = wordsOf(fault);
+    Finding finding;
+    finding.id = std::move(words.id);
+    finding.name = std::move(words.name);
+    finding.symptom = std::move(words.symptom);
+    finding.change = std::move(words.change);
+    finding.sureness = fault == OrderFault::Cut ? Sureness::Likely : Sureness::Sure;
+    finding.isWholePicture = true;
+    finding.reason = reasonOf(alike);
+    out.findings.push_back(std::move(finding));
+  }
+}
+
+FrameReader inOrder(FrameReader read, const std::vector<OrderFound>& found) {
+  std::map<int, int> places;
+  std::vector<int> starts;
+  for (const OrderFound& one : found) {
+    if (one.fault == OrderFault::Swapped) {
+      places[one.frame] = one.frame + 1;
+      places[one.frame + 1] = one.frame;
+    } else {
+      starts.push_back(one.frame);
+      if (one.fault == OrderFault::Partial) starts.push_back(one.frame + 1);
+    }
+  }
+  return [read = std::move(read), places = std::move(places), starts = std::move(starts)](int frame) {
+    const auto place = places.find(frame);
+    DoctorFrame out = read(place == places.end() ? frame : place->second);
+    out.frame = frame;
+    if (std::ranges::count(starts, frame) > 0) out.startsHistory = true;
+    return out;
+  };
+}
+
+} // namespace taa::doctor

@@ -1,0 +1,49 @@
+// Motion that is no number is a finding with its objects and frames; color that is none is a note.
+#include "core/doctor/sequence/BadValues.h"
+
+#include "tests/support/doctor/PaintedFrames.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace taa::doctor {
+namespace {
+
+constexpr int kFrames = 10;
+
+const Finding* findingOf(const Diagnosis& diagnosis, const char* id) {
+  const auto found = std::ranges::find(diagnosis.findings, id, &Finding::id);
+  return found == diagnosis.findings.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+TEST(BadValues, OfMotionAreNamedWithObjectAndFrames) {
+  const Diagnosis diagnosis = examine(test::paintedExamination({}, kFrames, [](DoctorFrame& frame) {
+    if (frame.frame < 3 || frame.frame > 5) return;
+    const float bad =
+        frame.frame == 4 ? std::numeric_limits<float>::infinity() : std::numeric_limits<float>::quiet_NaN();
+    test::changeMotion(frame, test::kBoardId,
+                       [bad](const glm::vec2& motion) { return glm::vec2(bad, motion.y); });
+  }));
+  const Finding* finding = findingOf(diagnosis, "motionNotFinite");
+  ASSERT_TRUE(finding);
+  ASSERT_EQ(finding->regions.size(), 1u);
+  EXPECT_EQ(finding->regions[0].objectId, test::kBoardId);
+  EXPECT_NE(finding->reason.find("In frames 3 to 5 "), std::string::npos) << finding->reason;
+  EXPECT_EQ(diagnosis.findings.size(), 1u) << "what is no motion is no witness of another mistake";
+}
+
+TEST(BadValues, OfColorAreANote) {
+  const Diagnosis diagnosis = examine(test::paintedExamination(
+      {}, kFrames, [](DoctorFrame& frame) { frame.badColors = frame.frame == 2 ? 7 : 0; }));
+  EXPECT_TRUE(diagnosis.isHealthy());
+  EXPECT_TRUE(std::ranges::any_of(diagnosis.notes, [](const std::string& note) {
+    return note.find("NaN or infinite) at 7 pixels") != std::string::npos;
+  }));
+}
+
+} // namespace taa::doctor
