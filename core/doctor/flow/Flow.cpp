@@ -277,6 +277,8 @@ void keepBetter(const Found& other, Found& best) {
   if (other.left < best.left) best = other;
 }
 
+constexpr std::size_t kEnoughToFit = 12; ///< squares
+
 /// How many numbers say what is made of the motion given.
 enum class FlowModel : std::uint8_t { Factor, Factors, FactorsAndOffset };
 
@@ -479,12 +481,15 @@ bool FlowFit::isGood() const {
          static_cast<double>(followed) >= kNearlyAll * static_cast<double>(squares);
 }
 
+std::optional<FlowFit> fitFactor(const std::vector<const FlowSquare*>& squares, double tolerancePx) {
+  if (squares.size() < kEnoughToFit) return {};
+  return fitBy(squares, FlowModel::Factor, tolerancePx);
+}
+
 std::optional<FlowFit> fitFlow(const std::vector<const FlowSquare*>& squares, bool isThroughZero,
                                double tolerancePx) {
-  constexpr std::size_t kEnough = 12;
-  if (squares.size() < kEnough) return {};
-  if (!areSpread(squares))
-    return isThroughZero ? fitBy(squares, FlowModel::Factor, tolerancePx) : std::nullopt;
+  if (squares.size() < kEnoughToFit) return {};
+  if (!areSpread(squares)) return isThroughZero ? fitFactor(squares, tolerancePx) : std::nullopt;
   return fitBy(squares, isThroughZero ? FlowModel::Factors : FlowModel::FactorsAndOffset, tolerancePx);
 }
 

@@ -71,5 +71,7 @@ struct FlowFit {
 /// no offset; where the motion given is along one line, it is one factor for both axes then, else nothing.
 std::optional<FlowFit> fitFlow(const std::vector<const FlowSquare*>& squares, bool isThroughZero,
                                double tolerancePx);
+/// One factor for both axes, without an offset.
+std::optional<FlowFit> fitFactor(const std::vector<const FlowSquare*>& squares, double tolerancePx);
 
 } // namespace taa::doctor

@@ -324,34 +324,29 @@ std::optional<FlowFit> explainingWithoutRoot(const std::vector<const FlowSquare*
   std::vector<FlowSquare> linear;
   for (const FlowSquare* square : squares) {
     FlowSquare& one = linear.emplace_back(*square);
-    one.given = glm::sign(square->given) * glm::sqrt(2.0 * glm::abs(square->given) / pxPerNdc);
+    one.given = glm::sign(square->given) * glm::sqrt(2.0 * glm::abs(square->given) * pxPerNdc);
   }
   std::vector<const FlowSquare*> all;
   for (const FlowSquare& square : linear) all.push_back(&square);
-  const auto fit = fitFlow(all, true, tolerancePx);
-  return fit && fit->isGood() && isAlongAxes(*fit) ? fit : std::nullopt;
+  const auto fit = fitFactor(all, tolerancePx);
+  return fit && fit->isGood() ? fit : std::nullopt;
 }
 
-void nameWithoutRoot(const FlowFit& fit, const Patient& patient, Finding& finding) {
+void nameWithoutRoot(const FlowFit& fit, Finding& finding) {
   const std::string example = finding.change;
-  const glm::dvec2 perHalf = capture::kUnrealSlope * 0.5 * glm::dvec2(patient.sizePx);
-  const glm::dvec2 perStored = glm::dvec2(fit.factors[0][0], fit.factors[1][1]) / perHalf;
-  const glm::dvec2 errors = glm::dvec2(fit.factorErrors[0][0], fit.factorErrors[1][1]) / perHalf;
+  const double factor = fit.factors[0][0], error = fit.factorErrors[0][0];
   nameBy(
       {"motionWithoutRoot", say<"Motion that is linear decoded as a root">(),
        say<"Small motion is lost, and fast things have far too little.">(),
-       say<"State that motion is stored with an offset, %1, times (%2, %3) in device coordinates: the root that "
-           "Unreal's encoding takes is not in what is stored. Or take it before you store.">(
-           shortestText(static_cast<float>(capture::kUnrealRest)), withError(perStored.x, errors.x),
-           withError(perStored.y, errors.y))},
+       say<"State that motion is stored with an offset, %1, times %2 in device coordinates: the root that Unreal's "
+           "encoding takes is not in what is stored. Or take it before you store.">(
+           shortestText(static_cast<float>(capture::kUnrealRest)),
+           withError(factor / capture::kUnrealSlope, error / capture::kUnrealSlope))},
       finding);
   finding.change += " " + example;
   finding.reason +=
-      " " + say<"By least squares the pictures move by (%1, %2) px times what is stored less the "
-                "offset, over %3: that explains %4 of %5 squares.">(
-                withError(fit.factors[0][0], fit.factorErrors[0][0]),
-                withError(fit.factors[1][1], fit.factorErrors[1][1]), shortNumber(capture::kUnrealSlope),
-                fit.followed, fit.squares);
+      " " + say<"By least squares the pictures move by %1 times what is read if its root is not undone: "
+                "that explains %2 of %3 squares.">(withError(factor, error), fit.followed, fit.squares);
 }
 
 void nameUnknown(Finding& finding) {
@@ -395,14 +390,17 @@ Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, c
   for (const Refuted& one : refuted) ofAll.insert(ofAll.end(), one.ofAll.begin(), one.ofAll.end());
   auto fit = explaining(ofAll, tolerancePx);
   if (!fit) fit = explaining(squares, tolerancePx);
-  if (fit) {
+  // An encoding is that of all that is stored; what was not written is the camera's by what is stated.
+  std::vector<const FlowSquare*> seenSquares;
+  for (const FlowPair& pair : seen.pairs)
+    for (const FlowSquare& square : pair.squares)
+      if (!square.isOfCamera) seenSquares.push_back(&square);
+  const auto withoutRoot = explainingWithoutRoot(seenSquares, patient, tolerancePx);
+  // Of motion that hardly changes a line makes nearly what a curve does.
+  if (withoutRoot && (!fit || !isAlongAxes(*fit) || withoutRoot->followed > fit->followed))
+    nameWithoutRoot(*withoutRoot, finding);
+  else if (fit)
     nameByFit(*fit, patient, finding);
-    return finding;
-  }
-  auto withoutRoot = explainingWithoutRoot(ofAll, patient, tolerancePx);
-  if (!withoutRoot) withoutRoot = explainingWithoutRoot(squares, patient, tolerancePx);
-  if (withoutRoot)
-    nameWithoutRoot(*withoutRoot, patient, finding);
   else
     nameUnknown(finding);
   return finding;

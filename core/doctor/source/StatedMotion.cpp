@@ -142,17 +142,12 @@ std::optional<Changes> bestChanges(MotionFits& fits, const Conventions& stated,
   const auto leastOf = [least](const Changes& changes) {
     return changes.size() > 1 ? std::max(least, kExplainedByTwo) : least;
   };
-  // What makes pixels rest explains those that are left by chance: it has to explain more pixels, too, than
-  // what is stated.
-  const Fit asStated = fits.of(stated);
-  const std::size_t leastMoved = asStated.moved / 2;
-  const double leastFits =
-      static_cast<double>(asStated.fits) + kMoreShare * static_cast<double>(asStated.moved);
+  // What makes most pixels rest explains the few that are left by chance.
+  const std::size_t leastMoved = fits.of(stated).moved / 2;
   double best = least;
   for (Changes& changes : changesOf(others)) {
     const Fit fit = fits.of(changed(stated, changes));
-    const bool isMore = fit.moved >= leastMoved && static_cast<double>(fit.fits) >= leastFits;
-    const double share = isMore ? fit.share() : 0.0;
+    const double share = fit.moved >= leastMoved ? fit.share() : 0.0;
     if (share < leastOf(changes)) continue;
     best = std::max(best, share);
     tried.emplace_back(share, std::move(changes));

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -106,6 +108,29 @@ TEST(FlowCheck, NamesTheFramesInWhichOneObjectIsWrong) {
 TEST(FlowCheck, NamesMotionThatIsMissingWithoutCameras) {
   const auto zero = [](const glm::vec2&, int) { return glm::vec2(0.0f); };
   EXPECT_EQ(idsOf(diagnosisOf(zero, {})), "motionWithoutCamera") << "what moves by itself has it";
+}
+
+// Unreal 4's formula without its root: v/2 · |v| is read where v is stored.
+TEST(FlowCheck, NamesARootThatIsNotInWhatIsStored) {
+  const glm::vec2 pxPerNdc = 0.5f * glm::vec2(test::kPaintedPx);
+  const MotionChange change = [pxPerNdc](const glm::vec2& motion, int) {
+    const glm::vec2 ndc = motion / pxPerNdc;
+    return 0.5f * ndc * glm::abs(ndc) * pxPerNdc;
+  };
+  test::PaintedShot shot = changingShot();
+  shot.cameraPx = {6.0, -4.0};
+  shot.change = 0.8;
+  Examination examination = test::paintedExamination(shot, kFrames, [&](DoctorFrame& frame) {
+    for (const std::uint32_t id : {0u, test::kGroundId, test::kBoardId})
+      test::changeMotion(frame, id, [&](const glm::vec2& motion) { return change(motion, 0); });
+    frame.previousClipFromClip.reset();
+  });
+  examination.known.camera = false;
+  examination.patient.conventions.emplace().motion.encoding = capture::MotionEncoding::Unreal;
+  const Diagnosis diagnosis = examine(examination);
+  ASSERT_EQ(idsOf(diagnosis), "motionWithoutRoot");
+  EXPECT_NE(diagnosis.findings[0].change.find("times 4.01 ± 0.0001 in device coordinates"), std::string::npos)
+      << diagnosis.findings[0].change;
 }
 
 TEST(FramesText, SaysWhichOfThoseAsked) {
