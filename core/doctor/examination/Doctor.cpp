@@ -327,15 +327,18 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
   std::erase_if(order, [&](const OrderFound& one) {
     return one.fault == OrderFault::Cut && stepped.contains(one.frame);
   });
+  const std::vector<PlaneTime> times = order.empty() ? first.planeTimes() : std::vector<PlaneTime>();
   tellOrder(order, out);
+  tellPlaneTimes(times, out);
   first.tellValues(out);
-  if (covered.empty() && stepped.empty() && order.empty()) {
+  if (covered.empty() && stepped.empty() && order.empty() && times.empty()) {
     tellAll(examination, first, brightness, false, examination.read, out);
   } else {
-    // An interface, a step of brightness or frames out of order make jitter and motion look wrong: all else
-    // is looked at again without them.
+    // An interface, a step of brightness, frames out of order or planes of other ones make jitter and motion
+    // look wrong: all else is looked at again without them.
     Examiner bare = first.another();
-    FrameReader read = inOrder(examination.read, order);
+    FrameReader read =
+        withOwnPlanes(inOrder(examination.read, order), times, examination.first, examination.frames);
     if (!covered.empty()) read = coveredReader(read, covered);
     if (!stepped.empty()) read = withBrightness(std::move(read), stepped);
     bare.look(read, out);
@@ -349,7 +352,8 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
   if (patient.conventions && patient.conventions->motion.whereNothing)
     out.notes.push_back(say<"Where nothing is drawn motion is what the capture states of it "
                             "(motion.whereNothing), whatever is stored there.">());
-  if (examination.known.output) tellResolve(first.resolve(), out.findings.empty(), out);
+  const bool isOutputLate = std::ranges::count(times, TimedPlane::Output, &PlaneTime::plane) > 0;
+  if (examination.known.output && !isOutputLate) tellResolve(first.resolve(), out.findings.empty(), out);
   return out;
 }
 

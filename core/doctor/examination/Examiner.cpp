@@ -65,6 +65,7 @@ void Examiner::add(const DoctorFrame* before, const DoctorFrame& now, const Doct
     rims_.add(now);
     if (looksAtOutput_) resolve_.add(now, before);
     order_.add(now);
+    times_.add(now);
   });
   const std::vector<RegionIndex> labels = tracker_.label(now);
   values_.add(now, labels);

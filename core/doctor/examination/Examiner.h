@@ -17,6 +17,7 @@
 #include "core/doctor/resolve/ResolveEvidence.h"
 #include "core/doctor/sequence/BadValues.h"
 #include "core/doctor/sequence/FrameOrder.h"
+#include "core/doctor/sequence/PlaneTimes.h"
 
 #include <functional>
 #include <optional>
@@ -54,6 +55,7 @@ class Examiner {
   MotionTold tellMotion(Diagnosis& out) const;
   FlowSeen flow() const { return {flow_, tracker_.regions()}; }
   const OrderEvidence& order() const { return order_; }
+  std::vector<PlaneTime> planeTimes() const { return times_.found(); }
   void tellValues(Diagnosis& out) const { tellBadValues(values_, tracker_.regions(), patient_, out); }
   const Patient& patient() const { return patient_; }
 
@@ -79,6 +81,7 @@ class Examiner {
   DepthEvidence depth_;
   RimEvidence rims_;
   OrderEvidence order_;
+  PlaneTimes times_;
   ValueEvidence values_;
   ReturnEvidence returns_;
   ResolveEvidence resolve_;

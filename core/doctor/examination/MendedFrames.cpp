@@ -55,6 +55,8 @@ bool mendsAlone(const MotionTrial& trial) {
   case MotionKind::MirroredY:
   case MotionKind::Opposite:
   case MotionKind::SwappedAxes:
+  case MotionKind::TurnedLeft:
+  case MotionKind::TurnedRight:
   case MotionKind::Encoded:
   case MotionKind::Root:
     return true;

@@ -215,6 +215,10 @@ std::optional<glm::dmat2> factorsOf(const MotionTrial& trial) {
     return along({-1.0f, -1.0f});
   case MotionKind::SwappedAxes:
     return glm::dmat2(glm::dvec2(0.0, 1.0), glm::dvec2(1.0, 0.0));
+  case MotionKind::TurnedLeft:
+    return glm::dmat2(glm::dvec2(0.0, 1.0), glm::dvec2(-1.0, 0.0));
+  case MotionKind::TurnedRight:
+    return glm::dmat2(glm::dvec2(0.0, -1.0), glm::dvec2(1.0, 0.0));
   default:
     return {};
   }
@@ -350,15 +354,11 @@ void nameWithoutRoot(const FlowFit& fit, Finding& finding) {
 }
 
 void nameUnknown(Finding& finding) {
-  finding.id = kUnknownMotionId;
-  finding.name = say<"Motion that none of the known mistakes explains">();
-  finding.symptom = say<"Ghosts or smears where and when it is wrong.">();
+  const std::string example = finding.change;
+  nameBy(unknownMotion(), finding);
   finding.reason +=
       " " + say<"None of the mistakes that are known here makes what is given of what pictures show.">();
-  finding.change =
-      say<"Look at how motion is made of these objects in these frames: what is drawn, with which transforms, into "
-          "which target.">() +
-      " " + finding.change;
+  finding.change += " " + example;
 }
 
 /// Of what pictures refute, and whatever explains all of it best.
@@ -500,6 +500,15 @@ std::vector<const FlowSquare*> squaresIn(const Finding& finding, const FlowSeen&
   return out;
 }
 
+/// Whether an explanation by motion of the frame after makes next to nothing better over all of a region:
+/// what a few pixels beside something say.
+bool isHardlyBetter(const MotionTrial& trial, const Finding& finding) {
+  constexpr double kHardly = 1.05;
+  if (trial.kind != MotionKind::FrameEarly && trial.kind != MotionKind::Forward) return false;
+  const auto given = std::ranges::find(finding.residuals, true, &Residual::isGiven);
+  return given != finding.residuals.end() && given->value < kHardly * finding.residuals.front().value;
+}
+
 /// Takes back findings of regions whose explanation does not make what is measured there, or where nothing is
 /// wrong.
 void takeBackRefuted(const FlowSeen& seen, const Patient& patient, Diagnosis& out) {
@@ -509,7 +518,7 @@ void takeBackRefuted(const FlowSeen& seen, const Patient& patient, Diagnosis& ou
     const auto trial = std::ranges::find(trials, finding.residuals.front().id, &trialId);
     if (trial == trials.end()) return false;
     const std::vector<const FlowSquare*> squares = squaresIn(finding, seen, patient);
-    return isRightAsGiven(*trial, squares) || !isBorneOut(*trial, squares);
+    return isRightAsGiven(*trial, squares) || !isBorneOut(*trial, squares) || isHardlyBetter(*trial, finding);
   });
 }
 
@@ -533,6 +542,44 @@ std::string takeBackOfAll(Diagnosis& out) {
     return true;
   });
   return names;
+}
+
+/// Says of findings of regions in which frames pictures refute them, where that is not in all.
+void tellFrames(const std::vector<Refuted>& refuted, const Patient& patient, Diagnosis& out) {
+  constexpr double kNearlyAll = 0.8;
+  for (Finding& finding : out.findings) {
+    if (!isOfMotion(finding) || finding.isWholePicture) continue;
+    for (const Refuted& one : refuted) {
+      const bool isOfFinding = std::ranges::count(finding.regions, placeOf(*one.region, patient, 1.0).name,
+                                                  &RegionPlace::name) > 0;
+      const bool isSometimes =
+          static_cast<double>(one.frames.size()) < kNearlyAll * static_cast<double>(one.asked.size());
+      if (!isOfFinding || !isSometimes) continue;
+      finding.reason +=
+          " " + say<"By what squares move by it is so in %1.">(framesText(one.frames, one.asked));
+      break;
+    }
+  }
+}
+
+/// What rests is said not to move as the camera, whatever it moves by: where one line makes all that is given
+/// right, that says more.
+void nameNotCameras(const FlowSeen& seen, const Patient& patient, double tolerancePx, Diagnosis& out) {
+  const auto isNotCameras = [](const Finding& finding) { return finding.id == "motionNotCameras"; };
+  if (std::ranges::none_of(out.findings, isNotCameras)) return;
+  const std::vector<Refuted> all{wholePicture(seen)};
+  const auto fit = explaining(all.front().squares, tolerancePx);
+  if (!fit) return;
+  std::erase_if(out.findings, [&](const Finding& finding) {
+    return isNotCameras(finding) || finding.id == faultInfo(Fault::MotionCameraOnly).id ||
+           finding.id == kUnknownMotionId;
+  });
+  Finding finding = measuredFinding(all, seen, patient, out);
+  finding.sureness = Sureness::Likely;
+  finding.isWholePicture = true;
+  nameByFit(*fit, patient, finding);
+  out.findings.push_back(std::move(finding));
+  out.parts.takeBack(say<"Motion">());
 }
 
 } // namespace
@@ -571,6 +618,8 @@ void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient
   }
   std::vector<Refuted> refuted = refutedRegions(mended, tolerancePx);
   takeBackRefuted(mended, patient.patient, out);
+  nameNotCameras(mended, patient.patient, tolerancePx, out);
+  tellFrames(refuted, patient.patient, out);
   std::erase_if(refuted, [&](const Refuted& one) { return isToldOf(*one.region, patient.patient, out); });
   if (refuted.empty()) return;
   out.findings.push_back(bestFinding(refuted, mended, patient.patient, tolerancePx, out));

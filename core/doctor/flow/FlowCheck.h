@@ -7,7 +7,6 @@
 #include "core/doctor/flow/Flow.h"
 #include "core/doctor/frames/Regions.h"
 
-#include <string_view>
 #include <vector>
 
 namespace taa::doctor {
@@ -24,9 +23,6 @@ struct FlowPatient {
   bool isMotionMended = false; ///< by one explanation for the whole picture, which was told
   bool isJitterOpen = false;   ///< by a pixel or so motion may be off, then
 };
-
-/// Id of what none of the known mistakes explains.
-inline constexpr std::string_view kUnknownMotionId = "motionUnknown";
 
 /// Whether pictures move as depth and matrices make what rests move, where the motion given is another one:
 /// of the four, motion is the one that is wrong.

@@ -148,7 +148,7 @@ Finding wordedFinding(const JitterWords& words) {
 
 /// Names of the table say twice and half; factors between are told by their number.
 std::string scaledName(const glm::vec2& factor) {
-  return say<"Jitter reported %1 times too large">(shortNumber(1.0 / static_cast<double>(factor.x)));
+  return say<"Jitter reported %1 times as large as it is">(shortNumber(1.0 / static_cast<double>(factor.x)));
 }
 
 std::vector<Residual> jitterResiduals(const JitterFit& fit, const std::vector<JitterTrial>& trials) {
@@ -339,6 +339,42 @@ void tellTrial(const std::vector<JitterTrial>& trials, std::size_t trial, const 
   if (sky) tellSky(evidence, trials, trial, *sky, out);
 }
 
+/// The factor of a trial that says that jitter is longer or shorter, by least squares over measured shifts,
+/// where that is not the one of the list; those that miss by much are left out.
+void measureLength(const JitterEvidence& evidence, JitterTrial& trial) {
+  constexpr int kRounds = 4;
+  constexpr double kOutlier = 3.0, kKnownTo = 0.05, kFitErrors = 3.0, kLeastPx = 0.02;
+  struct Pair {
+    glm::dvec2 stated{0.0}, shift{0.0};
+  };
+  std::vector<Pair> pairs;
+  for (const JitterEvidence::Shift& shift : evidence.shifts) {
+    const auto before = evidence.stated.find(shift.frame - 1), now = evidence.stated.find(shift.frame);
+    if (before != evidence.stated.end() && now != evidence.stated.end())
+      pairs.push_back({glm::dvec2(before->second - now->second), glm::dvec2(shift.px)});
+  }
+  double factor = static_cast<double>(trial.factor.x), error = 0.0;
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<double> misses;
+    for (const Pair& pair : pairs) misses.push_back(glm::distance(pair.shift, factor * pair.stated));
+    const double most = std::max(kLeastPx, kOutlier * median(misses));
+    double product = 0.0, square = 0.0, left = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (misses[i] > most) continue;
+      product += glm::dot(pairs[i].shift, pairs[i].stated);
+      square += glm::dot(pairs[i].stated, pairs[i].stated);
+      left += misses[i] * misses[i];
+      count += 2.0;
+    }
+    if (!(square > 0.0) || count < 8.0) return;
+    factor = product / square;
+    error = std::sqrt(left / (count - 1.0) / square);
+  }
+  const double listed = static_cast<double>(trial.factor.x);
+  if (!(error <= kKnownTo * factor) || std::abs(factor - listed) <= kFitErrors * error) return;
+  trial.factor = glm::vec2(static_cast<float>(factor));
+}
+
 void tellNoFit(double missPx, Diagnosis& out) {
   out.parts.leaveOpen({say<"Jitter">(),
                        say<"measured shifts are %1 px from those that are stated, and no other "
@@ -441,7 +477,7 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
   }
   if (isConstant(evidence)) return {tellUnstated(evidence, patient.isCameraKnown, patient.patient, out)};
   if (const auto pauses = jitterPauses(evidence)) return {tellPauses(*pauses, evidence, out)};
-  const std::vector<JitterTrial> trials = jitterTrials(patient.patient.sizePx);
+  std::vector<JitterTrial> trials = jitterTrials(patient.patient.sizePx);
   JitterFit fit = jitterFit(evidence, trials);
   const double missPx = fit.missPx.front();
   const bool isContradicted = fit.isContradicted();
@@ -478,6 +514,7 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
     tellSomeShifting(evidence, out);
     return {{}, false, true};
   }
+  if (trials[fit.best].kind == JitterKind::Scaled) measureLength(evidence, trials[fit.best]);
   for (Finding& finding : otherJitter(witness, fit, trials, evidence, patient.isCameraKnown, patient.patient))
     out.findings.push_back(std::move(finding));
   tellTrial(trials, fit.best, evidence, patient.sky, out);

@@ -1,5 +1,6 @@
 #include "core/doctor/motion/MotionEvidence.h"
 
+#include "core/base/Median.h"
 #include "core/capture/import/FrameSamples.h"
 #include "core/doctor/frames/Detail.h"
 #include "core/doctor/motion/MotionSearch.h"
@@ -313,6 +314,19 @@ bool isSameMotion(const glm::vec2& a, const glm::vec2& b) {
 
 MotionEvidence::MotionEvidence(const glm::ivec2& sizePx) : trials_(motionTrials(sizePx)) {}
 
+std::optional<double> MotionEvidence::wayShare() const {
+  constexpr std::size_t kEnoughPairs = 3;
+  constexpr double kNearlyAll = 0.8, kSame = 0.03;
+  if (wayShares_.size() < kEnoughPairs ||
+      static_cast<double>(wayShares_.size()) < kNearlyAll * static_cast<double>(moved_))
+    return {};
+  const double middle = median(wayShares_);
+  std::vector<double> off;
+  for (const double share : wayShares_) off.push_back(std::abs(share - middle));
+  if (median(std::move(off)) > kSame) return {};
+  return middle;
+}
+
 void MotionEvidence::add(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels,
                          const std::vector<RegionIndex>& labelsBefore) {
   const auto highest = std::ranges::max_element(labels);
@@ -321,6 +335,8 @@ void MotionEvidence::add(const FrameNeighbors& frames, const std::vector<RegionI
   for (RegionEvidence& region : regions_) region.trials.resize(trials_.size());
   FrameNeighbors known = frames;
   known.others = otherCameras(frames.now);
+  if (known.others.beside) ++moved_;
+  if (known.others.wayShare) wayShares_.push_back(*known.others.wayShare);
   PairEvidence pair(known, trials_, labels, labelsBefore, regions_);
   pair.add();
   pairs_.push_back(pair.witness());

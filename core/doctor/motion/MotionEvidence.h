@@ -122,11 +122,15 @@ class MotionEvidence {
   /// By region; those never seen have no pixels.
   const std::vector<RegionEvidence>& regions() const { return regions_; }
   const std::vector<PairWitness>& pairs() const { return pairs_; }
+  /// How much of the camera's way is in motion, where that is the same in nearly all pairs.
+  std::optional<double> wayShare() const;
 
  private:
   std::vector<MotionTrial> trials_;
   std::vector<RegionEvidence> regions_;
   std::vector<PairWitness> pairs_;
+  std::vector<double> wayShares_; ///< of pairs that have one
+  std::size_t moved_ = 0;         ///< pairs that a previous camera beside this one explains
   MotionMiddles middles_;
 };
 

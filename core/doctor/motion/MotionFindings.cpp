@@ -18,6 +18,7 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -61,7 +62,7 @@ Finding findingOf(const FaultGroup& group, const std::vector<JudgedRegion>& judg
                   const MotionEvidence& evidence, const Patient& patient, double allPixels) {
   Finding out;
   nameBy(group.fault, out);
-  out.sureness = isSure(group) ? Sureness::Sure : Sureness::Likely;
+  out.sureness = isSure(group) && out.id != kUnknownMotionId ? Sureness::Sure : Sureness::Likely;
   out.isWholePicture = group.pixels >= kWholeShare * decidedPixels(judged);
   for (const JudgedRegion* region : group.regions)
     out.regions.push_back(placeOf(*region->region, patient, allPixels));
@@ -205,6 +206,23 @@ void tellOthers(const Judged& all, const std::vector<MotionTrial>& trials, const
          say<"Bring the camera nearer to them, or capture more and larger frames.">(), ofSmall});
 }
 
+/// A camera beside this one that always stands on its way is none: the way is another one.
+void tellWay(double share, Diagnosis& out) {
+  const std::string_view beside = faultInfo(Fault::CameraOfSecondView).id;
+  for (Finding& finding : out.findings) {
+    if (finding.id != beside) continue;
+    finding.id = "motionOtherWay";
+    finding.name = say<"The camera's way %1 times in motion">(shortNumber(share));
+    finding.symptom = say<"Near things smear while the camera moves; where it turns all is right.">();
+    finding.change =
+        say<"Motion is made as if the camera had come %1 times its way, as distances make it that are %2 "
+            "times as far: make it with the depth, the near plane and the unit of the frames' own "
+            "projection.">(shortNumber(share), shortNumber(1.0 / share));
+    finding.mending.clear();
+    finding.alike.clear();
+  }
+}
+
 } // namespace
 
 RegionPlace placeOf(const Region& region, const Patient& patient, double allPixels) {
@@ -296,6 +314,8 @@ MotionTold tellMotion(const MotionEvidence& evidence, const std::vector<Region>&
                                              namesOf(judged.contradictedIn, patient, allPixels),
                                              !judged.areMatricesTrusted));
   tellOthers(judged, evidence.trials(), patient, allPixels, out);
+  constexpr double kLeastShare = 0.05;
+  if (const auto share = evidence.wayShare(); share && *share > kLeastShare) tellWay(*share, out);
   told.isOfCameraOrDepth =
       judged.unconfirmed && evidence.trials()[*judged.unconfirmed].kind == MotionKind::CameraBeside;
   return told;

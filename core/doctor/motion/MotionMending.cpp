@@ -76,7 +76,9 @@ std::vector<std::string> motionMending(const MotionTrial& trial) {
     return {"fault.motionLag=-1"};
   case MotionKind::FrameEarly:
     return {"fault.motionLag=1"};
-  case MotionKind::Forward: // no setting looks for the same surface
+  case MotionKind::TurnedLeft: // no setting turns
+  case MotionKind::TurnedRight:
+  case MotionKind::Forward: // … or looks for the same surface
     return {};
   case MotionKind::Encoded:
     return {"fault.motionUnit=asBiased"};

@@ -50,6 +50,8 @@ bool isOfMiddle(MotionKind kind) {
   case MotionKind::MirroredY:
   case MotionKind::Opposite:
   case MotionKind::SwappedAxes:
+  case MotionKind::TurnedLeft:
+  case MotionKind::TurnedRight:
   case MotionKind::Encoded:
   case MotionKind::Root:
     return true;

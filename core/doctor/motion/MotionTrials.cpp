@@ -19,7 +19,7 @@ struct TrialWords {
 };
 
 /// In the order of the enumerators; those with a factor say it.
-constexpr std::array<TrialWords, 29> kTrialWords = {{
+constexpr std::array<TrialWords, 31> kTrialWords = {{
     {"asGiven", "as given"},
     {"resting", "at rest on the screen"},
     {"ofCamera", "that of the camera"},
@@ -31,6 +31,8 @@ constexpr std::array<TrialWords, 29> kTrialWords = {{
     {"mirroredY", "y negated"},
     {"opposite", "both negated"},
     {"swappedAxes", "x and y exchanged"},
+    {"turnedLeft", "x and y exchanged, x negated then"},
+    {"turnedRight", "x and y exchanged, y negated then"},
     {"jitterOfThis", "without this frame's jitter"},
     {"jitterOfPrevious", "without the jitter of the frame before"},
     {"jitterOfBoth", "without the difference of both jitters"},
@@ -157,10 +159,10 @@ std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx) {
   std::vector<MotionTrial> trials;
   for (const MotionKind kind :
        {MotionKind::AsGiven, MotionKind::Resting, MotionKind::MirroredX, MotionKind::MirroredY,
-        MotionKind::Opposite, MotionKind::SwappedAxes, MotionKind::JitterOfThis, MotionKind::JitterOfPrevious,
-        MotionKind::JitterOfBoth, MotionKind::JitterTakenOff, MotionKind::JitterOfThisTakenOff,
-        MotionKind::JitterOfPreviousTakenOff, MotionKind::FrameLate, MotionKind::FrameEarly,
-        MotionKind::Forward})
+        MotionKind::Opposite, MotionKind::SwappedAxes, MotionKind::TurnedLeft, MotionKind::TurnedRight,
+        MotionKind::JitterOfThis, MotionKind::JitterOfPrevious, MotionKind::JitterOfBoth,
+        MotionKind::JitterTakenOff, MotionKind::JitterOfThisTakenOff, MotionKind::JitterOfPreviousTakenOff,
+        MotionKind::FrameLate, MotionKind::FrameEarly, MotionKind::Forward})
     trials.push_back({kind});
   for (const float factor :
        {0.5f, 2.0f, 0.25f, 1.0f / 3.0f, 2.0f / 3.0f, 0.75f, 4.0f / 3.0f, 1.5f, 3.0f, 4.0f})
@@ -234,6 +236,10 @@ std::optional<glm::vec2> trueMotion(const MotionTrial& trial, const FrameNeighbo
     return -given;
   case MotionKind::SwappedAxes:
     return glm::vec2(given.y, given.x);
+  case MotionKind::TurnedLeft:
+    return glm::vec2(-given.y, given.x);
+  case MotionKind::TurnedRight:
+    return glm::vec2(given.y, -given.x);
   case MotionKind::JitterOfThis:
     return given - jitter;
   case MotionKind::JitterOfPrevious:

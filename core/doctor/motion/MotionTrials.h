@@ -28,6 +28,8 @@ enum class MotionKind : std::uint8_t {
   MirroredY,
   Opposite,
   SwappedAxes,
+  TurnedLeft, ///< what pixels move by is (−y, x) of m; (y, −x)
+  TurnedRight,
   JitterOfThis, ///< m holds the jitter of this frame; of the frame before; the difference of both
   JitterOfPrevious,
   JitterOfBoth,

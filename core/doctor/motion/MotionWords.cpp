@@ -3,11 +3,15 @@
 #include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/capture/decode/ScreenUnits.h"
+#include "core/doctor/frames/FramesText.h"
 #include "core/settings/Faults.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace taa::doctor {
 
@@ -180,8 +184,44 @@ FaultWords otherCameraFault(MotionKind kind) {
   }
 }
 
+/// Whether what is given is the camera's motion, or 0, at most of its pixels.
+bool isOfCameraAlone(const RegionEvidence& evidence) {
+  constexpr double kMost = 0.6;
+  const std::size_t ofCamera = std::max(evidence.ofCamera, evidence.zero);
+  return evidence.pixels == 0 ||
+         static_cast<double>(ofCamera) >= kMost * static_cast<double>(evidence.pixels);
+}
+
+/// Whether its motion is 0 in some frames and not in others.
+bool isAtTimesZero(const RegionEvidence& evidence) {
+  const auto rests = [](const PairTrace& trace) { return trace.pixels > 0 && trace.lengthPx == 0.0; };
+  const auto resting = std::ranges::count_if(evidence.traces, rests);
+  return resting >= 2 && std::ssize(evidence.traces) - resting >= 2;
+}
+
+/// "1, 3, 5 …": frames in which it is.
+std::string zeroFrames(const RegionEvidence& evidence) {
+  std::vector<int> zero, asked;
+  for (const PairTrace& trace : evidence.traces) {
+    if (trace.pixels == 0) continue;
+    asked.push_back(trace.frame);
+    if (trace.lengthPx == 0.0) zero.push_back(trace.frame);
+  }
+  return framesText(zero, asked);
+}
+
+FaultWords atTimesZeroFault(const RegionEvidence& evidence) {
+  return {
+      "motionAtTimesZero", say<"Motion 0 in some frames of what moves in all">(),
+      say<"It trembles, and ghosts in every other frame.">(),
+      say<"In %1 its motion is 0: its transform, or what is made of it, is brought up to date less often than it is "
+          "drawn. Make motion of the two transforms that it is drawn with.">(zeroFrames(evidence))};
+}
+
 FaultWords searchedFault(const Region& region, const RegionEvidence& evidence) {
+  if (isAtTimesZero(evidence)) return atTimesZeroFault(evidence);
   if (isUnwritten(evidence)) return unwrittenFault(region);
+  if (!isOfCameraAlone(evidence)) return unknownMotion();
   return ofTable(Fault::MotionCameraOnly,
                  say<"Its motion is the camera's alone, and it moves by itself: write motion with its own "
                      "previous transform, skin or vertex animation.">());
@@ -214,6 +254,12 @@ FaultWords motionFault(const MotionTrial* trial, const Region& region, const Reg
   case MotionKind::Opposite:
   case MotionKind::SwappedAxes:
     return axesFault(trial->kind);
+  case MotionKind::TurnedLeft:
+  case MotionKind::TurnedRight:
+    return {"motionTurned", say<"Motion with its axes turned">(), say<"Ghosts beside what moves.">(),
+            trial->kind == MotionKind::TurnedLeft
+                ? say<"Exchange x and y of motion, and negate x then: it is turned by a quarter.">()
+                : say<"Exchange x and y of motion, and negate y then: it is turned by a quarter.">()};
   case MotionKind::JitterOfThis:
   case MotionKind::JitterOfPrevious:
   case MotionKind::JitterOfBoth:
@@ -241,6 +287,14 @@ FaultWords motionFault(const MotionTrial* trial, const Region& region, const Reg
     return otherCameraFault(trial->kind);
   }
   return {};
+}
+
+FaultWords unknownMotion() {
+  return {
+      std::string(kUnknownMotionId), say<"Motion that none of the known mistakes explains">(),
+      say<"Ghosts or smears where and when it is wrong.">(),
+      say<"Look at how motion is made of these objects in these frames: what is drawn, with which transforms, into "
+          "which target.">()};
 }
 
 FaultWords lengthFault(const MotionTrial& trial) {

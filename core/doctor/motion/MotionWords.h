@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace taa::doctor {
 
@@ -28,6 +29,10 @@ FaultWords lengthFault(const MotionTrial& trial);
 std::string lengthReason(const FittedLength& length, const MotionTrial& trial, const glm::ivec2& sizePx);
 
 /// Gives a finding the words of a fault.
+/// Id and words of what none of the known mistakes explains.
+inline constexpr std::string_view kUnknownMotionId = "motionUnknown";
+FaultWords unknownMotion();
+
 void nameBy(const FaultWords& fault, Finding& out);
 
 /// Of another unit: what is wrong with direction and axes besides, as a trial of its own; nothing: nothing

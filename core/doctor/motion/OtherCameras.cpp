@@ -116,15 +116,33 @@ glm::dvec3 fitStep(const CameraSamples& samples, const glm::dvec3& at,
   return std::isfinite(glm::dot(step, step)) ? step : glm::dvec3(0.0);
 }
 
-std::optional<glm::mat4> fittedCamera(const DoctorFrame& frame, const CameraSamples& samples,
-                                      glm::dmat4 (*changeOf)(const glm::dvec3&)) {
+std::optional<glm::dvec3> fittedChange(const CameraSamples& samples,
+                                       glm::dmat4 (*changeOf)(const glm::dvec3&)) {
   glm::dvec3 at(0.0);
   for (int i = 0; i < kCameraFitSteps; ++i)
     at += fitStep(samples, at, changeOf, std::max(1e-3, 1.5 * medianMissPx(samples, changeOf(at))));
-  const glm::dmat4 change = changeOf(at);
-  if (!(medianMissPx(samples, change) <= kCameraFitPx)) return {};
-  return glm::mat4(samples.clipFromView * change * glm::inverse(samples.clipFromView) *
+  if (!(medianMissPx(samples, changeOf(at)) <= kCameraFitPx)) return {};
+  return at;
+}
+
+std::optional<glm::mat4> changedCamera(const DoctorFrame& frame, const std::optional<glm::dvec3>& at,
+                                       glm::dmat4 (*changeOf)(const glm::dvec3&)) {
+  if (!at) return {};
+  const glm::dmat4& clipFromView = frame.cameras->clipFromView;
+  return glm::mat4(clipFromView * changeOf(*at) * glm::inverse(clipFromView) *
                    glm::dmat4(*frame.previousClipFromClip));
+}
+
+/// `moved`: by which the previous view is, m. Nothing where that is not along the camera's way.
+std::optional<double> wayShareOf(const UnjitteredCameras& cameras, const glm::dvec3& moved) {
+  constexpr double kAlong = 0.1, kLeastWay = 1e-6;
+  const glm::dvec4 eye = cameras.previousViewFromWorld * glm::inverse(cameras.viewFromWorld)[3];
+  const glm::dvec3 way(eye); // from where the previous camera stood to where this one does
+  const double square = glm::dot(way, way);
+  if (!(square > kLeastWay * kLeastWay)) return {};
+  const double lacking = -glm::dot(moved, way) / square;
+  if (glm::length(moved + lacking * way) > kAlong * glm::length(moved)) return {};
+  return 1.0 - lacking;
 }
 
 /// Of the three planes of the world through its origin the one that fits best.
@@ -178,8 +196,10 @@ OtherCameras otherCameras(const DoctorFrame& frame) {
   out.unmoved = previousClip(cameras, viewAt(cameras.previousViewFromWorld, cameras.viewFromWorld));
   out.unturned = previousClip(cameras, viewAt(cameras.viewFromWorld, cameras.previousViewFromWorld));
   out.mirrored = mirroredCamera(cameras, samples);
-  out.turned = fittedCamera(frame, samples, turnedBy);
-  out.beside = fittedCamera(frame, near, movedBy);
+  out.turned = changedCamera(frame, fittedChange(samples, turnedBy), turnedBy);
+  const std::optional<glm::dvec3> moved = fittedChange(near, movedBy);
+  out.beside = changedCamera(frame, moved, movedBy);
+  if (moved) out.wayShare = wayShareOf(cameras, *moved);
   return out;
 }
 

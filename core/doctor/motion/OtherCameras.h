@@ -12,8 +12,11 @@ namespace taa::doctor {
 
 /// Previous clip from clip, both without jitter, of a frame.
 struct OtherCameras {
-  std::optional<glm::mat4> turned;   ///< the previous camera, turned: by what fits the motion given
-  std::optional<glm::mat4> beside;   ///< the previous camera, moved: likewise
+  std::optional<glm::mat4> turned; ///< the previous camera, turned: by what fits the motion given
+  std::optional<glm::mat4> beside; ///< the previous camera, moved: likewise
+  /// Where it is moved along its own way, how much of that is in motion: 0.6 where motion is made with
+  /// distances 1/0.6 times as far.
+  std::optional<double> wayShare;
   std::optional<glm::mat4> mirrored; ///< by a plane of the world through its origin
   std::optional<glm::mat4> identity; ///< a matrix that was never set
   std::optional<glm::mat4> unmoved;  ///< the previous camera's rotation where this one stands; its place …

@@ -39,10 +39,11 @@ int stepFor(const Image& image) {
       1, static_cast<int>(std::sqrt(static_cast<double>(image.width) * image.height / kComparedPixels)));
 }
 
-/// Median over pixels with detail; infinite where too few lead into the picture.
+/// Median over pixels with detail, by the step of jitter that leaves least of some: where frames are out of
+/// order, it may be stated in order or not. Infinite where too few lead into the picture.
 double leftBetween(const Image& luma, const Image& motionPx, const Image& other,
-                   const glm::vec2& jitterStep) {
-  std::vector<double> left;
+                   const std::vector<glm::vec2>& jitterSteps) {
+  std::vector<std::vector<double>> left(jitterSteps.size());
   const int step = stepFor(luma);
   const glm::ivec2 size(luma.width, luma.height);
   for (int y = 1; y + 1 < size.y; y += step)
@@ -51,11 +52,17 @@ double leftBetween(const Image& luma, const Image& motionPx, const Image& other,
                            std::abs(*luma.at(x, y + 1) - *luma.at(x, y - 1));
       const glm::vec2 motion(motionPx.at(x, y)[0], motionPx.at(x, y)[1]);
       if (detail < kDetailLuma || !isMotion(motion)) continue;
-      const glm::vec2 place = glm::vec2(x, y) + 0.5f - motion + jitterStep;
-      if (isInPicture(place, size))
-        left.push_back(static_cast<double>(std::abs(*luma.at(x, y) - capture::betweenPixels(other, place))));
+      for (std::size_t i = 0; i < jitterSteps.size(); ++i) {
+        const glm::vec2 place = glm::vec2(x, y) + 0.5f - motion + jitterSteps[i];
+        if (isInPicture(place, size))
+          left[i].push_back(
+              static_cast<double>(std::abs(*luma.at(x, y) - capture::betweenPixels(other, place))));
+      }
     }
-  return left.size() < kEnoughCompared ? std::numeric_limits<double>::infinity() : median(std::move(left));
+  double least = std::numeric_limits<double>::infinity();
+  for (std::vector<double>& one : left)
+    if (one.size() >= kEnoughCompared) least = std::min(least, median(std::move(one)));
+  return least;
 }
 
 bool moves(const Image& motionPx) {
@@ -214,8 +221,13 @@ void OrderEvidence::add(const DoctorFrame& frame) {
   const Kept& now = kept_.back();
   const auto compare = [&](const Kept& one, const Kept& other) {
     if (one.luma.width != other.luma.width || one.luma.height != other.luma.height) return;
-    frames_[one.frame].left[other.frame - one.frame] =
-        leftBetween(one.luma, one.motionPx, other.luma, other.jitterPx - one.jitterPx);
+    std::vector<glm::vec2> steps;
+    for (const Kept& from : kept_)
+      for (const Kept& to : kept_) {
+        const glm::vec2 jitterStep = from.jitterPx - to.jitterPx;
+        if (std::ranges::find(steps, jitterStep) == steps.end()) steps.push_back(jitterStep);
+      }
+    frames_[one.frame].left[other.frame - one.frame] = leftBetween(one.luma, one.motionPx, other.luma, steps);
   };
   for (std::size_t i = 0; i + 1 < kept_.size(); ++i) compare(now, kept_[i]);
   if (kept_.size() < 2) return;
@@ -318,6 +330,8 @@ FrameReader inOrder(FrameReader read, const std::vector<OrderFound>& found) {
     if (one.fault == OrderFault::Swapped) {
       places[one.frame] = one.frame + 1;
       places[one.frame + 1] = one.frame;
+      // Whether jitter and matrices have changed places, too, nobody knows.
+      starts.insert(starts.end(), {one.frame, one.frame + 1, one.frame + 2});
     } else {
       starts.push_back(one.frame);
       if (one.fault == OrderFault::Partial) starts.push_back(one.frame + 1);

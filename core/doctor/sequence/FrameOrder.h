@@ -74,7 +74,7 @@ class OrderEvidence {
 void tellOrder(const std::vector<OrderFound>& found, Diagnosis& out);
 
 /// The frames in the order that was found; where one does not follow the one before it, history starts. Those
-/// that are drawn in part are compared with nothing.
+/// that stood in each other's place, or are drawn in part, are compared with nothing.
 FrameReader inOrder(FrameReader read, const std::vector<OrderFound>& found);
 
 } // namespace taa::doctor

@@ -57,7 +57,14 @@ TEST(JitterCheck, NamesWhatIsStatedAndNothingElse) {
 TEST(JitterCheck, NamesFactorsBetweenByTheirNumber) {
   const Diagnosis diagnosis = diagnosisOf([](int frame) { return 1.5f * trueJitterAt(frame); });
   ASSERT_EQ(told(diagnosis), "jitterDoubled");
-  EXPECT_EQ(diagnosis.findings[0].name, "Jitter reported 1.5 times too large");
+  EXPECT_EQ(diagnosis.findings[0].name, "Jitter reported 1.5 times as large as it is");
+}
+
+// On no list: what is nearest there is 0.75.
+TEST(JitterCheck, MeasuresAFactorThatNoListHas) {
+  const Diagnosis diagnosis = diagnosisOf([](int frame) { return 0.8f * trueJitterAt(frame); });
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  EXPECT_EQ(diagnosis.findings[0].name.substr(0, 19), "Jitter reported 0.8") << diagnosis.findings[0].name;
 }
 
 TEST(JitterCheck, NamesAFrameLateOrEarly) {

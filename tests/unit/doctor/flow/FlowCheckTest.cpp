@@ -3,6 +3,7 @@
 #include "core/doctor/flow/FlowCheck.h"
 
 #include "core/doctor/frames/FramesText.h"
+#include "core/doctor/motion/MotionWords.h"
 #include "tests/support/doctor/PaintedFrames.h"
 
 #include <gtest/gtest.h>

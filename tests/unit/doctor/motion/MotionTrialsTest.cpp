@@ -84,6 +84,11 @@ TEST_F(MotionTrialsTest, TakeMotionOfOtherFrames) {
   EXPECT_FALSE(trueMotion(early, {now, before, &after}, kOnGround));
 }
 
+TEST_F(MotionTrialsTest, TurnByAQuarter) {
+  EXPECT_EQ(moved(MotionKind::TurnedLeft), glm::vec2(-kGiven.y, kGiven.x));
+  EXPECT_EQ(moved(MotionKind::TurnedRight), glm::vec2(kGiven.y, -kGiven.x));
+}
+
 // A pixel of the frame before that leads here says what led here; one that leads elsewhere does not.
 TEST_F(MotionTrialsTest, FollowMotionToTheNextFrame) {
   fill(before, glm::vec2(4.0f, -3.0f));

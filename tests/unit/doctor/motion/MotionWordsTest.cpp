@@ -59,7 +59,22 @@ TEST(MotionWords, CallWhatIsZeroUnwritten) {
   const MotionTrial ofCamera{MotionKind::OfCamera};
   EXPECT_EQ(motionFault(&ofCamera, Region(), evidence).id, "motionZero");
   evidence.zero = 0;
+  evidence.ofCamera = 100;
   EXPECT_EQ(motionFault(nullptr, Region(), evidence).id, "motionCameraOnly");
+  // What moves otherwise than given, and is not given as the camera's, has no name.
+  evidence.ofCamera = 30;
+  EXPECT_EQ(motionFault(nullptr, Region(), evidence).id, kUnknownMotionId);
+}
+
+TEST(MotionWords, NameTheFramesInWhichWhatMovesHasNoMotion) {
+  RegionEvidence evidence;
+  evidence.pixels = 600;
+  evidence.zero = 300;
+  for (int frame = 1; frame <= 6; ++frame)
+    evidence.traces.push_back({frame, 100, frame % 2 == 0 ? 0.0 : 400.0, 0, 0.0, 0.0});
+  const FaultWords words = motionFault(nullptr, Region(), evidence);
+  EXPECT_EQ(words.id, "motionAtTimesZero");
+  EXPECT_NE(words.change.find("frames 2, 4, 6 (3 of 6)"), std::string::npos) << words.change;
 }
 
 TEST(MotionWords, TellDirectionAndAxesBesideAUnit) {

@@ -121,4 +121,21 @@ TEST(OtherCameras, KnowThoseWhoseWayOrTurningIsMissing) {
   EXPECT_LT(missOf(unmoved, others.unmoved), 0.01f);
 }
 
+// The way is from (−0.28, 1, −0.25) to (−0.3, 1, −0.2): views that stand on it, and one that does not.
+TEST(OtherCameras, OnTheCamerasWayHaveAShareOfIt) {
+  const auto shareOf = [](const glm::dvec3& eye) {
+    return otherCameras(frameWith([eye](const glm::dmat4& clip, const glm::dmat4&) {
+             return clip * glm::translate(glm::dmat4(1.0), -eye);
+           }))
+        .wayShare;
+  };
+  const glm::dvec3 now(-0.3, 1.0, -0.2), before(-0.28, 1.0, -0.25);
+  for (const double share : {0.5, 0.625, 1.4}) {
+    const auto found = shareOf(now + share * (before - now));
+    ASSERT_TRUE(found) << share;
+    EXPECT_NEAR(*found, share, 0.01);
+  }
+  EXPECT_FALSE(shareOf(before + glm::dvec3(0.03, 0.0, 0.02)));
+}
+
 } // namespace taa::doctor
