@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -43,5 +44,10 @@ inline float percentile(std::vector<float>& values, int percent) {
 /// A difference from the median of so many median differences is an outlier: Tukey's biweight with its usual
 /// 4.685 standard deviations, of which one is 1.48 median differences where noise is normal.
 inline constexpr double kTukeyMedians = 4.685 * 1.48;
+/// Tukey's biweight: 1 at 0, 0 from `outlier` on.
+inline double tukeyWeight(double difference, double outlier) {
+  const double share = difference / outlier;
+  return std::abs(share) >= 1.0 ? 0.0 : (1.0 - share * share) * (1.0 - share * share);
+}
 
 } // namespace taa

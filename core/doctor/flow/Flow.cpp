@@ -39,7 +39,6 @@ constexpr double kNearShare = 1.0 / 16.0;
 constexpr double kFarthestErrorPx = 0.2;
 /// Of what is left elsewhere, and of the square's contrast: pictures read between pixels are softer.
 constexpr double kAsGood = 1.5, kAsGoodContrast = 0.1;
-constexpr double kChanceErrors = 4.0; ///< standard errors that are no chance
 /// As given against as measured: what aliases jumps from frame to frame as well, but not so clearly.
 constexpr double kClearlyMore = 3.0;
 constexpr double kLeastLuma = 0.004;
@@ -277,94 +276,6 @@ void keepBetter(const Found& other, Found& best) {
   if (other.left < best.left) best = other;
 }
 
-constexpr std::size_t kEnoughToFit = 12; ///< squares
-
-/// How many numbers say what is made of the motion given.
-enum class FlowModel : std::uint8_t { Factor, Factors, FactorsAndOffset };
-
-/// x and y of what is made of a motion are these, by (x, y, 1).
-struct FlowLine {
-  glm::dvec3 x{0.0}, y{0.0};
-  glm::dvec3 errorShares{0.0}; ///< of the root of the variance: standard errors
-
-  glm::dvec2 at(const glm::dvec2& given) const {
-    const glm::dvec3 row(given, 1.0);
-    return {glm::dot(x, row), glm::dot(y, row)};
-  }
-};
-
-/// Whether the motions given lie along no line, through zero or not: along one, two factors make anything of
-/// them.
-bool areSpread(const std::vector<const FlowSquare*>& squares) {
-  constexpr double kLeastSpread = 0.05; // 1 less the squared correlation of x and y
-  glm::dvec2 mean(0.0);
-  for (const FlowSquare* square : squares) mean += square->given / static_cast<double>(squares.size());
-  glm::dmat2 spread(0.0);
-  for (const FlowSquare* square : squares)
-    spread += glm::outerProduct(square->given - mean, square->given - mean);
-  return glm::determinant(spread) > kLeastSpread * spread[0][0] * spread[1][1];
-}
-
-/// Weighted least squares. Nothing where what is given does not tell all of the numbers.
-std::optional<FlowLine> solve(const std::vector<const FlowSquare*>& squares,
-                              const std::vector<double>& weights, FlowModel model) {
-  constexpr double kTellsApart = 1e-6;
-  glm::dmat3 normal(0.0);
-  glm::dvec3 x(0.0), y(0.0);
-  for (std::size_t i = 0; i < squares.size(); ++i) {
-    const glm::dvec3 row(squares[i]->given, model == FlowModel::FactorsAndOffset ? 1.0 : 0.0);
-    normal += weights[i] * glm::outerProduct(row, row);
-    x += weights[i] * squares[i]->px.x * row;
-    y += weights[i] * squares[i]->px.y * row;
-  }
-  if (model == FlowModel::Factor) {
-    const double length = normal[0][0] + normal[1][1];
-    if (!(length > 0.0)) return {};
-    const double factor = (x.x + y.y) / length;
-    return FlowLine{{factor, 0.0, 0.0}, {0.0, factor, 0.0}, glm::dvec3(1.0 / std::sqrt(length))};
-  }
-  if (model == FlowModel::Factors) normal[2][2] = 1.0;
-  if (!(glm::determinant(normal) > kTellsApart * normal[0][0] * normal[1][1] * normal[2][2])) return {};
-  const glm::dmat3 inverse = glm::inverse(normal);
-  return FlowLine{inverse * x,
-                  inverse * y,
-                  {std::sqrt(inverse[0][0]), std::sqrt(inverse[1][1]), std::sqrt(inverse[2][2])}};
-}
-
-std::optional<FlowFit> fitBy(const std::vector<const FlowSquare*>& squares, FlowModel model,
-                             double tolerancePx) {
-  constexpr int kRounds = 12;
-  constexpr double kLeastScalePx = 0.05;
-  std::vector<double> weights(squares.size(), 1.0), off(squares.size());
-  std::optional<FlowLine> found;
-  for (int round = 0; round < kRounds; ++round) {
-    found = solve(squares, weights, model);
-    if (!found) return {};
-    for (std::size_t i = 0; i < squares.size(); ++i)
-      off[i] = glm::distance(squares[i]->px, found->at(squares[i]->given));
-    const double scalePx = std::max(kLeastScalePx, median(off));
-    for (std::size_t i = 0; i < squares.size(); ++i) {
-      const double share = off[i] / (kTukeyMedians * scalePx);
-      weights[i] = share >= 1.0 ? 0.0 : (1.0 - share * share) * (1.0 - share * share);
-    }
-  }
-  FlowFit out;
-  out.factors = glm::dmat2(glm::dvec2(found->x.x, found->y.x), glm::dvec2(found->x.y, found->y.y));
-  double squared = 0.0, weight = 0.0;
-  for (std::size_t i = 0; i < squares.size(); ++i) {
-    squared += 0.5 * weights[i] * off[i] * off[i];
-    weight += weights[i];
-    if (off[i] <= std::max(tolerancePx, kChanceErrors * squares[i]->errorPx)) ++out.followed;
-  }
-  out.squares = squares.size();
-  const glm::dvec3 errors = std::sqrt(squared / std::max(1.0, weight - 3.0)) * found->errorShares;
-  out.factorErrors = glm::dmat2(glm::dvec2(errors.x), glm::dvec2(errors.y));
-  if (model != FlowModel::FactorsAndOffset) return out;
-  out.offsetPx = {found->x.z, found->y.z};
-  out.offsetErrorsPx = glm::dvec2(errors.z);
-  return out;
-}
-
 /// A pair of frames, square by square.
 class FlowMeter {
  public:
@@ -467,30 +378,6 @@ FlowPair measureFlow(const FrameNeighbors& frames, const std::vector<RegionIndex
                          (static_cast<double>(of.all) * static_cast<double>(asked));
   }
   return out;
-}
-
-bool FlowFit::isGood() const {
-  constexpr double kNearlyAll = 0.8, kKnownTo = 0.05;
-  double largest = 0.0, error = 0.0;
-  for (int column = 0; column < 2; ++column)
-    for (int row = 0; row < 2; ++row) {
-      largest = std::max(largest, std::abs(factors[column][row]));
-      error = std::max(error, factorErrors[column][row]);
-    }
-  return error <= kKnownTo * largest &&
-         static_cast<double>(followed) >= kNearlyAll * static_cast<double>(squares);
-}
-
-std::optional<FlowFit> fitFactor(const std::vector<const FlowSquare*>& squares, double tolerancePx) {
-  if (squares.size() < kEnoughToFit) return {};
-  return fitBy(squares, FlowModel::Factor, tolerancePx);
-}
-
-std::optional<FlowFit> fitFlow(const std::vector<const FlowSquare*>& squares, bool isThroughZero,
-                               double tolerancePx) {
-  if (squares.size() < kEnoughToFit) return {};
-  if (!areSpread(squares)) return isThroughZero ? fitFactor(squares, tolerancePx) : std::nullopt;
-  return fitBy(squares, isThroughZero ? FlowModel::Factors : FlowModel::FactorsAndOffset, tolerancePx);
 }
 
 } // namespace taa::doctor

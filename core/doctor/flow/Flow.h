@@ -6,7 +6,6 @@
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/motion/MotionTrials.h"
 
-#include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 
 #include <cstddef>
@@ -15,6 +14,8 @@
 #include <vector>
 
 namespace taa::doctor {
+
+inline constexpr double kChanceErrors = 4.0; ///< standard errors that are no chance
 
 /// A square well inside a region, with detail along both axes.
 struct FlowSquare {
@@ -54,24 +55,5 @@ struct FlowPair {
 /// `frames.now`. Motion has to be known.
 FlowPair measureFlow(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels);
 inline constexpr std::size_t kMaxFlowSquares = 256;
-
-/// measured = factors · given + offset, by least squares over the squares that follow it.
-struct FlowFit {
-  glm::dmat2 factors{1.0}; ///< column-major, as GLM has it
-  glm::dvec2 offsetPx{0.0};
-  glm::dmat2 factorErrors{0.0}; ///< standard errors of each
-  glm::dvec2 offsetErrorsPx{0.0};
-  std::size_t squares = 0, followed = 0; ///< that were asked; that lie within the tolerance
-
-  /// Whether nearly all follow it, and its numbers are known to a twentieth.
-  bool isGood() const;
-};
-
-/// `tolerancePx`: to which squares follow it. Nothing where there are too few. With `isThroughZero` there is
-/// no offset; where the motion given is along one line, it is one factor for both axes then, else nothing.
-std::optional<FlowFit> fitFlow(const std::vector<const FlowSquare*>& squares, bool isThroughZero,
-                               double tolerancePx);
-/// One factor for both axes, without an offset.
-std::optional<FlowFit> fitFactor(const std::vector<const FlowSquare*>& squares, double tolerancePx);
 
 } // namespace taa::doctor

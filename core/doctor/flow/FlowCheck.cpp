@@ -3,18 +3,14 @@
 #include "core/base/Median.h"
 #include "core/base/NumberText.h"
 #include "core/base/Say.h"
-#include "core/capture/decode/Motion.h"
-#include "core/doctor/Mending.h"
+#include "core/doctor/flow/FlowFit.h"
+#include "core/doctor/flow/FlowWords.h"
 #include "core/doctor/frames/FramesText.h"
 #include "core/doctor/motion/MotionFindings.h"
-#include "core/doctor/motion/MotionMending.h"
 #include "core/doctor/motion/MotionWords.h"
 #include "core/settings/Faults.h"
 
-#include <glm/common.hpp>
-#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -179,125 +175,6 @@ Finding measuredFinding(const std::vector<Refuted>& refuted, const FlowSeen& see
   return finding;
 }
 
-bool isNear(double value, double expected, double error) {
-  constexpr double kFitErrors = 3.0, kShare = 0.02;
-  return std::abs(value - expected) <=
-         std::max(kFitErrors * error, kShare * std::max(1.0, std::abs(expected)));
-}
-
-/// Whether x of motion has no part in y, nor y in x.
-bool isAlongAxes(const FlowFit& fit) {
-  const double scale = std::max(std::abs(fit.factors[0][0]), std::abs(fit.factors[1][1]));
-  return std::abs(fit.factors[0][1]) <= std::max(3.0 * fit.factorErrors[0][1], 0.02 * scale) &&
-         std::abs(fit.factors[1][0]) <= std::max(3.0 * fit.factorErrors[1][0], 0.02 * scale);
-}
-
-bool hasOffset(const FlowFit& fit) {
-  constexpr double kOffsetPx = 0.25;
-  return std::abs(fit.offsetPx.x) > std::max(kOffsetPx, 3.0 * fit.offsetErrorsPx.x) ||
-         std::abs(fit.offsetPx.y) > std::max(kOffsetPx, 3.0 * fit.offsetErrorsPx.y);
-}
-
-/// What is made of the motion given, where that is all that an explanation says.
-std::optional<glm::dmat2> factorsOf(const MotionTrial& trial) {
-  const auto along = [](const glm::vec2& factor) {
-    return glm::dmat2(glm::dvec2(factor.x, 0.0), glm::dvec2(0.0, factor.y));
-  };
-  switch (trial.kind) {
-  case MotionKind::Scaled:
-  case MotionKind::OtherUnit:
-    return along(trial.factor);
-  case MotionKind::MirroredX:
-    return along({-1.0f, 1.0f});
-  case MotionKind::MirroredY:
-    return along({1.0f, -1.0f});
-  case MotionKind::Opposite:
-    return along({-1.0f, -1.0f});
-  case MotionKind::SwappedAxes:
-    return glm::dmat2(glm::dvec2(0.0, 1.0), glm::dvec2(1.0, 0.0));
-  case MotionKind::TurnedLeft:
-    return glm::dmat2(glm::dvec2(0.0, 1.0), glm::dvec2(-1.0, 0.0));
-  case MotionKind::TurnedRight:
-    return glm::dmat2(glm::dvec2(0.0, -1.0), glm::dvec2(1.0, 0.0));
-  default:
-    return {};
-  }
-}
-
-/// A known explanation whose numbers lie within the errors of the fit.
-std::optional<MotionTrial> knownTrial(const FlowFit& fit, const glm::ivec2& sizePx) {
-  if (hasOffset(fit)) return {};
-  for (const MotionTrial& trial : motionTrials(sizePx)) {
-    const auto factors = factorsOf(trial);
-    if (!factors) continue;
-    bool isWithin = true;
-    for (int column = 0; column < 2; ++column)
-      for (int row = 0; row < 2; ++row)
-        isWithin = isWithin &&
-                   isNear(fit.factors[column][row], (*factors)[column][row], fit.factorErrors[column][row]);
-    if (isWithin) return trial;
-  }
-  return {};
-}
-
-std::string withError(double value, double error) {
-  return say<"%1 ± %2">(shortNumber(value), shortNumber(error));
-}
-
-/// What was fitted, in a sentence.
-std::string fitText(const FlowFit& fit, const glm::ivec2& sizePx) {
-  const glm::dmat2& f = fit.factors;
-  const glm::dmat2& e = fit.factorErrors;
-  std::string text;
-  if (isAlongAxes(fit)) {
-    text = say<"x of the motion in pictures is %1 times what is given, y %2 times">(
-        withError(f[0][0], e[0][0]), withError(f[1][1], e[1][1]));
-  } else {
-    text = say<"motion in pictures is (%1 x + %2 y, %3 x + %4 y) of what is given">(
-        shortNumber(f[0][0]), shortNumber(f[1][0]), shortNumber(f[0][1]), shortNumber(f[1][1]));
-  }
-  if (hasOffset(fit))
-    text += say<", and (%1, %2) px more, which is (%3, %4) of the picture">(
-        withError(fit.offsetPx.x, fit.offsetErrorsPx.x), withError(fit.offsetPx.y, fit.offsetErrorsPx.y),
-        shortNumber(fit.offsetPx.x / sizePx.x), shortNumber(fit.offsetPx.y / sizePx.y));
-  return text;
-}
-
-FaultWords fitWords(const FlowFit& fit) {
-  if (hasOffset(fit))
-    return {
-        "motionOffset", say<"Motion with an offset">(), say<"Everything smears, at rest too.">(),
-        say<"What is stored is encoded otherwise than is stated: state that offset and that factor, or decode "
-            "motion before it is used.">()};
-  if (!isAlongAxes(fit))
-    return {"motionTurned", say<"Motion with its axes turned">(), say<"Ghosts beside what moves.">(),
-            say<"Make motion along the axes of the picture.">()};
-  return {"motionScaled", say<"Motion of another length">(), say<"Ghosts grow with speed.">(),
-          say<"Multiply the motion that you write by %1.">(
-              shortVector(glm::dvec2(fit.factors[0][0], fit.factors[1][1])))};
-}
-
-/// Nothing where no linear function of the motion given is what pictures move by.
-std::optional<FlowFit> explaining(const std::vector<const FlowSquare*>& squares, double tolerancePx) {
-  const auto scaled = fitFlow(squares, true, tolerancePx);
-  if (scaled && scaled->isGood()) return scaled;
-  const auto shifted = fitFlow(squares, false, tolerancePx);
-  return shifted && shifted->isGood() && isAlongAxes(*shifted) ? shifted : std::nullopt;
-}
-
-void nameByFit(const FlowFit& fit, const Patient& patient, Finding& finding) {
-  const auto trial = knownTrial(fit, patient.sizePx);
-  const std::string example = finding.change;
-  nameBy(trial ? motionFault(&*trial, Region(), RegionEvidence()) : fitWords(fit), finding);
-  finding.change += " " + example;
-  finding.reason += " " + say<"By least squares %1: that explains %2 of %3 squares.">(
-                              fitText(fit, patient.sizePx), fit.followed, fit.squares);
-  if (trial)
-    mendBy(motionMending(*trial), finding);
-  else if (isAlongAxes(fit) && !hasOffset(fit))
-    mendBy(motionMending({MotionKind::Scaled, glm::vec2(fit.factors[0][0], fit.factors[1][1])}), finding);
-}
-
 bool areAllZero(const std::vector<const FlowSquare*>& squares) {
   constexpr double kNearlyAll = 0.98;
   const auto zero = std::ranges::count_if(
@@ -316,49 +193,6 @@ bool isRightElsewhere(const FlowSeen& seen, const std::vector<Refuted>& refuted)
       if (glm::length(square.given) > kOffPx && square.offPx() <= kOffPx) ++right;
     }
   return right >= kEnough;
-}
-
-/// Unreal's encoding is stated, and what is stored is its argument and not its root.
-std::optional<FlowFit> explainingWithoutRoot(const std::vector<const FlowSquare*>& squares,
-                                             const Patient& patient, double tolerancePx) {
-  const bool isUnreal =
-      patient.conventions && patient.conventions->motion.encoding == capture::MotionEncoding::Unreal;
-  if (!isUnreal) return {};
-  const glm::dvec2 pxPerNdc = 0.5 * glm::dvec2(patient.sizePx);
-  std::vector<FlowSquare> linear;
-  for (const FlowSquare* square : squares) {
-    FlowSquare& one = linear.emplace_back(*square);
-    one.given = glm::sign(square->given) * glm::sqrt(2.0 * glm::abs(square->given) * pxPerNdc);
-  }
-  std::vector<const FlowSquare*> all;
-  for (const FlowSquare& square : linear) all.push_back(&square);
-  const auto fit = fitFactor(all, tolerancePx);
-  return fit && fit->isGood() ? fit : std::nullopt;
-}
-
-void nameWithoutRoot(const FlowFit& fit, Finding& finding) {
-  const std::string example = finding.change;
-  const double factor = fit.factors[0][0], error = fit.factorErrors[0][0];
-  nameBy(
-      {"motionWithoutRoot", say<"Motion that is linear decoded as a root">(),
-       say<"Small motion is lost, and fast things have far too little.">(),
-       say<"State that motion is stored with an offset, %1, times %2 in device coordinates: the root that Unreal's "
-           "encoding takes is not in what is stored. Or take it before you store.">(
-           shortestText(static_cast<float>(capture::kUnrealRest)),
-           withError(factor / capture::kUnrealSlope, error / capture::kUnrealSlope))},
-      finding);
-  finding.change += " " + example;
-  finding.reason +=
-      " " + say<"By least squares the pictures move by %1 times what is read if its root is not undone: "
-                "that explains %2 of %3 squares.">(withError(factor, error), fit.followed, fit.squares);
-}
-
-void nameUnknown(Finding& finding) {
-  const std::string example = finding.change;
-  nameBy(unknownMotion(), finding);
-  finding.reason +=
-      " " + say<"None of the mistakes that are known here makes what is given of what pictures show.">();
-  finding.change += " " + example;
 }
 
 /// Of what pictures refute, and whatever explains all of it best.

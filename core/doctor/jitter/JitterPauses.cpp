@@ -20,7 +20,7 @@ constexpr double kMostOffPx = 0.3, kChangePx = 0.15;
 /// px: jitter that is shorter says nothing of whether it is there.
 constexpr double kLeastJitterPx = 0.1;
 constexpr std::size_t kEnoughPausedPairs = 3, kEnoughHeldPairs = 3;
-constexpr double kRefutedPx = 0.2, kFittingPx = 0.1, kNearlyAll = 0.8;
+constexpr double kRefutedPx = 0.2, kFittingPausesPx = 0.1, kNearlyAll = 0.8;
 
 /// Two frames one after the other with their stated jitters.
 struct Pair {
@@ -101,7 +101,7 @@ std::optional<JitterPauses> jitterPauses(const JitterEvidence& evidence) {
   }
   if (stated.size() < kEnoughPausedPairs || held.size() < kEnoughHeldPairs) return {};
   JitterPauses out{{}, {}, median(stated), median(paused)};
-  if (out.statedPx < kRefutedPx || out.pausedPx > kFittingPx || median(held) > kFittingPx ||
+  if (out.statedPx < kRefutedPx || out.pausedPx > kFittingPausesPx || median(held) > kFittingPausesPx ||
       static_cast<double>(nearer) < kNearlyAll * static_cast<double>(stated.size()))
     return {};
   for (const auto& [frame, isHeld] : holds) {

@@ -75,9 +75,8 @@ NormalEquations equationsAt(const std::vector<SearchedPixel>& samples, const Ima
       return static_cast<double>(capture::betweenPixels(luma, place + glm::vec2(x, y)));
     };
     const double difference = static_cast<double>(sample.luma) - at(0.0f, 0.0f);
-    const double share = difference / scale;
-    if (std::abs(share) >= 1.0) continue;
-    const double weight = (1.0 - share * share) * (1.0 - share * share);
+    const double weight = tukeyWeight(difference, scale);
+    if (weight == 0.0) continue;
     out.add({at(0.5f, 0.0f) - at(-0.5f, 0.0f), at(0.0f, 0.5f) - at(0.0f, -0.5f)}, difference, weight);
   }
   return out;
@@ -183,9 +182,8 @@ std::optional<double> measureShare(const std::vector<SearchedPixel>& samples, co
         return static_cast<double>(capture::betweenPixels(luma, place));
       };
       const double difference = static_cast<double>(sample.luma) - at(0.0f);
-      const double outlying = difference / scale;
-      if (std::abs(outlying) >= 1.0) continue;
-      const double weight = (1.0 - outlying * outlying) * (1.0 - outlying * outlying);
+      const double weight = tukeyWeight(difference, scale);
+      if (weight == 0.0) continue;
       const double slope = (at(kHalfSlope) - at(-kHalfSlope)) / (2.0 * static_cast<double>(kHalfSlope));
       slopes += weight * slope * slope;
       products += weight * slope * difference;

@@ -167,8 +167,8 @@ class LengthEvidence::Fitting {
     const double scale = std::max(1e-4, kTukeyMedians * median(std::move(all)));
     for (const Pixel& pixel : pair.pixels) {
       const auto d = difference(pixel, pair.previousLuma, factor);
-      if (!d || std::abs(*d) >= scale) continue;
-      const double weight = (1.0 - *d * *d / (scale * scale)) * (1.0 - *d * *d / (scale * scale));
+      const double weight = d ? tukeyWeight(*d, scale) : 0.0;
+      if (weight == 0.0) continue;
       const glm::vec2 place(pixel.place - factor * pixel.motionPx);
       const auto at = [&](float x, float y) {
         return static_cast<double>(capture::betweenPixels(pair.previousLuma, place + glm::vec2(x, y)));

@@ -1,6 +1,6 @@
 // What squares of the picture move by, measured in painted frames whose motion is known; and lines fitted to
 // it.
-#include "core/doctor/flow/Flow.h"
+#include "core/doctor/flow/FlowFit.h"
 
 #include "tests/support/doctor/PaintedFrames.h"
 

@@ -1,0 +1,52 @@
+// What makes motion measured of the motion given: a line, fitted to squares, and the known explanation that
+// it is.
+#pragma once
+
+#include "core/doctor/Patient.h"
+#include "core/doctor/flow/Flow.h"
+
+#include <glm/mat2x2.hpp>
+#include <glm/vec2.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace taa::doctor {
+
+/// measured = factors · given + offset, by least squares over the squares that follow it.
+struct FlowFit {
+  glm::dmat2 factors{1.0}; ///< column-major, as GLM has it
+  glm::dvec2 offsetPx{0.0};
+  glm::dmat2 factorErrors{0.0}; ///< standard errors of each
+  glm::dvec2 offsetErrorsPx{0.0};
+  std::size_t squares = 0, followed = 0; ///< that were asked; that lie within the tolerance
+
+  /// Whether nearly all follow it, and its numbers are known to a twentieth.
+  bool isGood() const;
+};
+
+/// Whether x of motion has no part in y, nor y in x; whether there is an offset, beyond its errors.
+bool isAlongAxes(const FlowFit& fit);
+bool hasOffset(const FlowFit& fit);
+
+/// `tolerancePx`: to which squares follow it. Nothing where there are too few. With `isThroughZero` there is
+/// no offset; where the motion given is along one line, it is one factor for both axes then, else nothing.
+std::optional<FlowFit> fitFlow(const std::vector<const FlowSquare*>& squares, bool isThroughZero,
+                               double tolerancePx);
+/// One factor for both axes, without an offset.
+std::optional<FlowFit> fitFactor(const std::vector<const FlowSquare*>& squares, double tolerancePx);
+/// A good fit without an offset, else one with it along the axes. Nothing where no line makes what pictures
+/// move by.
+std::optional<FlowFit> explaining(const std::vector<const FlowSquare*>& squares, double tolerancePx);
+/// Where Unreal's encoding is stated, and what is stored is its argument and not its root: of what would be
+/// read without undoing one, a factor.
+std::optional<FlowFit> explainingWithoutRoot(const std::vector<const FlowSquare*>& squares,
+                                             const Patient& patient, double tolerancePx);
+
+/// What is made of the motion given, where that is all that an explanation says.
+std::optional<glm::dmat2> factorsOf(const MotionTrial& trial);
+/// A known explanation whose numbers lie within the errors of the fit.
+std::optional<MotionTrial> knownTrial(const FlowFit& fit, const glm::ivec2& sizePx);
+
+} // namespace taa::doctor

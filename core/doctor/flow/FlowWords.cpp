@@ -1,0 +1,93 @@
+#include "core/doctor/flow/FlowWords.h"
+
+#include "core/base/NumberText.h"
+#include "core/base/Say.h"
+#include "core/capture/decode/Motion.h"
+#include "core/doctor/Mending.h"
+#include "core/doctor/motion/MotionMending.h"
+#include "core/doctor/motion/MotionWords.h"
+
+#include <string>
+
+namespace taa::doctor {
+
+namespace {
+
+std::string withError(double value, double error) {
+  return say<"%1 ± %2">(shortNumber(value), shortNumber(error));
+}
+
+/// What was fitted, in a sentence.
+std::string fitText(const FlowFit& fit, const glm::ivec2& sizePx) {
+  const glm::dmat2& f = fit.factors;
+  const glm::dmat2& e = fit.factorErrors;
+  std::string text;
+  if (isAlongAxes(fit)) {
+    text = say<"x of the motion in pictures is %1 times what is given, y %2 times">(
+        withError(f[0][0], e[0][0]), withError(f[1][1], e[1][1]));
+  } else {
+    text = say<"motion in pictures is (%1 x + %2 y, %3 x + %4 y) of what is given">(
+        shortNumber(f[0][0]), shortNumber(f[1][0]), shortNumber(f[0][1]), shortNumber(f[1][1]));
+  }
+  if (hasOffset(fit))
+    text += say<", and (%1, %2) px more, which is (%3, %4) of the picture">(
+        withError(fit.offsetPx.x, fit.offsetErrorsPx.x), withError(fit.offsetPx.y, fit.offsetErrorsPx.y),
+        shortNumber(fit.offsetPx.x / sizePx.x), shortNumber(fit.offsetPx.y / sizePx.y));
+  return text;
+}
+
+FaultWords fitWords(const FlowFit& fit) {
+  if (hasOffset(fit))
+    return {
+        "motionOffset", say<"Motion with an offset">(), say<"Everything smears, at rest too.">(),
+        say<"What is stored is encoded otherwise than is stated: state that offset and that factor, or decode "
+            "motion before it is used.">()};
+  if (!isAlongAxes(fit))
+    return {"motionTurned", say<"Motion with its axes turned">(), say<"Ghosts beside what moves.">(),
+            say<"Make motion along the axes of the picture.">()};
+  return {"motionScaled", say<"Motion of another length">(), say<"Ghosts grow with speed.">(),
+          say<"Multiply the motion that you write by %1.">(
+              shortVector(glm::dvec2(fit.factors[0][0], fit.factors[1][1])))};
+}
+
+} // namespace
+
+void nameByFit(const FlowFit& fit, const Patient& patient, Finding& finding) {
+  const auto trial = knownTrial(fit, patient.sizePx);
+  const std::string example = finding.change;
+  nameBy(trial ? motionFault(&*trial, Region(), RegionEvidence()) : fitWords(fit), finding);
+  finding.change += " " + example;
+  finding.reason += " " + say<"By least squares %1: that explains %2 of %3 squares.">(
+                              fitText(fit, patient.sizePx), fit.followed, fit.squares);
+  if (trial)
+    mendBy(motionMending(*trial), finding);
+  else if (isAlongAxes(fit) && !hasOffset(fit))
+    mendBy(motionMending({MotionKind::Scaled, glm::vec2(fit.factors[0][0], fit.factors[1][1])}), finding);
+}
+
+void nameWithoutRoot(const FlowFit& fit, Finding& finding) {
+  const std::string example = finding.change;
+  const double factor = fit.factors[0][0], error = fit.factorErrors[0][0];
+  nameBy(
+      {"motionWithoutRoot", say<"Motion that is linear decoded as a root">(),
+       say<"Small motion is lost, and fast things have far too little.">(),
+       say<"State that motion is stored with an offset, %1, times %2 in device coordinates: the root that Unreal's "
+           "encoding takes is not in what is stored. Or take it before you store.">(
+           shortestText(static_cast<float>(capture::kUnrealRest)),
+           withError(factor / capture::kUnrealSlope, error / capture::kUnrealSlope))},
+      finding);
+  finding.change += " " + example;
+  finding.reason +=
+      " " + say<"By least squares the pictures move by %1 times what is read if its root is not undone: "
+                "that explains %2 of %3 squares.">(withError(factor, error), fit.followed, fit.squares);
+}
+
+void nameUnknown(Finding& finding) {
+  const std::string example = finding.change;
+  nameBy(unknownMotion(), finding);
+  finding.reason +=
+      " " + say<"None of the mistakes that are known here makes what is given of what pictures show.">();
+  finding.change += " " + example;
+}
+
+} // namespace taa::doctor
