@@ -122,6 +122,17 @@ std::string partsOf(const std::vector<OrderFound>& found) {
   return text;
 }
 
+/// Where to look.
+RegionPlace wholeFrame(int frame, const Diagnosis& out) {
+  RegionPlace place;
+  place.name = say<"frame %1">(frame);
+  place.frame = frame;
+  place.box = {0, 0, out.sizePx.x, out.sizePx.y};
+  place.pixel = out.sizePx / 2;
+  place.share = 1.0 / std::max(1, out.frames);
+  return place;
+}
+
 std::string reasonOf(const std::vector<OrderFound>& found) {
   const OrderFound& first = found.front();
   switch (first.fault) {
@@ -255,8 +266,8 @@ void tellOrder(const std::vector<OrderFound>& found, Diagnosis& out) {
     finding.symptom = std::move(words.symptom);
     finding.change = std::move(words.change);
     finding.sureness = fault == OrderFault::Cut ? Sureness::Likely : Sureness::Sure;
-    finding.isWholePicture = true;
     finding.reason = reasonOf(alike);
+    for (const OrderFound& one : alike) finding.regions.push_back(wholeFrame(one.frame, out));
     out.findings.push_back(std::move(finding));
   }
 }
