@@ -23,7 +23,7 @@ Jitter of which some frame states 4 px or more, or none more than 0.02 px, is of
 
 Where a capture has depth and matrices, what it states of motion is tried besides: unit, signs, whether it has the camera's motion and whose jitter, and what that is held against, sign and frame of the jitter, kind, range and direction of depth, range and direction of clip space, and the order of rows. At about 2,500 pixels of each of three pairs of frames the motion stored, decoded so, is compared with what depth and matrices make; pixels count that the camera moves by half a pixel or more, and fit to 0.05 px and a 512th. One or two conventions that make half of them fit, and 15 % more than what is stated, are told where no others do as well, the fewest; one alone is left to pictures, which show more, but where other things rest on it: jitter or the camera's motion that is taken off or added by a statement, and ranges.
 
-A previous camera that always stands on the way of the right one, to a tenth, at the same share of it in 80 % of the pairs, is no camera of a second view: the way is in motion with that factor, as distances that are too far or too near make it.
+A previous camera that always stands on the way of the right one, to a tenth, at the same share of it in 80 % of the pairs, is no camera of a second view: the way is in motion with that factor, as distances that are too far or too near make it. Where it stands aside along the picture's x, as a second eye does, and the camera moves evenly, both are said.
 
 Matrices are upside down where y of clip space the other way makes the motion given of what rests, to 0.05 px at 70 % of the pixels, and nothing that could be wrong with motion does.
 

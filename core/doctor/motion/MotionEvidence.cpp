@@ -314,17 +314,22 @@ bool isSameMotion(const glm::vec2& a, const glm::vec2& b) {
 
 MotionEvidence::MotionEvidence(const glm::ivec2& sizePx) : trials_(motionTrials(sizePx)) {}
 
-std::optional<double> MotionEvidence::wayShare() const {
+std::optional<WayShare> MotionEvidence::wayShare() const {
   constexpr std::size_t kEnoughPairs = 3;
-  constexpr double kNearlyAll = 0.8, kSame = 0.03;
+  constexpr double kNearlyAll = 0.8, kSame = 0.03, kUneven = 0.1;
   if (wayShares_.size() < kEnoughPairs ||
       static_cast<double>(wayShares_.size()) < kNearlyAll * static_cast<double>(moved_))
     return {};
   const double middle = median(wayShares_);
-  std::vector<double> off;
-  for (const double share : wayShares_) off.push_back(std::abs(share - middle));
-  if (median(std::move(off)) > kSame) return {};
-  return middle;
+  const auto spread = [](const std::vector<double>& values, double around) {
+    std::vector<double> off;
+    for (const double value : values) off.push_back(std::abs(value - around));
+    return median(std::move(off));
+  };
+  if (spread(wayShares_, middle) > kSame) return {};
+  const double moved = median(movedBy_);
+  const bool isAside = 2 * aside_ > wayShares_.size();
+  return WayShare{middle, !isAside || spread(movedBy_, moved) >= kUneven * moved};
 }
 
 void MotionEvidence::add(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels,
@@ -336,7 +341,11 @@ void MotionEvidence::add(const FrameNeighbors& frames, const std::vector<RegionI
   FrameNeighbors known = frames;
   known.others = otherCameras(frames.now);
   if (known.others.beside) ++moved_;
-  if (known.others.wayShare) wayShares_.push_back(*known.others.wayShare);
+  if (known.others.wayShare) {
+    wayShares_.push_back(*known.others.wayShare);
+    movedBy_.push_back(known.others.movedByM);
+    if (known.others.isMovedAside) ++aside_;
+  }
   PairEvidence pair(known, trials_, labels, labelsBefore, regions_);
   pair.add();
   pairs_.push_back(pair.witness());

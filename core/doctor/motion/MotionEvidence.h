@@ -110,6 +110,12 @@ struct RegionEvidence {
 inline constexpr float kSameMotionPx = 0.05f;
 bool isSameMotion(const glm::vec2& a, const glm::vec2& b);
 
+struct WayShare {
+  double share = 1.0;
+  /// False: the camera moves aside, and so evenly that another one that stands beside it makes the same.
+  bool isClear = false;
+};
+
 class MotionEvidence {
  public:
   explicit MotionEvidence(const glm::ivec2& sizePx);
@@ -123,14 +129,15 @@ class MotionEvidence {
   const std::vector<RegionEvidence>& regions() const { return regions_; }
   const std::vector<PairWitness>& pairs() const { return pairs_; }
   /// How much of the camera's way is in motion, where that is the same in nearly all pairs.
-  std::optional<double> wayShare() const;
+  std::optional<WayShare> wayShare() const;
 
  private:
   std::vector<MotionTrial> trials_;
   std::vector<RegionEvidence> regions_;
   std::vector<PairWitness> pairs_;
-  std::vector<double> wayShares_; ///< of pairs that have one
-  std::size_t moved_ = 0;         ///< pairs that a previous camera beside this one explains
+  std::vector<double> wayShares_, movedBy_; ///< of pairs that have one
+  std::size_t aside_ = 0;                   ///< of these: along the picture's x
+  std::size_t moved_ = 0;                   ///< pairs that a previous camera beside this one explains
   MotionMiddles middles_;
 };
 

@@ -207,17 +207,25 @@ void tellOthers(const Judged& all, const std::vector<MotionTrial>& trials, const
 }
 
 /// A camera beside this one that always stands on its way is none: the way is another one.
-void tellWay(double share, Diagnosis& out) {
+void tellWay(const WayShare& way, Diagnosis& out) {
   const std::string_view beside = faultInfo(Fault::CameraOfSecondView).id;
+  const std::string share = shortNumber(way.share);
   for (Finding& finding : out.findings) {
     if (finding.id != beside) continue;
+    if (!way.isClear) {
+      finding.sureness = Sureness::Likely;
+      finding.reason +=
+          " " + say<"It may also be the camera's way, taken %1 times: the camera moves evenly here, and both "
+                    "make the same.">(share);
+      continue;
+    }
     finding.id = "motionOtherWay";
-    finding.name = say<"The camera's way %1 times in motion">(shortNumber(share));
+    finding.name = say<"The camera's way %1 times in motion">(share);
     finding.symptom = say<"Near things smear while the camera moves; where it turns all is right.">();
     finding.change =
         say<"Motion is made as if the camera had come %1 times its way, as distances make it that are %2 "
             "times as far: make it with the depth, the near plane and the unit of the frames' own "
-            "projection.">(shortNumber(share), shortNumber(1.0 / share));
+            "projection.">(share, shortNumber(1.0 / way.share));
     finding.mending.clear();
     finding.alike.clear();
   }
@@ -315,7 +323,7 @@ MotionTold tellMotion(const MotionEvidence& evidence, const std::vector<Region>&
                                              !judged.areMatricesTrusted));
   tellOthers(judged, evidence.trials(), patient, allPixels, out);
   constexpr double kLeastShare = 0.05;
-  if (const auto share = evidence.wayShare(); share && *share > kLeastShare) tellWay(*share, out);
+  if (const auto way = evidence.wayShare(); way && way->share > kLeastShare) tellWay(*way, out);
   told.isOfCameraOrDepth =
       judged.unconfirmed && evidence.trials()[*judged.unconfirmed].kind == MotionKind::CameraBeside;
   return told;

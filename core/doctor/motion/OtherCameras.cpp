@@ -199,7 +199,11 @@ OtherCameras otherCameras(const DoctorFrame& frame) {
   out.turned = changedCamera(frame, fittedChange(samples, turnedBy), turnedBy);
   const std::optional<glm::dvec3> moved = fittedChange(near, movedBy);
   out.beside = changedCamera(frame, moved, movedBy);
-  if (moved) out.wayShare = wayShareOf(cameras, *moved);
+  if (!moved) return out;
+  out.wayShare = wayShareOf(cameras, *moved);
+  out.movedByM = glm::length(*moved);
+  constexpr double kAside = 0.97;
+  out.isMovedAside = std::abs(moved->x) >= kAside * out.movedByM;
   return out;
 }
 

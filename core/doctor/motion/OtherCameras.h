@@ -17,6 +17,8 @@ struct OtherCameras {
   /// Where it is moved along its own way, how much of that is in motion: 0.6 where motion is made with
   /// distances 1/0.6 times as far.
   std::optional<double> wayShare;
+  double movedByM = 0.0;             ///< of `beside` …
+  bool isMovedAside = false;         ///< … along the picture's x, as views of two eyes stand
   std::optional<glm::mat4> mirrored; ///< by a plane of the world through its origin
   std::optional<glm::mat4> identity; ///< a matrix that was never set
   std::optional<glm::mat4> unmoved;  ///< the previous camera's rotation where this one stands; its place …
