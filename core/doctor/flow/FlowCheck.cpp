@@ -195,6 +195,39 @@ bool isRightElsewhere(const FlowSeen& seen, const std::vector<Refuted>& refuted)
   return right >= kEnough;
 }
 
+/// Whether most squares follow a line.
+bool isFollowed(const FlowFit& fit, const std::vector<const FlowSquare*>& squares, double tolerancePx) {
+  const auto near = std::ranges::count_if(squares, [&](const FlowSquare* square) {
+    return glm::distance(square->px, fit.factors * square->given + fit.offsetPx) <=
+           std::max(tolerancePx, kChanceErrors * square->errorPx);
+  });
+  return static_cast<double>(near) >= kMostSquares * static_cast<double>(squares.size());
+}
+
+/// How many times as far as is given pictures go where they do so in one frame alone: pictures between are
+/// missing.
+std::optional<FlowFit> fitOfMissing(const std::vector<Refuted>& refuted) {
+  constexpr std::size_t kEnoughAsked = 5;
+  constexpr double kLeast = 1.6, kMost = 3.4, kRoughlyPx = 1.5; // motion changes from frame to frame
+  const auto [frames, asked] = framesOf(refuted);
+  if (frames.size() != 1 || asked.size() < kEnoughAsked) return {};
+  const auto fit = fitFactor(squaresOf(refuted), kRoughlyPx);
+  const bool isFarther = fit && fit->factors[0][0] >= kLeast && fit->factors[0][0] <= kMost;
+  return isFarther && fit->isGood() ? fit : std::nullopt;
+}
+
+void nameMissing(int frame, const FlowFit& fit, Finding& finding) {
+  const std::string example = finding.change;
+  nameBy(
+      {"frameMissing", say<"A frame missing before frame %1">(frame),
+       say<"Things jump, and history is looked for where they would have been.">(),
+       say<"Write all frames one after the other, or start history anew in that one: \"cut\": true in the manifest.">()},
+      finding);
+  finding.reason +=
+      " " + say<"There alone the pictures go %1 times as far as is given.">(shortNumber(fit.factors[0][0]));
+  finding.change += " " + example;
+}
+
 /// Of what pictures refute, and whatever explains all of it best.
 Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,
                     double tolerancePx, const Diagnosis& out) {
@@ -223,6 +256,7 @@ Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, c
   std::vector<const FlowSquare*> ofAll;
   for (const Refuted& one : refuted) ofAll.insert(ofAll.end(), one.ofAll.begin(), one.ofAll.end());
   auto fit = explaining(ofAll, tolerancePx);
+  if (fit && !isFollowed(*fit, squares, tolerancePx)) fit.reset(); // what is right everywhere else
   if (!fit) fit = explaining(squares, tolerancePx);
   // An encoding is that of all that is stored; what was not written is the camera's by what is stated.
   std::vector<const FlowSquare*> seenSquares;
@@ -233,6 +267,8 @@ Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, c
   // Of motion that hardly changes a line makes nearly what a curve does.
   if (withoutRoot && (!fit || !isAlongAxes(*fit) || withoutRoot->followed > fit->followed))
     nameWithoutRoot(*withoutRoot, finding);
+  else if (const auto missing = fitOfMissing(refuted))
+    nameMissing(framesOf(refuted).first.front(), *missing, finding);
   else if (fit)
     nameByFit(*fit, patient, finding);
   else
@@ -396,17 +432,38 @@ void tellFrames(const std::vector<Refuted>& refuted, const Patient& patient, Dia
   }
 }
 
-/// What rests is said not to move as the camera, whatever it moves by: where one line makes all that is given
-/// right, that says more.
+/// Whether a finding says no more than that what rests does not move as the camera, whatever it moves by.
+bool saysNotCamerasAlone(const Finding& finding) {
+  const bool isOfCamera = !finding.residuals.empty() && finding.residuals.front().id == "ofCamera";
+  return finding.id == "motionNotCameras" ||
+         (isOfCamera && (finding.id == faultInfo(Fault::CameraTurned).id ||
+                         finding.id == faultInfo(Fault::CameraOfSecondView).id));
+}
+
+/// Whether nearly all squares follow a line closely: what turns with a camera does not.
+bool isFollowedClosely(const FlowFit& fit, const std::vector<const FlowSquare*>& squares) {
+  constexpr double kClosePx = 0.2, kNearlyAll = 0.9;
+  const auto close = std::ranges::count_if(squares, [&](const FlowSquare* square) {
+    return glm::distance(square->px, fit.factors * square->given + fit.offsetPx) <=
+           std::max(kClosePx, kChanceErrors * square->errorPx);
+  });
+  return static_cast<double>(close) >= kNearlyAll * static_cast<double>(squares.size());
+}
+
+/// Where one line makes all that is given what pictures move by, that says more than that it is not the
+/// camera's.
 void nameNotCameras(const FlowSeen& seen, const Patient& patient, double tolerancePx, Diagnosis& out) {
-  const auto isNotCameras = [](const Finding& finding) { return finding.id == "motionNotCameras"; };
-  if (std::ranges::none_of(out.findings, isNotCameras)) return;
+  if (std::ranges::none_of(out.findings, saysNotCamerasAlone)) return;
   const std::vector<Refuted> all{wholePicture(seen)};
   const auto fit = explaining(all.front().squares, tolerancePx);
-  if (!fit) return;
+  const bool isAnyTurned = std::ranges::any_of(out.findings, [](const Finding& finding) {
+    return saysNotCamerasAlone(finding) && finding.id != "motionNotCameras";
+  });
+  if (!fit || (isAnyTurned && !isFollowedClosely(*fit, all.front().squares))) return;
   std::erase_if(out.findings, [&](const Finding& finding) {
-    return isNotCameras(finding) || finding.id == faultInfo(Fault::MotionCameraOnly).id ||
-           finding.id == kUnknownMotionId;
+    // What was said of single regions is a part of it.
+    return saysNotCamerasAlone(finding) ||
+           (isOfMotion(finding) && !finding.isWholePicture && !finding.residuals.empty());
   });
   Finding finding = measuredFinding(all, seen, patient, out);
   finding.sureness = Sureness::Likely;

@@ -111,6 +111,31 @@ TEST(FlowCheck, NamesMotionThatIsMissingWithoutCameras) {
   EXPECT_EQ(idsOf(diagnosisOf(zero, {})), "motionWithoutCamera") << "what moves by itself has it";
 }
 
+// The way to the frame after the missing one is that of two, and motion says that of one.
+TEST(FlowCheck, NamesTheFrameBeforeWhichOneIsMissing) {
+  Examination examination =
+      test::paintedExamination({}, kFrames, [](DoctorFrame& frame) { frame.previousClipFromClip.reset(); });
+  examination.known.camera = false;
+  examination.read = [read = examination.read](int frame) {
+    DoctorFrame out = read(frame < 7 ? frame : frame + 1);
+    out.frame = frame;
+    return out;
+  };
+  const Diagnosis diagnosis = examine(examination);
+  ASSERT_EQ(idsOf(diagnosis), "frameMissing");
+  EXPECT_EQ(diagnosis.findings[0].name, "A frame missing before frame 7");
+}
+
+// What is right in all other frames explains none of what is wrong in one.
+TEST(FlowCheck, ExplainsNothingByWhatIsRightElsewhere) {
+  const MotionChange change = [](const glm::vec2& motion, int frame) {
+    return frame == 6 ? motion + glm::vec2(7.0f, -5.0f) : motion;
+  };
+  const Diagnosis diagnosis = diagnosisOf(change, change);
+  for (const Finding& finding : diagnosis.findings) EXPECT_NE(finding.id, "motionScaled") << finding.reason;
+  EXPECT_FALSE(diagnosis.isHealthy());
+}
+
 // Unreal 4's formula without its root: v/2 · |v| is read where v is stored.
 TEST(FlowCheck, NamesARootThatIsNotInWhatIsStored) {
   const glm::vec2 pxPerNdc = 0.5f * glm::vec2(test::kPaintedPx);
