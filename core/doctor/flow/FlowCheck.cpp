@@ -473,6 +473,53 @@ void nameNotCameras(const FlowSeen& seen, const Patient& patient, double toleran
   out.parts.takeBack(say<"Motion">());
 }
 
+/// Whether along an axis no motion of one sign is given, and where 0 is, pictures move that way.
+bool isClipped(const std::vector<const FlowSquare*>& squares, int axis) {
+  constexpr double kNearlyAll = 0.9, kMovesPx = 0.5;
+  constexpr std::size_t kEnough = 16;
+  for (const double sign : {1.0, -1.0}) {
+    std::size_t zero = 0, lost = 0, given = 0;
+    bool isOneSigned = true;
+    for (const FlowSquare* square : squares) {
+      const double along = sign * square->given[axis];
+      if (along < 0.0) isOneSigned = false;
+      if (along > kMovesPx) ++given;
+      if (along != 0.0 || std::abs(square->px[axis]) <= kMovesPx) continue;
+      ++zero;
+      if (sign * square->px[axis] < 0.0) ++lost;
+    }
+    if (isOneSigned && given >= kEnough && zero >= kEnough &&
+        static_cast<double>(lost) >= kNearlyAll * static_cast<double>(zero))
+      return true;
+  }
+  return false;
+}
+
+/// What goes one way has lost that part of its motion: numbers without a sign.
+void tellClipped(const FlowSeen& seen, const Patient& patient, Diagnosis& out) {
+  const std::vector<Refuted> all{wholePicture(seen)};
+  const bool x = isClipped(all.front().squares, 0), y = isClipped(all.front().squares, 1);
+  if (!x && !y) return;
+  std::erase_if(out.findings, [](const Finding& finding) {
+    return isOfMotion(finding) && !finding.isWholePicture && !finding.residuals.empty();
+  });
+  Finding finding = measuredFinding(all, seen, patient, out);
+  const std::string example = finding.change;
+  nameBy({"motionClipped", say<"Motion without its negative part">(),
+          say<"What goes one way ghosts; what goes the other is right.">(),
+          say<"Store motion in a format with a sign, or with an offset that is stated.">()},
+         finding);
+  finding.isWholePicture = true;
+  finding.reason = say<
+      "Along %1 motion of one sign is given and none of the other: where pictures move that way it is 0.">(
+      x && y ? say<"x and y">()
+      : x    ? std::string("x")
+             : std::string("y"));
+  finding.change += " " + example;
+  out.findings.push_back(std::move(finding));
+  out.parts.takeBack(say<"Motion">());
+}
+
 } // namespace
 
 bool isDepthConfirmed(const FlowSeen& seen) {
@@ -509,6 +556,7 @@ void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient
   }
   std::vector<Refuted> refuted = refutedRegions(mended, tolerancePx);
   takeBackRefuted(mended, patient.patient, out);
+  tellClipped(mended, patient.patient, out);
   nameNotCameras(mended, patient.patient, tolerancePx, out);
   tellFrames(refuted, patient.patient, out);
   std::erase_if(refuted, [&](const Refuted& one) { return isToldOf(*one.region, patient.patient, out); });

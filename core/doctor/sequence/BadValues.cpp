@@ -23,6 +23,7 @@ void ValueEvidence::add(const DoctorFrame& frame, const std::vector<RegionIndex>
   badColors_ += frame.badColors;
   if (frame.motionPx.empty()) return;
   asked_.push_back(frame.frame);
+  addWhole(frame);
   std::map<RegionIndex, std::size_t> counts;
   const std::size_t before = motion_.nan + motion_.infinite;
   for (int y = 0; y < frame.motionPx.height; ++y)
@@ -41,12 +42,45 @@ void ValueEvidence::add(const DoctorFrame& frame, const std::vector<RegionIndex>
     if (region != kNoRegion && count >= kFewInRegion) motion_.regions.insert(region);
 }
 
+void ValueEvidence::addWhole(const DoctorFrame& frame) {
+  constexpr float kMovesPx = 0.5f, kWholePx = 1e-3f;
+  constexpr std::size_t kMostLengths = 64;
+  for (int y = 0; y < frame.motionPx.height; ++y)
+    for (int x = 0; x < frame.motionPx.width; ++x) {
+      const glm::vec2 motion = frame.motionAt(x, y);
+      if (!isMotion(motion) || std::max(std::abs(motion.x), std::abs(motion.y)) < kMovesPx) continue;
+      ++moving_;
+      const glm::vec2 whole(std::round(motion.x), std::round(motion.y));
+      if (std::abs(motion.x - whole.x) > kWholePx || std::abs(motion.y - whole.y) > kWholePx) continue;
+      ++whole_;
+      if (lengths_.size() < kMostLengths)
+        lengths_.emplace(static_cast<int>(whole.x), static_cast<int>(whole.y));
+    }
+}
+
+bool ValueEvidence::isOfWholePixels() const {
+  constexpr std::size_t kEnough = 2000, kManyLengths = 8; // fewer a plain scroll may have
+  constexpr double kNearlyAll = 0.995;
+  return moving_ >= kEnough && lengths_.size() >= kManyLengths &&
+         static_cast<double>(whole_) >= kNearlyAll * static_cast<double>(moving_);
+}
+
 void tellBadValues(const ValueEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
                    Diagnosis& out) {
   if (evidence.badColors() > 0)
     out.notes.push_back(
         say<"Color is no number (NaN or infinite) at %1 pixels of all frames: each that history takes "
             "over stays there.">(evidence.badColors()));
+  if (evidence.isOfWholePixels()) {
+    Finding whole;
+    whole.id = "motionWholePixels";
+    whole.name = say<"Motion of whole pixels alone">();
+    whole.symptom = say<"What moves slowly trembles and smears by half a pixel.">();
+    whole.isWholePicture = true;
+    whole.reason = say<"All motion that is longer than half a pixel is of whole pixels, in many lengths.">();
+    whole.change = say<"Store motion in a format with fractions of a pixel, and do not round it.">();
+    out.findings.push_back(std::move(whole));
+  }
   const NotFinite& motion = evidence.motion();
   if (motion.frames.empty()) return;
   Finding finding;

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace taa::doctor {
@@ -28,11 +29,17 @@ class ValueEvidence {
   const std::vector<int>& asked() const { return asked_; } ///< frames
   /// Of all frames.
   std::size_t badColors() const { return badColors_; }
+  /// Whether nearly all motion of what moves is of whole pixels, of many lengths.
+  bool isOfWholePixels() const;
 
  private:
+  void addWhole(const DoctorFrame& frame);
+
   NotFinite motion_;
   std::vector<int> asked_;
   std::size_t badColors_ = 0;
+  std::size_t moving_ = 0, whole_ = 0;    ///< pixels; of these: that move by whole pixels
+  std::set<std::pair<int, int>> lengths_; ///< px; some of them
 };
 
 /// A finding of motion; a note of colors, which a TAA may be made for.

@@ -126,6 +126,22 @@ TEST(FlowCheck, NamesTheFrameBeforeWhichOneIsMissing) {
   EXPECT_EQ(diagnosis.findings[0].name, "A frame missing before frame 7");
 }
 
+// The ground goes left and up, which is what numbers without a sign lose; the board goes right and down.
+TEST(FlowCheck, NamesNegativeMotionThatIsLost) {
+  test::PaintedShot shot;
+  shot.cameraPx = {-3.25, -2.5};
+  shot.boardPx = {8.0, 6.0};
+  Examination examination = test::paintedExamination(shot, kFrames, [](DoctorFrame& frame) {
+    for (const std::uint32_t id : {0u, test::kGroundId, test::kBoardId})
+      test::changeMotion(frame, id,
+                         [](const glm::vec2& motion) { return glm::max(motion, glm::vec2(0.0f)); });
+    frame.previousClipFromClip.reset();
+  });
+  examination.known.camera = false;
+  const Diagnosis diagnosis = examine(examination);
+  EXPECT_NE(idsOf(diagnosis).find("motionClipped"), std::string::npos) << idsOf(diagnosis);
+}
+
 // What is right in all other frames explains none of what is wrong in one.
 TEST(FlowCheck, ExplainsNothingByWhatIsRightElsewhere) {
   const MotionChange change = [](const glm::vec2& motion, int frame) {

@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/common.hpp>
+
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -44,6 +47,26 @@ TEST(BadValues, OfColorAreANote) {
   EXPECT_TRUE(std::ranges::any_of(diagnosis.notes, [](const std::string& note) {
     return note.find("NaN or infinite) at 7 pixels") != std::string::npos;
   }));
+}
+
+TEST(BadValues, OfWholePixelsAloneAreNamed) {
+  const auto hasWhole = [](const test::PaintedShot& shot, bool isRounded) {
+    const Diagnosis diagnosis =
+        examine(test::paintedExamination(shot, kFrames, [isRounded](DoctorFrame& frame) {
+          for (const std::uint32_t id : {0u, test::kGroundId, test::kBoardId})
+            if (isRounded)
+              test::changeMotion(frame, id, [](const glm::vec2& motion) { return glm::round(motion); });
+        }));
+    return findingOf(diagnosis, "motionWholePixels") != nullptr;
+  };
+  test::PaintedShot shot;
+  shot.change = 0.9; // many lengths
+  EXPECT_TRUE(hasWhole(shot, true));
+  EXPECT_FALSE(hasWhole(shot, false));
+  test::PaintedShot scroll; // two lengths, as of a plain scroll
+  scroll.cameraPx = {2.0, -1.0};
+  scroll.boardPx = {1.0, 3.0};
+  EXPECT_FALSE(hasWhole(scroll, true));
 }
 
 } // namespace taa::doctor
