@@ -478,7 +478,7 @@ bool isClipped(const std::vector<const FlowSquare*>& squares, int axis) {
   constexpr double kNearlyAll = 0.9, kMovesPx = 0.5;
   constexpr std::size_t kEnough = 16;
   for (const double sign : {1.0, -1.0}) {
-    std::size_t zero = 0, lost = 0, given = 0;
+    std::size_t zero = 0, lost = 0, given = 0, alone = 0; // alone: of one component, not of both
     bool isOneSigned = true;
     for (const FlowSquare* square : squares) {
       const double along = sign * square->given[axis];
@@ -487,8 +487,9 @@ bool isClipped(const std::vector<const FlowSquare*>& squares, int axis) {
       if (along != 0.0 || std::abs(square->px[axis]) <= kMovesPx) continue;
       ++zero;
       if (sign * square->px[axis] < 0.0) ++lost;
+      if (square->given[1 - axis] != 0.0) ++alone;
     }
-    if (isOneSigned && given >= kEnough && zero >= kEnough &&
+    if (isOneSigned && given >= kEnough && alone >= kEnough &&
         static_cast<double>(lost) >= kNearlyAll * static_cast<double>(zero))
       return true;
   }

@@ -126,11 +126,11 @@ TEST(FlowCheck, NamesTheFrameBeforeWhichOneIsMissing) {
   EXPECT_EQ(diagnosis.findings[0].name, "A frame missing before frame 7");
 }
 
-// The ground goes left and up, which is what numbers without a sign lose; the board goes right and down.
+// The ground goes left, which is what numbers without a sign lose of its motion; the board goes right.
 TEST(FlowCheck, NamesNegativeMotionThatIsLost) {
   test::PaintedShot shot;
-  shot.cameraPx = {-3.25, -2.5};
-  shot.boardPx = {8.0, 6.0};
+  shot.cameraPx = {-3.25, 2.5};
+  shot.boardPx = {8.0, 1.5};
   Examination examination = test::paintedExamination(shot, kFrames, [](DoctorFrame& frame) {
     for (const std::uint32_t id : {0u, test::kGroundId, test::kBoardId})
       test::changeMotion(frame, id,
