@@ -137,8 +137,6 @@ LessonState openState(Inspector& inspector, const LessonState& asked, const Prog
   std::vector<Settings> settings{state.shot.settings.settings};
   for (const LessonLane& lane : state.lanes) settings.push_back(lane.settings);
   openLessonShot(shot, state, progress);
-  // What is given up with a setting is made again for the frame on show, which is another one in a moment.
-  if (shot.frame() != state.shot.frame) shot.seek(0, progress);
   shot.setLanes(settings);
   if (!shot.capture()) shot.setMotionModes(state.shot.motionModes);
   shot.setObjectFilter(state.shot.filter);

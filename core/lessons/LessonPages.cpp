@@ -24,6 +24,7 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -306,11 +307,14 @@ class PageDrawing {
 
   /// With nothing beside it: times are compared.
   void measureLadders() {
-    Inspector inspector;
+    std::optional<Inspector> inspector; // most lessons have no ladder
     for (std::size_t lesson = 0; lesson < lessons_.size(); ++lesson)
       for (std::size_t step = 0; step < lessons_[lesson].steps.size(); ++step) {
         const LessonStep& measured = lessons_[lesson].steps[step];
-        drawn_[lesson][step].times = measureTimes(inspector, measured.state, measured.ladder, progress_);
+        if (measured.ladder.empty()) continue;
+        if (!inspector) inspector.emplace();
+        const Progress told = [&](std::string_view, int, int) { return tell(step, lessons_[lesson]); };
+        drawn_[lesson][step].times = measureTimes(*inspector, measured.state, measured.ladder, told);
       }
   }
 

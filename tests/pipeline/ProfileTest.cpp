@@ -80,6 +80,17 @@ TEST_F(ProfileTest, HoldsThePassesOfTheFrameAndOfWhatWasLookedAt) {
   EXPECT_GT(profile->checkpointBytes, std::size_t(kWidth * kHeight));
 }
 
+// Nothing that casts moves there: its map is kept from frame to frame, but where time is taken.
+TEST_F(ProfileTest, OfAStillSceneHasItsShadows) {
+  inspector->shot().open("builtin:fence");
+  inspector->shot().seek(2);
+  inspector->profiler().setProfiling(true);
+  inspector->shot().advance();
+  const auto profile = inspector->profiler().takeProfile();
+  ASSERT_TRUE(profile);
+  EXPECT_TRUE(namesOf(*profile).contains("Shadows, as the sun sees them"));
+}
+
 TEST_F(ProfileTest, OfAReplayIsThatOfTheLastFrame) {
   inspector->profiler().setProfiling(true);
   inspector->shot().seek(9);

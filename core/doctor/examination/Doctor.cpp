@@ -328,7 +328,7 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
     return one.fault == OrderFault::Cut && stepped.contains(one.frame);
   });
   const std::vector<PlaneTime> times = order.empty() ? first.planeTimes() : std::vector<PlaneTime>();
-  tellOrder(order, out);
+  tellOrder(order, first.order().asked(), out);
   tellPlaneTimes(times, out);
   first.tellValues(out);
   if (covered.empty() && stepped.empty() && order.empty() && times.empty()) {

@@ -65,7 +65,7 @@ void Examiner::add(const DoctorFrame* before, const DoctorFrame& now, const Doct
     rims_.add(now);
     if (looksAtOutput_) resolve_.add(now, before);
     order_.add(now);
-    times_.add(now);
+    if (before && after) times_.add(*before, now, *after);
   });
   const std::vector<RegionIndex> labels = tracker_.label(now);
   values_.add(now, labels);

@@ -326,7 +326,6 @@ class FlowMeter {
     const double apart = Warp{pixels, frames_.now.luma, false}.left(given - best.px - step_);
     out.apart = std::isfinite(apart) ? apart : out.leftAsGiven;
     if (camera) out.camera = glm::dvec2(*camera);
-    out.isOfCamera = camera && isSameMotion(glm::vec2(given), *camera);
     return out;
   }
   glm::dvec2 step() const { return step_; }
@@ -344,12 +343,16 @@ class FlowMeter {
 
 } // namespace
 
+bool FlowSquare::isOfCamera() const {
+  return camera && isSameMotion(glm::vec2(given), glm::vec2(*camera));
+}
+
 double FlowSquare::offPx() const {
   return glm::distance(px, given);
 }
 
 bool FlowSquare::refutesGiven(double tolerancePx) const {
-  if (isOfCamera) return false;
+  if (isOfCamera()) return false;
   // What repeats fits elsewhere as well.
   if (std::isfinite(leftAsGiven) && apart < kRepeatsShare * leftAsGiven) return false;
   return offPx() > std::max(tolerancePx, kChanceErrors * errorPx) && leftAsGiven >= kClearlyMore * left &&

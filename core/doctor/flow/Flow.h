@@ -31,11 +31,10 @@ struct FlowSquare {
   /// `leftAsGiven` if what was measured is so, and less if the picture repeats by that much.
   double apart = 0.0;
 
-  /// Motion given is what depth and matrices make of what rests there: a light or a reflection may move over
-  /// it.
-  bool isOfCamera = false;
-  std::optional<glm::dvec2> camera; ///< what that is, px; nothing where it is not known
+  std::optional<glm::dvec2> camera; ///< what depth and matrices make of what rests there, px
 
+  /// Whether that is what is given: a light or a reflection may move over it.
+  bool isOfCamera() const;
   double offPx() const;
   /// Whether pictures refute the motion given, by more than `tolerancePx` and by more than chance.
   bool refutesGiven(double tolerancePx) const;

@@ -21,6 +21,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace taa::doctor {
 
@@ -28,68 +29,8 @@ namespace {
 
 /// px: what pictures alias by is less; with jitter that is not known, that adds up.
 constexpr double kOffPx = 0.5, kOffPxWithOpenJitter = 1.5;
-/// Of a region's squares in a pair of frames: so many make the pair, else a light moves over it.
-constexpr double kMostSquares = 0.6;
-/// Of a region: where pictures say so little, that may be what shines, or a shadow, on something plain.
-constexpr double kLeastSaid = 0.3;
-constexpr std::size_t kEnoughSquaresOfPair = 3, kEnoughRefutedPairs = 2, kEnoughRefutingSquares = 8;
-/// One pair alone has to say more.
-constexpr std::size_t kEnoughSquaresOfOnePair = 12;
 /// Of all squares: as many, refuted, refute an explanation of the whole picture.
 constexpr double kRefutesAll = 0.5;
-
-/// A region whose motion pictures refute.
-struct Refuted {
-  const Region* region = nullptr;
-  std::vector<int> frames;                ///< in which they do
-  std::vector<int> asked;                 ///< in which its motion was measured
-  std::vector<const FlowSquare*> squares; ///< of these frames, all that were measured …
-  std::vector<const FlowSquare*> ofAll;   ///< … and of all frames
-};
-
-struct PairOfRegion {
-  int frame = 0;
-  std::vector<const FlowSquare*> squares;
-  std::size_t refuting = 0;
-};
-
-std::map<RegionIndex, std::vector<PairOfRegion>> byRegion(const FlowSeen& seen, double tolerancePx) {
-  std::map<RegionIndex, std::vector<PairOfRegion>> out;
-  for (const FlowPair& pair : seen.pairs) {
-    std::map<RegionIndex, PairOfRegion> ofPair;
-    for (const FlowSquare& square : pair.squares) {
-      if (pair.said.at(square.region) < kLeastSaid) continue;
-      PairOfRegion& part = ofPair[square.region];
-      part.frame = pair.frame;
-      part.squares.push_back(&square);
-      if (square.refutesGiven(tolerancePx)) ++part.refuting;
-    }
-    for (auto& [region, part] : ofPair) out[region].push_back(std::move(part));
-  }
-  return out;
-}
-
-std::vector<Refuted> refutedRegions(const FlowSeen& seen, double tolerancePx) {
-  std::vector<Refuted> out;
-  for (const auto& [region, pairs] : byRegion(seen, tolerancePx)) {
-    Refuted refuted{&seen.regions[static_cast<std::size_t>(region)], {}, {}, {}, {}};
-    std::size_t refuting = 0;
-    for (const PairOfRegion& pair : pairs) {
-      refuted.ofAll.insert(refuted.ofAll.end(), pair.squares.begin(), pair.squares.end());
-      if (pair.squares.size() < kEnoughSquaresOfPair) continue;
-      refuted.asked.push_back(pair.frame);
-      if (static_cast<double>(pair.refuting) < kMostSquares * static_cast<double>(pair.squares.size()))
-        continue;
-      refuted.frames.push_back(pair.frame);
-      refuting += pair.refuting;
-      refuted.squares.insert(refuted.squares.end(), pair.squares.begin(), pair.squares.end());
-    }
-    const bool isEnough = refuted.frames.size() >= kEnoughRefutedPairs ? refuting >= kEnoughRefutingSquares
-                                                                       : refuting >= kEnoughSquaresOfOnePair;
-    if (isEnough) out.push_back(std::move(refuted));
-  }
-  return out;
-}
 
 bool isOfMotion(const Finding& finding) {
   for (const FaultInfo& row : faultTable())
@@ -99,22 +40,6 @@ bool isOfMotion(const Finding& finding) {
 
 double allPixels(const Patient& patient, const Diagnosis& out) {
   return static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
-}
-
-std::vector<const FlowSquare*> squaresOf(const std::vector<Refuted>& refuted) {
-  std::vector<const FlowSquare*> out;
-  for (const Refuted& one : refuted) out.insert(out.end(), one.squares.begin(), one.squares.end());
-  return out;
-}
-
-/// Frames of any of them.
-std::pair<std::vector<int>, std::vector<int>> framesOf(const std::vector<Refuted>& refuted) {
-  std::set<int> frames, asked;
-  for (const Refuted& one : refuted) {
-    frames.insert(one.frames.begin(), one.frames.end());
-    asked.insert(one.asked.begin(), one.asked.end());
-  }
-  return {{frames.begin(), frames.end()}, {asked.begin(), asked.end()}};
 }
 
 double medianOff(const std::vector<const FlowSquare*>& squares) {
@@ -195,15 +120,6 @@ bool isRightElsewhere(const FlowSeen& seen, const std::vector<Refuted>& refuted)
   return right >= kEnough;
 }
 
-/// Whether most squares follow a line.
-bool isFollowed(const FlowFit& fit, const std::vector<const FlowSquare*>& squares, double tolerancePx) {
-  const auto near = std::ranges::count_if(squares, [&](const FlowSquare* square) {
-    return glm::distance(square->px, fit.factors * square->given + fit.offsetPx) <=
-           std::max(tolerancePx, kChanceErrors * square->errorPx);
-  });
-  return static_cast<double>(near) >= kMostSquares * static_cast<double>(squares.size());
-}
-
 /// How many times as far as is given pictures go where they do so in one frame alone: pictures between are
 /// missing.
 std::optional<FlowFit> fitOfMissing(const std::vector<Refuted>& refuted) {
@@ -214,18 +130,6 @@ std::optional<FlowFit> fitOfMissing(const std::vector<Refuted>& refuted) {
   const auto fit = fitFactor(squaresOf(refuted), kRoughlyPx);
   const bool isFarther = fit && fit->factors[0][0] >= kLeast && fit->factors[0][0] <= kMost;
   return isFarther && fit->isGood() ? fit : std::nullopt;
-}
-
-void nameMissing(int frame, const FlowFit& fit, Finding& finding) {
-  const std::string example = finding.change;
-  nameBy(
-      {"frameMissing", say<"A frame missing before frame %1">(frame),
-       say<"Things jump, and history is looked for where they would have been.">(),
-       say<"Write all frames one after the other, or start history anew in that one: \"cut\": true in the manifest.">()},
-      finding);
-  finding.reason +=
-      " " + say<"There alone the pictures go %1 times as far as is given.">(shortNumber(fit.factors[0][0]));
-  finding.change += " " + example;
 }
 
 /// Of what pictures refute, and whatever explains all of it best.
@@ -256,13 +160,14 @@ Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, c
   std::vector<const FlowSquare*> ofAll;
   for (const Refuted& one : refuted) ofAll.insert(ofAll.end(), one.ofAll.begin(), one.ofAll.end());
   auto fit = explaining(ofAll, tolerancePx);
-  if (fit && !isFollowed(*fit, squares, tolerancePx)) fit.reset(); // what is right everywhere else
+  if (fit && followedShare(*fit, squares, tolerancePx) < kMostSquares)
+    fit.reset(); // what is right everywhere else
   if (!fit) fit = explaining(squares, tolerancePx);
   // An encoding is that of all that is stored; what was not written is the camera's by what is stated.
   std::vector<const FlowSquare*> seenSquares;
   for (const FlowPair& pair : seen.pairs)
     for (const FlowSquare& square : pair.squares)
-      if (!square.isOfCamera) seenSquares.push_back(&square);
+      if (!square.isOfCamera()) seenSquares.push_back(&square);
   const auto withoutRoot = explainingWithoutRoot(seenSquares, patient, tolerancePx);
   // Of motion that hardly changes a line makes nearly what a curve does.
   if (withoutRoot && (!fit || !isAlongAxes(*fit) || withoutRoot->followed > fit->followed))
@@ -316,19 +221,6 @@ bool isOfOtherLength(const FlowSeen& seen, const FlowPatient& patient, double to
            std::max(kShare, kFitErrors * std::sqrt(alike) * fit->factorErrors[axis][axis]);
   };
   return isOther(0) && isOther(1) && fit->factors[0][0] > 0.0 && fit->factors[1][1] > 0.0;
-}
-
-/// Of the whole picture, whose squares are all alike wrong.
-Refuted wholePicture(const FlowSeen& seen) {
-  Refuted out;
-  for (const FlowPair& pair : seen.pairs) {
-    if (pair.squares.empty()) continue;
-    out.frames.push_back(pair.frame);
-    for (const FlowSquare& square : pair.squares) out.squares.push_back(&square);
-  }
-  out.asked = out.frames;
-  out.ofAll = out.squares;
-  return out;
 }
 
 /// Whether an explanation that says what is made of the motion given makes it what pictures move by.
@@ -440,16 +332,6 @@ bool saysNotCamerasAlone(const Finding& finding) {
                          finding.id == faultInfo(Fault::CameraOfSecondView).id));
 }
 
-/// Whether nearly all squares follow a line closely: what turns with a camera does not.
-bool isFollowedClosely(const FlowFit& fit, const std::vector<const FlowSquare*>& squares) {
-  constexpr double kClosePx = 0.2, kNearlyAll = 0.9;
-  const auto close = std::ranges::count_if(squares, [&](const FlowSquare* square) {
-    return glm::distance(square->px, fit.factors * square->given + fit.offsetPx) <=
-           std::max(kClosePx, kChanceErrors * square->errorPx);
-  });
-  return static_cast<double>(close) >= kNearlyAll * static_cast<double>(squares.size());
-}
-
 /// Where one line makes all that is given what pictures move by, that says more than that it is not the
 /// camera's.
 void nameNotCameras(const FlowSeen& seen, const Patient& patient, double tolerancePx, Diagnosis& out) {
@@ -459,7 +341,9 @@ void nameNotCameras(const FlowSeen& seen, const Patient& patient, double toleran
   const bool isAnyTurned = std::ranges::any_of(out.findings, [](const Finding& finding) {
     return saysNotCamerasAlone(finding) && finding.id != "motionNotCameras";
   });
-  if (!fit || (isAnyTurned && !isFollowedClosely(*fit, all.front().squares))) return;
+  // What turns with a camera follows no line closely.
+  constexpr double kClosePx = 0.2, kNearlyAll = 0.9;
+  if (!fit || (isAnyTurned && followedShare(*fit, all.front().squares, kClosePx) < kNearlyAll)) return;
   std::erase_if(out.findings, [&](const Finding& finding) {
     // What was said of single regions is a part of it.
     return saysNotCamerasAlone(finding) ||
@@ -471,29 +355,6 @@ void nameNotCameras(const FlowSeen& seen, const Patient& patient, double toleran
   nameByFit(*fit, patient, finding);
   out.findings.push_back(std::move(finding));
   out.parts.takeBack(say<"Motion">());
-}
-
-/// Whether along an axis no motion of one sign is given, and where 0 is, pictures move that way.
-bool isClipped(const std::vector<const FlowSquare*>& squares, int axis) {
-  constexpr double kNearlyAll = 0.9, kMovesPx = 0.5;
-  constexpr std::size_t kEnough = 16;
-  for (const double sign : {1.0, -1.0}) {
-    std::size_t zero = 0, lost = 0, given = 0, alone = 0; // alone: of one component, not of both
-    bool isOneSigned = true;
-    for (const FlowSquare* square : squares) {
-      const double along = sign * square->given[axis];
-      if (along < 0.0) isOneSigned = false;
-      if (along > kMovesPx) ++given;
-      if (along != 0.0 || std::abs(square->px[axis]) <= kMovesPx) continue;
-      ++zero;
-      if (sign * square->px[axis] < 0.0) ++lost;
-      if (square->given[1 - axis] != 0.0) ++alone;
-    }
-    if (isOneSigned && given >= kEnough && alone >= kEnough &&
-        static_cast<double>(lost) >= kNearlyAll * static_cast<double>(zero))
-      return true;
-  }
-  return false;
 }
 
 /// What goes one way has lost that part of its motion: numbers without a sign.

@@ -4,18 +4,9 @@
 
 #include "core/doctor/Diagnosis.h"
 #include "core/doctor/Patient.h"
-#include "core/doctor/flow/Flow.h"
-#include "core/doctor/frames/Regions.h"
-
-#include <vector>
+#include "core/doctor/flow/Refuted.h"
 
 namespace taa::doctor {
-
-/// What was measured of frames, and the regions of these.
-struct FlowSeen {
-  const std::vector<FlowPair>& pairs;
-  const std::vector<Region>& regions;
-};
 
 /// What was told of motion and jitter before.
 struct FlowPatient {

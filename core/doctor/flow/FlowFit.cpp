@@ -211,4 +211,34 @@ std::optional<FlowFit> explainingWithoutRoot(const std::vector<const FlowSquare*
   return fit && fit->isGood() ? fit : std::nullopt;
 }
 
+double followedShare(const FlowFit& fit, const std::vector<const FlowSquare*>& squares, double tolerancePx) {
+  const auto followed = std::ranges::count_if(squares, [&](const FlowSquare* square) {
+    return glm::distance(square->px, fit.factors * square->given + fit.offsetPx) <=
+           std::max(tolerancePx, kChanceErrors * square->errorPx);
+  });
+  return squares.empty() ? 0.0 : static_cast<double>(followed) / static_cast<double>(squares.size());
+}
+
+bool isClipped(const std::vector<const FlowSquare*>& squares, int axis) {
+  constexpr double kNearlyAll = 0.9, kMovesPx = 0.5;
+  constexpr std::size_t kEnough = 16;
+  for (const double sign : {1.0, -1.0}) {
+    std::size_t zero = 0, lost = 0, given = 0, alone = 0; // alone: of one component, not of both
+    bool isOneSigned = true;
+    for (const FlowSquare* square : squares) {
+      const double along = sign * square->given[axis];
+      if (along < 0.0) isOneSigned = false;
+      if (along > kMovesPx) ++given;
+      if (along != 0.0 || std::abs(square->px[axis]) <= kMovesPx) continue;
+      ++zero;
+      if (sign * square->px[axis] < 0.0) ++lost;
+      if (square->given[1 - axis] != 0.0) ++alone;
+    }
+    if (isOneSigned && given >= kEnough && alone >= kEnough &&
+        static_cast<double>(lost) >= kNearlyAll * static_cast<double>(zero))
+      return true;
+  }
+  return false;
+}
+
 } // namespace taa::doctor

@@ -44,6 +44,12 @@ std::optional<FlowFit> explaining(const std::vector<const FlowSquare*>& squares,
 std::optional<FlowFit> explainingWithoutRoot(const std::vector<const FlowSquare*>& squares,
                                              const Patient& patient, double tolerancePx);
 
+/// Of squares, how many follow a line to so many pixels, or by chance.
+double followedShare(const FlowFit& fit, const std::vector<const FlowSquare*>& squares, double tolerancePx);
+/// Whether along an axis no motion of one sign is given, and where it is 0, which the other axis need not be,
+/// pictures move that way.
+bool isClipped(const std::vector<const FlowSquare*>& squares, int axis);
+
 /// What is made of the motion given, where that is all that an explanation says.
 std::optional<glm::dmat2> factorsOf(const MotionTrial& trial);
 /// A known explanation whose numbers lie within the errors of the fit.

@@ -42,12 +42,9 @@ FaultWords fitWords(const FlowFit& fit) {
         "motionOffset", say<"Motion with an offset">(), say<"Everything smears, at rest too.">(),
         say<"What is stored is encoded otherwise than is stated: state that offset and that factor, or decode "
             "motion before it is used.">()};
-  if (!isAlongAxes(fit))
-    return {"motionTurned", say<"Motion with its axes turned">(), say<"Ghosts beside what moves.">(),
-            say<"Make motion along the axes of the picture.">()};
-  return {"motionScaled", say<"Motion of another length">(), say<"Ghosts grow with speed.">(),
-          say<"Multiply the motion that you write by %1.">(
-              shortVector(glm::dvec2(fit.factors[0][0], fit.factors[1][1])))};
+  if (!isAlongAxes(fit)) return turnedWords(say<"Make motion along the axes of the picture.">());
+  return lengthWords(say<"Multiply the motion that you write by %1.">(
+      shortVector(glm::dvec2(fit.factors[0][0], fit.factors[1][1]))));
 }
 
 } // namespace
@@ -80,6 +77,18 @@ void nameWithoutRoot(const FlowFit& fit, Finding& finding) {
   finding.reason +=
       " " + say<"By least squares the pictures move by %1 times what is read if its root is not undone: "
                 "that explains %2 of %3 squares.">(withError(factor, error), fit.followed, fit.squares);
+}
+
+void nameMissing(int frame, const FlowFit& fit, Finding& finding) {
+  const std::string example = finding.change;
+  nameBy(
+      {"frameMissing", say<"A frame missing before frame %1">(frame),
+       say<"Things jump, and history is looked for where they would have been.">(),
+       say<"Write all frames one after the other, or start history anew in that one: \"cut\": true in the manifest.">()},
+      finding);
+  finding.reason +=
+      " " + say<"There alone the pictures go %1 times as far as is given.">(shortNumber(fit.factors[0][0]));
+  finding.change += " " + example;
 }
 
 void nameUnknown(Finding& finding) {

@@ -11,6 +11,8 @@ namespace taa::doctor {
 void nameByFit(const FlowFit& fit, const Patient& patient, Finding& finding);
 /// Of explainingWithoutRoot().
 void nameWithoutRoot(const FlowFit& fit, Finding& finding);
+/// Pictures before a frame are missing: by the factor of its motion.
+void nameMissing(int frame, const FlowFit& fit, Finding& finding);
 void nameUnknown(Finding& finding);
 
 } // namespace taa::doctor

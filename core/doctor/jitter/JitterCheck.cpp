@@ -339,38 +339,32 @@ void tellTrial(const std::vector<JitterTrial>& trials, std::size_t trial, const 
   if (sky) tellSky(evidence, trials, trial, *sky, out);
 }
 
-/// The factor of a trial that says that jitter is longer or shorter, by least squares over measured shifts,
-/// where that is not the one of the list; those that miss by much are left out.
+/// The factor of a trial that says that jitter is longer or shorter, by least squares over measured shifts
+/// with Tukey's weights, where the list's lies beyond its errors.
 void measureLength(const JitterEvidence& evidence, JitterTrial& trial) {
-  constexpr int kRounds = 4;
-  constexpr double kOutlier = 3.0, kKnownTo = 0.05, kFitErrors = 3.0, kLeastPx = 0.02;
-  struct Pair {
-    glm::dvec2 stated{0.0}, shift{0.0};
-  };
-  std::vector<Pair> pairs;
-  for (const JitterEvidence::Shift& shift : evidence.shifts) {
-    const auto before = evidence.stated.find(shift.frame - 1), now = evidence.stated.find(shift.frame);
-    if (before != evidence.stated.end() && now != evidence.stated.end())
-      pairs.push_back({glm::dvec2(before->second - now->second), glm::dvec2(shift.px)});
-  }
-  double factor = static_cast<double>(trial.factor.x), error = 0.0;
+  constexpr int kRounds = 8;
+  constexpr double kKnownTo = 0.05, kFitErrors = 3.0, kLeastPx = 0.02;
+  const std::vector<ShiftPair> pairs = shiftPairs(evidence);
+  const double listed = static_cast<double>(trial.factor.x);
+  double factor = listed, error = 0.0;
   for (int round = 0; round < kRounds; ++round) {
     std::vector<double> misses;
-    for (const Pair& pair : pairs) misses.push_back(glm::distance(pair.shift, factor * pair.stated));
-    const double most = std::max(kLeastPx, kOutlier * median(misses));
-    double product = 0.0, square = 0.0, left = 0.0, count = 0.0;
+    for (const ShiftPair& pair : pairs)
+      misses.push_back(glm::distance(pair.shift, factor * (pair.before - pair.now)));
+    const double outlier = std::max(kLeastPx, kTukeyMedians * median(misses));
+    double product = 0.0, square = 0.0, left = 0.0, weights = 0.0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (misses[i] > most) continue;
-      product += glm::dot(pairs[i].shift, pairs[i].stated);
-      square += glm::dot(pairs[i].stated, pairs[i].stated);
-      left += misses[i] * misses[i];
-      count += 2.0;
+      const glm::dvec2 stated = pairs[i].before - pairs[i].now;
+      const double weight = tukeyWeight(misses[i], outlier);
+      product += weight * glm::dot(pairs[i].shift, stated);
+      square += weight * glm::dot(stated, stated);
+      left += weight * misses[i] * misses[i];
+      weights += 2.0 * weight; // x and y
     }
-    if (!(square > 0.0) || count < 8.0) return;
+    if (!(square > 0.0) || !(weights > 1.0)) return;
     factor = product / square;
-    error = std::sqrt(left / (count - 1.0) / square);
+    error = std::sqrt(left / (weights - 1.0) / square);
   }
-  const double listed = static_cast<double>(trial.factor.x);
   if (!(error <= kKnownTo * factor) || std::abs(factor - listed) <= kFitErrors * error) return;
   trial.factor = glm::vec2(static_cast<float>(factor));
 }

@@ -22,36 +22,22 @@ constexpr double kLeastJitterPx = 0.1;
 constexpr std::size_t kEnoughPausedPairs = 3, kEnoughHeldPairs = 3;
 constexpr double kRefutedPx = 0.2, kFittingPausesPx = 0.1, kNearlyAll = 0.8;
 
-/// Two frames one after the other with their stated jitters.
-struct Pair {
-  int frame = 0; ///< the later one
-  glm::dvec2 before{0.0}, now{0.0}, shift{0.0};
-
-  double offPx(bool holdsBefore, bool holdsNow) const {
-    const glm::dvec2 made = (holdsBefore ? before : glm::dvec2(0.0)) - (holdsNow ? now : glm::dvec2(0.0));
-    return glm::distance(shift, made);
-  }
-};
-
-std::vector<Pair> pairsOf(const JitterEvidence& evidence) {
-  std::vector<Pair> out;
-  for (const JitterEvidence::Shift& shift : evidence.shifts) {
-    const auto before = evidence.stated.find(shift.frame - 1), now = evidence.stated.find(shift.frame);
-    if (before != evidence.stated.end() && now != evidence.stated.end())
-      out.push_back({shift.frame, glm::dvec2(before->second), glm::dvec2(now->second), glm::dvec2(shift.px)});
-  }
-  return out;
+/// px, of the measured shift, if pictures hold the stated jitters or none.
+double offPx(const ShiftPair& pair, bool holdsBefore, bool holdsNow) {
+  const glm::dvec2 made =
+      (holdsBefore ? pair.before : glm::dvec2(0.0)) - (holdsNow ? pair.now : glm::dvec2(0.0));
+  return glm::distance(pair.shift, made);
 }
 
 /// Whether each frame holds its jitter, by the cheapest path.
-std::map<int, bool> cheapestPath(const std::vector<Pair>& pairs) {
+std::map<int, bool> cheapestPath(const std::vector<ShiftPair>& pairs) {
   struct Step {
     int frame = 0;
     std::array<double, 2> cost{0.0, 0.0}; ///< without jitter, with it
     std::array<std::size_t, 2> from{0, 1};
   };
   std::vector<Step> steps;
-  for (const Pair& pair : pairs) {
+  for (const ShiftPair& pair : pairs) {
     if (steps.empty() || steps.back().frame != pair.frame - 1) {
       Step start{pair.frame - 1};
       if (!steps.empty()) start.cost = steps.back().cost; // a gap says nothing
@@ -62,7 +48,7 @@ std::map<int, bool> cheapestPath(const std::vector<Pair>& pairs) {
       next.cost[to] = std::numeric_limits<double>::infinity();
       for (std::size_t from = 0; from < 2; ++from) {
         const double cost = steps.back().cost[from] + (from == to ? 0.0 : kChangePx) +
-                            std::min(kMostOffPx, pair.offPx(from == 1, to == 1));
+                            std::min(kMostOffPx, offPx(pair, from == 1, to == 1));
         if (cost >= next.cost[to]) continue;
         next.cost[to] = cost;
         next.from[to] = from;
@@ -83,19 +69,19 @@ std::map<int, bool> cheapestPath(const std::vector<Pair>& pairs) {
 } // namespace
 
 std::optional<JitterPauses> jitterPauses(const JitterEvidence& evidence) {
-  const std::vector<Pair> pairs = pairsOf(evidence);
+  const std::vector<ShiftPair> pairs = shiftPairs(evidence);
   const std::map<int, bool> holds = cheapestPath(pairs);
   std::vector<double> stated, paused, held;
   std::size_t nearer = 0;
-  for (const Pair& pair : pairs) {
+  for (const ShiftPair& pair : pairs) {
     const bool before = holds.at(pair.frame - 1), now = holds.at(pair.frame);
-    const double off = pair.offPx(before, now);
+    const double off = offPx(pair, before, now);
     if (before && now) {
       held.push_back(off);
       continue;
     }
     if (glm::length(pair.before) < kLeastJitterPx && glm::length(pair.now) < kLeastJitterPx) continue;
-    stated.push_back(pair.offPx(true, true));
+    stated.push_back(offPx(pair, true, true));
     paused.push_back(off);
     if (2.0 * off < stated.back()) ++nearer;
   }

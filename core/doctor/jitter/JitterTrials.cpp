@@ -124,6 +124,16 @@ void JitterEvidence::add(const FrameNeighbors& frames) {
   if (const auto shift = measureShift(samples.world, frames)) shifts.push_back({now.frame, *shift});
 }
 
+std::vector<ShiftPair> shiftPairs(const JitterEvidence& evidence) {
+  std::vector<ShiftPair> out;
+  for (const JitterEvidence::Shift& shift : evidence.shifts) {
+    const auto before = evidence.stated.find(shift.frame - 1), now = evidence.stated.find(shift.frame);
+    if (before != evidence.stated.end() && now != evidence.stated.end())
+      out.push_back({shift.frame, glm::dvec2(before->second), glm::dvec2(now->second), glm::dvec2(shift.px)});
+  }
+  return out;
+}
+
 std::vector<JitterTrial> jitterTrials(const glm::ivec2& sizePx) {
   std::vector<JitterTrial> trials;
   for (const JitterKind kind :

@@ -61,6 +61,14 @@ struct JitterEvidence {
   void add(const FrameNeighbors& frames);
 };
 
+/// Two frames one after the other: the jitters that are stated, and the shift that is measured, px.
+struct ShiftPair {
+  int frame = 0; ///< the later one
+  glm::dvec2 before{0.0}, now{0.0}, shift{0.0};
+};
+/// Those whose jitters are both stated.
+std::vector<ShiftPair> shiftPairs(const JitterEvidence& evidence);
+
 /// AsStated first, NotApplied, then all others for pictures of a size; twofold ones last.
 std::vector<JitterTrial> jitterTrials(const glm::ivec2& sizePx);
 inline constexpr std::size_t kNotAppliedTrial = 1;

@@ -5,6 +5,7 @@
 #include "core/doctor/Mending.h"
 #include "core/doctor/motion/MotionFindings.h"
 #include "core/doctor/motion/MotionMending.h"
+#include "core/doctor/motion/MotionReturns.h"
 #include "core/settings/Faults.h"
 
 #include <cstddef>
@@ -33,8 +34,7 @@ std::string jumpChange(bool isWhole) {
   if (isWhole)
     return say<"Set the previous matrix before it is used for the first time: to this frame's, or mark the "
                "frame as one without history.">();
-  return say<"Where it was not drawn in the frame before, take the transform of then, not that of the frame "
-             "it was last drawn in; or mark it as having no previous position.">();
+  return returnChange();
 }
 
 /// In that frame alone.

@@ -27,23 +27,35 @@ bool isReturnJump(const glm::dvec2& first, const glm::dvec2& next, const glm::dv
 
 } // namespace
 
+std::string returnChange() {
+  return say<"Where it was not drawn in the frame before, take the transform of then, not that of the frame "
+             "it was last drawn in; or mark it as having no previous position.">();
+}
+
 void ReturnEvidence::add(const DoctorFrame& frame, const std::vector<RegionIndex>& labels) {
   if (frame.motionPx.empty()) return;
   if (!first_) first_ = frame.frame;
   if (frame.startsHistory) starts_.push_back(frame.frame);
   const auto width = static_cast<std::size_t>(frame.motionPx.width);
+  const auto highest = std::ranges::max_element(labels);
+  std::vector<Mean> means(highest == labels.end() ? 0 : static_cast<std::size_t>(*highest + 1));
+  std::vector<bool> isSeen(means.size(), false);
   for (int y = 0; y < frame.motionPx.height; ++y)
     for (int x = 0; x < frame.motionPx.width; ++x) {
       const RegionIndex region = labels[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
       if (region == kNoRegion) continue;
-      std::vector<int>& seen = seen_[region];
-      if (seen.empty() || seen.back() != frame.frame) seen.push_back(frame.frame);
+      isSeen[static_cast<std::size_t>(region)] = true;
       const glm::vec2 motion = frame.motionAt(x, y);
       if (!isMotion(motion)) continue;
-      Mean& mean = means_[region][frame.frame];
+      Mean& mean = means[static_cast<std::size_t>(region)];
       ++mean.pixels;
       mean.sum += glm::dvec2(motion);
     }
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    const auto region = static_cast<RegionIndex>(i);
+    if (isSeen[i]) seen_[region].push_back(frame.frame);
+    if (means[i].pixels > 0) means_[region][frame.frame] = means[i];
+  }
 }
 
 std::vector<Return> ReturnEvidence::found() const {
@@ -83,9 +95,7 @@ void tellReturns(const std::vector<Return>& returns, const std::vector<Region>& 
       finding.regions.push_back(place);
   }
   std::ranges::stable_sort(finding.regions, std::greater(), &RegionPlace::share);
-  finding.change =
-      say<"Where it was not drawn in the frame before, take the transform of then, not that of the frame "
-          "it was last drawn in; or mark it as having no previous position.">();
+  finding.change = returnChange();
   out.findings.push_back(std::move(finding));
 }
 

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace taa::doctor {
@@ -43,6 +44,8 @@ class ReturnEvidence {
   std::vector<int> starts_;                          ///< of history
 };
 
+/// What to change, in a sentence.
+std::string returnChange();
 /// One finding for all of them.
 void tellReturns(const std::vector<Return>& returns, const std::vector<Region>& regions,
                  const Patient& patient, Diagnosis& out);

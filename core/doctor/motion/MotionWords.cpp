@@ -47,7 +47,7 @@ FaultWords scaledFault(const MotionTrial& trial) {
                        say<"Where it is so for one object alone, its previous transform may be two frames "
                            "old: keep that of the frame before.">());
   if (trial.factor.x == 2.0f) return ofTable(Fault::MotionHalved, change);
-  return {"motionScaled", say<"Motion of another length">(), say<"Ghosts grow with speed.">(), change};
+  return lengthWords(change);
 }
 
 FaultWords unitFault(const MotionTrial& trial) {
@@ -256,10 +256,10 @@ FaultWords motionFault(const MotionTrial* trial, const Region& region, const Reg
     return axesFault(trial->kind);
   case MotionKind::TurnedLeft:
   case MotionKind::TurnedRight:
-    return {"motionTurned", say<"Motion with its axes turned">(), say<"Ghosts beside what moves.">(),
-            trial->kind == MotionKind::TurnedLeft
-                ? say<"Exchange x and y of motion, and negate x then: it is turned by a quarter.">()
-                : say<"Exchange x and y of motion, and negate y then: it is turned by a quarter.">()};
+    return turnedWords(
+        trial->kind == MotionKind::TurnedLeft
+            ? say<"Exchange x and y of motion, and negate x then: it is turned by a quarter.">()
+            : say<"Exchange x and y of motion, and negate y then: it is turned by a quarter.">());
   case MotionKind::JitterOfThis:
   case MotionKind::JitterOfPrevious:
   case MotionKind::JitterOfBoth:
@@ -289,6 +289,16 @@ FaultWords motionFault(const MotionTrial* trial, const Region& region, const Reg
   return {};
 }
 
+FaultWords lengthWords(std::string change) {
+  return {"motionScaled", say<"Motion of another length">(), say<"Ghosts grow with speed.">(),
+          std::move(change)};
+}
+
+FaultWords turnedWords(std::string change) {
+  return {"motionTurned", say<"Motion with its axes turned">(), say<"Ghosts beside what moves.">(),
+          std::move(change)};
+}
+
 FaultWords unknownMotion() {
   return {
       std::string(kUnknownMotionId), say<"Motion that none of the known mistakes explains">(),
@@ -299,9 +309,8 @@ FaultWords unknownMotion() {
 
 FaultWords lengthFault(const MotionTrial& trial) {
   if (trial.kind != MotionKind::Scaled) return motionFault(&trial, Region(), RegionEvidence());
-  return {"motionScaled", say<"Motion of another length">(), say<"Ghosts grow with speed.">(),
-          say<"Multiply the motion that you write by %1, or state the unit that it has.">(
-              shortVector(glm::dvec2(trial.factor)))};
+  return lengthWords(say<"Multiply the motion that you write by %1, or state the unit that it has.">(
+      shortVector(glm::dvec2(trial.factor))));
 }
 
 std::string lengthReason(const FittedLength& length, const MotionTrial& trial, const glm::ivec2& sizePx) {

@@ -29,6 +29,9 @@ FaultWords lengthFault(const MotionTrial& trial);
 std::string lengthReason(const FittedLength& length, const MotionTrial& trial, const glm::ivec2& sizePx);
 
 /// Gives a finding the words of a fault.
+/// Of motion that is longer or shorter, or turned, by what no row of the table says.
+FaultWords lengthWords(std::string change);
+FaultWords turnedWords(std::string change);
 /// Id and words of what none of the known mistakes explains.
 inline constexpr std::string_view kUnknownMotionId = "motionUnknown";
 FaultWords unknownMotion();

@@ -4,6 +4,8 @@
 #include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/capture/import/FrameSamples.h"
+#include "core/doctor/frames/FramesText.h"
+#include "core/doctor/motion/MotionWords.h"
 #include "core/doctor/sequence/DrawnPart.h"
 
 #include <glm/geometric.hpp>
@@ -13,6 +15,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -31,7 +34,6 @@ constexpr double kCutShare = 0.15, kUsualShare = 0.5;
 constexpr std::size_t kEnoughAsked = 12;
 /// A cut leaves so many times as much as the pair in the middle.
 constexpr double kCutFactor = 3.0;
-constexpr std::size_t kMostNamed = 6;
 
 int stepFor(const Image& image) {
   return std::max(
@@ -75,11 +77,7 @@ bool moves(const Image& motionPx) {
          kMovingShare * static_cast<double>(motionPx.width) * static_cast<double>(motionPx.height);
 }
 
-struct OrderWords {
-  std::string id, name, symptom, change;
-};
-
-OrderWords wordsOf(OrderFault fault) {
+FaultWords wordsOf(OrderFault fault) {
   switch (fault) {
   case OrderFault::Doubled:
     return {"frameDoubled", say<"A frame twice">(), say<"Things stand for a frame and then jump.">(),
@@ -102,21 +100,20 @@ OrderWords wordsOf(OrderFault fault) {
           say<"Start history anew in that frame, and state it: \"cut\": true in the manifest.">()};
 }
 
-std::string framesOf(const std::vector<OrderFound>& found) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(found.size(), kMostNamed); ++i)
-    text += (i == 0 ? "" : ", ") + std::to_string(found[i].frame);
-  return found.size() > kMostNamed ? say<"%1 and %2 more">(text, found.size() - kMostNamed) : text;
+std::string framesOf(std::span<const OrderFound> found, const std::vector<int>& asked) {
+  std::vector<int> frames;
+  for (const OrderFound& one : found) frames.push_back(one.frame);
+  return framesText(frames, asked);
 }
 
-/// "288 × 162 px are drawn in frame 3, 4; 256 × 144 px are drawn in frame 5"
-std::string partsOf(const std::vector<OrderFound>& found) {
+/// "288 × 162 px are drawn in frames 3 to 4; 256 × 144 px are drawn in frame 5"
+std::string partsOf(const std::vector<OrderFound>& found, const std::vector<int>& asked) {
   std::string text;
   for (auto at = found.begin(); at != found.end();) {
     auto end = at;
     while (end != found.end() && end->drawnPx == at->drawnPx) ++end;
     text += (text.empty() ? "" : "; ") +
-            say<"%1 × %2 px are drawn in frame %3">(at->drawnPx.x, at->drawnPx.y, framesOf({at, end}));
+            say<"%1 × %2 px are drawn in %3">(at->drawnPx.x, at->drawnPx.y, framesOf({at, end}, asked));
     at = end;
   }
   return text;
@@ -133,29 +130,31 @@ RegionPlace wholeFrame(int frame, const Diagnosis& out) {
   return place;
 }
 
-std::string reasonOf(const std::vector<OrderFound>& found) {
-  const OrderFound& first = found.front();
-  switch (first.fault) {
+std::string swappedReason(const OrderFound& found) {
+  return say<"Along its motion frame %1 continues frame %2, which comes after it, and leaves %3 of the frame "
+             "before and %4 of that one (median difference of luma, × 1000).">(
+      found.frame, found.frame + 1, shortNumber(1000.0 * found.asNumbered),
+      shortNumber(1000.0 * found.asFound));
+}
+
+/// `found`: of one fault.
+std::string reasonOf(const std::vector<OrderFound>& found, const std::vector<int>& asked) {
+  std::string text;
+  switch (found.front().fault) {
   case OrderFault::Doubled:
-    return say<
-        "In frame %1 each pixel has the color that it had in the frame before, to the last bit, and motion "
-        "says that the picture moves.">(framesOf(found));
+    return say<"In %1 each pixel has the color that it had in the frame before, to the last bit, and motion "
+               "says that the picture moves.">(framesOf(found, asked));
   case OrderFault::Swapped:
-    return say<
-        "Along its motion frame %1 continues frame %2, which comes after it, and leaves %3 of the frame "
-        "before and %4 of that one (median difference of luma, × 1000).">(
-        first.frame, first.frame + 1, shortNumber(1000.0 * first.asNumbered),
-        shortNumber(1000.0 * first.asFound));
+    for (const OrderFound& one : found) text += (text.empty() ? "" : " ") + swappedReason(one);
+    return text;
   case OrderFault::Partial:
-    return say<
-        "Right of it and below everything is as in the frame before, to the last bit, where its motion "
-        "says that it moves: %1.">(partsOf(found));
+    return say<"Right of what is drawn and below it everything is as in the frame before, to the last bit, "
+               "where its motion says that it moves: %1.">(partsOf(found, asked));
   case OrderFault::Cut:
     break;
   }
-  return say<
-      "In frame %1 hardly anything of the frame before is found again, wherever it may have moved, and in "
-      "other frames nearly everything is.">(framesOf(found));
+  return say<"In %1 hardly anything of the frame before is found again, wherever it may have moved, and in "
+             "other frames nearly everything is.">(framesOf(found, asked));
 }
 
 } // namespace
@@ -252,21 +251,23 @@ std::vector<OrderFound> OrderEvidence::found() const {
   return out;
 }
 
-void tellOrder(const std::vector<OrderFound>& found, Diagnosis& out) {
+std::vector<int> OrderEvidence::asked() const {
+  std::vector<int> out;
+  for (const auto& [frame, followed] : frames_) out.push_back(frame);
+  return out;
+}
+
+void tellOrder(const std::vector<OrderFound>& found, const std::vector<int>& asked, Diagnosis& out) {
   for (const OrderFault fault :
        {OrderFault::Doubled, OrderFault::Swapped, OrderFault::Cut, OrderFault::Partial}) {
     std::vector<OrderFound> alike;
     std::ranges::copy_if(found, std::back_inserter(alike),
                          [fault](const OrderFound& one) { return one.fault == fault; });
     if (alike.empty()) continue;
-    OrderWords words = wordsOf(fault);
     Finding finding;
-    finding.id = std::move(words.id);
-    finding.name = std::move(words.name);
-    finding.symptom = std::move(words.symptom);
-    finding.change = std::move(words.change);
+    nameBy(wordsOf(fault), finding);
     finding.sureness = fault == OrderFault::Cut ? Sureness::Likely : Sureness::Sure;
-    finding.reason = reasonOf(alike);
+    finding.reason = reasonOf(alike, asked);
     for (const OrderFound& one : alike) finding.regions.push_back(wholeFrame(one.frame, out));
     out.findings.push_back(std::move(finding));
   }

@@ -45,6 +45,7 @@ class OrderEvidence {
 
   /// By rising frame.
   std::vector<OrderFound> found() const;
+  std::vector<int> asked() const; ///< frames
 
  private:
   /// What is kept of a frame while others may be held against it.
@@ -70,8 +71,8 @@ class OrderEvidence {
   std::map<int, FoundAgain> squares_;
 };
 
-/// A finding for each fault, whole numbers of frames in one.
-void tellOrder(const std::vector<OrderFound>& found, Diagnosis& out);
+/// A finding for each fault, with all of its frames. `asked`: the frames that were.
+void tellOrder(const std::vector<OrderFound>& found, const std::vector<int>& asked, Diagnosis& out);
 
 /// The frames in the order that was found; where one does not follow the one before it, history starts. Those
 /// that stood in each other's place, or are drawn in part, are compared with nothing.

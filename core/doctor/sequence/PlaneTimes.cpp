@@ -77,27 +77,12 @@ std::string symptomOf(TimedPlane plane) {
 
 } // namespace
 
-void PlaneTimes::add(const DoctorFrame& frame) {
-  if (frame.motionPx.empty()) return;
-  constexpr std::size_t kMostKept = 3;
-  DoctorFrame kept;
-  kept.frame = frame.frame;
-  kept.startsHistory = frame.startsHistory;
-  kept.luma = frame.luma;
-  kept.motionPx = frame.motionPx;
-  kept.depthView = frame.depthView;
-  kept.objectId = frame.objectId;
-  const bool isSameSize = frame.output.width == frame.luma.width && frame.output.height == frame.luma.height;
-  if (isSameSize) kept.output = capture::comparedLuma(frame.output);
-  kept_.push_back(std::move(kept));
-  if (kept_.size() > kMostKept) kept_.pop_front();
-  if (kept_.size() == kMostKept && !kept_[1].startsHistory && !kept_[2].startsHistory)
-    compare(kept_[0], kept_[1], kept_[2]);
-}
-
-void PlaneTimes::compare(const DoctorFrame& before, const DoctorFrame& now, const DoctorFrame& after) {
+void PlaneTimes::add(const DoctorFrame& before, const DoctorFrame& now, const DoctorFrame& after) {
   const glm::ivec2 size = now.sizePx();
+  if (now.motionPx.empty() || now.startsHistory || after.startsHistory) return;
   if (before.sizePx() != size || after.sizePx() != size) return;
+  const bool hasOutput = now.output.width == size.x && now.output.height == size.y;
+  const Image output = hasOutput ? capture::comparedLuma(now.output) : Image();
   const std::array<const Image*, 3> lumas{&before.luma, &now.luma, &after.luma};
   std::array<std::array<double, 3>, kTimedPlanes> sums{};
   std::array<std::size_t, kTimedPlanes> counts{};
@@ -117,11 +102,11 @@ void PlaneTimes::compare(const DoctorFrame& before, const DoctorFrame& now, cons
     if (hasDepth && isDepthRim(*now.depthView.at(a.x, a.y), *now.depthView.at(b.x, b.y)))
       addRim(TimedPlane::Depth, a, b);
     if (hasIds && idAt(a) != idAt(b)) addRim(TimedPlane::ObjectIds, a, b);
-    if (now.output.empty() || std::abs(*now.luma.at(a.x, a.y) - *now.luma.at(b.x, b.y)) < kDetailStep) return;
+    if (output.empty() || std::abs(*now.luma.at(a.x, a.y) - *now.luma.at(b.x, b.y)) < kDetailStep) return;
     const auto index = static_cast<std::size_t>(TimedPlane::Output);
     ++counts[index];
     for (std::size_t i = 0; i < lumas.size(); ++i)
-      sums[index][i] += static_cast<double>(std::abs(*now.output.at(a.x, a.y) - *lumas[i]->at(a.x, a.y)));
+      sums[index][i] += static_cast<double>(std::abs(*output.at(a.x, a.y) - *lumas[i]->at(a.x, a.y)));
   });
   for (std::size_t plane = 0; plane < kTimedPlanes; ++plane)
     addFrame(static_cast<TimedPlane>(plane), sums[plane], counts[plane]);

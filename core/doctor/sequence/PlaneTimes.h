@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <vector>
 
 namespace taa::doctor {
@@ -27,8 +26,8 @@ struct PlaneTime {
 
 class PlaneTimes {
  public:
-  /// Frames one after the other, with motion.
-  void add(const DoctorFrame& frame);
+  /// Three frames one after the other; of the second one.
+  void add(const DoctorFrame& before, const DoctorFrame& now, const DoctorFrame& after);
   std::vector<PlaneTime> found() const;
 
  private:
@@ -38,10 +37,8 @@ class PlaneTimes {
     int frames = 0, late = 0, early = 0;
   };
 
-  void compare(const DoctorFrame& before, const DoctorFrame& now, const DoctorFrame& after);
   void addFrame(TimedPlane plane, const std::array<double, 3>& sums, std::size_t count);
 
-  std::deque<DoctorFrame> kept_;
   std::array<Sums, kTimedPlanes> planes_;
 };
 

@@ -319,12 +319,4 @@ TEST_F(StatedConventions, OfANearPlaneOrItsMatrices) {
   EXPECT_NE(found[0].change.find("State the matrices"), std::string::npos) << found[0].change;
 }
 
-// Where nothing is drawn motion becomes the camera's: a depth that says so of all pixels explains nothing.
-TEST_F(StatedConventions, OfWhereNothingIsDrawnExplainNoDepth) {
-  const StatedCapture distances("stated-distances",
-                                {"taa-inspector", {"depth.kind=planar", "depth.scale=-1"}});
-  EXPECT_EQ(distances.found({}), Ids{});
-  EXPECT_EQ(distances.found({"motion.whereNothing=camera"}), Ids{});
-}
-
 } // namespace taa::doctor

@@ -108,4 +108,10 @@ void changeMotion(doctor::DoctorFrame& frame, std::uint32_t objectId,
   }
 }
 
+std::string idsOf(const doctor::Diagnosis& diagnosis) {
+  std::string text;
+  for (const doctor::Finding& finding : diagnosis.findings) text += (text.empty() ? "" : ", ") + finding.id;
+  return text;
+}
+
 } // namespace taa::test

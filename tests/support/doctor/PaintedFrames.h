@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 
 namespace taa::test {
 
@@ -34,5 +35,8 @@ doctor::Examination paintedExamination(const PaintedShot& shot, int frames, cons
 /// Changes the motion of the pixels of an object; 0: of the sky.
 void changeMotion(doctor::DoctorFrame& frame, std::uint32_t objectId,
                   const std::function<glm::vec2(const glm::vec2&)>& change);
+
+/// Ids of findings, in their order: "motionZero, jitterLate".
+std::string idsOf(const doctor::Diagnosis& diagnosis);
 
 } // namespace taa::test

@@ -21,6 +21,8 @@
 namespace taa::doctor {
 namespace {
 
+using test::idsOf;
+
 constexpr int kFrames = 12;
 
 /// Speeds that change, so that no factor looks like an offset.
@@ -45,12 +47,6 @@ Diagnosis diagnosisOf(const MotionChange& ground, const MotionChange& board, boo
   });
   examination.known.camera = hasCamera;
   return examine(examination);
-}
-
-std::string idsOf(const Diagnosis& diagnosis) {
-  std::string text;
-  for (const Finding& finding : diagnosis.findings) text += (text.empty() ? "" : ", ") + finding.id;
-  return text;
 }
 
 bool isRight(const Diagnosis& diagnosis, const std::string& part) {

@@ -101,7 +101,7 @@ TEST(Flow, RefutesNothingThatDepthAndMatricesMake) {
   before.luma = test::paintedFrame(shadows, 2).luma;
   std::size_t ofCamera = 0;
   for (const FlowSquare& square : measureFlow({now, before}, labels).squares) {
-    if (!square.isOfCamera) continue;
+    if (!square.isOfCamera()) continue;
     ++ofCamera;
     EXPECT_FALSE(square.refutesGiven(0.5));
   }

@@ -14,6 +14,8 @@
 namespace taa::doctor {
 namespace {
 
+using test::idsOf;
+
 constexpr int kFrames = 14;
 
 /// Frame n of the shot is what frame `placeOf(n)` of a healthy engine is.
@@ -26,12 +28,6 @@ Diagnosis diagnosisInOrder(const std::function<int(int)>& placeOf, const test::P
     return out;
   };
   return examine(examination);
-}
-
-std::string idsOf(const Diagnosis& diagnosis) {
-  std::string text;
-  for (const Finding& finding : diagnosis.findings) text += (text.empty() ? "" : ", ") + finding.id;
-  return text;
 }
 
 } // namespace
@@ -110,7 +106,7 @@ TEST(FrameOrder, NamesTheSizeOfWhatIsDrawnWhereThatChanges) {
   const Diagnosis diagnosis = examine(examination);
   ASSERT_FALSE(diagnosis.findings.empty());
   EXPECT_EQ(diagnosis.findings[0].id, "drawnPartChanges");
-  EXPECT_NE(diagnosis.findings[0].reason.find("120 × 72 px are drawn in frame 5, 6, 7, 8"), std::string::npos)
+  EXPECT_NE(diagnosis.findings[0].reason.find("120 × 72 px are drawn in frames 5 to 8"), std::string::npos)
       << diagnosis.findings[0].reason;
 }
 

@@ -13,6 +13,8 @@
 namespace taa::doctor {
 namespace {
 
+using test::idsOf;
+
 constexpr int kFrames = 14;
 
 /// `change` is given a frame and the one before it.
@@ -28,12 +30,6 @@ Diagnosis diagnosisWith(const PlaneChange& change) {
     return out;
   };
   return examine(examination);
-}
-
-std::string idsOf(const Diagnosis& diagnosis) {
-  std::string text;
-  for (const Finding& finding : diagnosis.findings) text += (text.empty() ? "" : ", ") + finding.id;
-  return text;
 }
 
 /// The light whose compared luma this is.
