@@ -140,6 +140,22 @@ TEST_F(MotionTest, IsMarkedWhereThePointLayBehindThePreviousCamera) {
     }
 }
 
+TEST_F(MotionTest, IsMarkedWhereAnObjectComesOutOfAScaleOfNothing) {
+  const auto field = [this](const glm::vec3& scaleBefore) {
+    Scene scene = emptyScene();
+    const int plane = addQuad(scene, {0, 0, 0}, kRight, kUp);
+    jump(scene, plane, AnimationPath::Scale, glm::vec4(scaleBefore, 0), {1, 1, 1, 0});
+    return draw(scene, request());
+  };
+  for (const float nothing : {0.0f, 1e-5f}) {
+    const FrameInputs inputs = field(glm::vec3(nothing));
+    EXPECT_EQ(inputs.motion.download().texel(100, 50).x, kNoPreviousPosition) << nothing;
+    EXPECT_EQ(inputs.previousDepth.download().texel(100, 50).x, 0.0f) << nothing;
+  }
+  // Flat is not nothing: a board has a place whatever its thickness.
+  EXPECT_EQ(field({1, 1, 0}).motion.download().texel(100, 50).x, 0.0f);
+}
+
 TEST_F(MotionTest, OfTheSkyIsMarkedAfterTurningRound) {
   Scene scene = emptyScene();
   jump(scene, 0, AnimationPath::Rotation, turned(0.0f, {0, 1, 0}), turned(180.0f, {0, 1, 0}));

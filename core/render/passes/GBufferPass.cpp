@@ -26,6 +26,16 @@ glm::mat4 normalMatrix(const glm::mat3& m, float sign) {
       glm::mat3(sign * glm::cross(m[1], m[2]), sign * glm::cross(m[2], m[0]), sign * glm::cross(m[0], m[1])));
 }
 
+/// Whether an object was next to nothing a frame ago and is none now, as what comes out of a scale of 0: none
+/// of its points was anywhere then.
+bool isOutOfNothing(const glm::mat3& before, const glm::mat3& now) {
+  constexpr float kNextToNothing = 1e-3f;
+  const auto size = [](const glm::mat3& m) {
+    return std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
+  };
+  return size(before) <= kNextToNothing * size(now) && size(now) > 0.0f;
+}
+
 } // namespace
 
 GBufferPass::GBufferPass(const Scene& scene, Draws draws) : draws_(draws), lights_(lightCounts(scene)) {
@@ -133,6 +143,10 @@ shared::DrawBlock GBufferPass::drawBlock(const Scene& scene, const View& view, c
   block.clipFromModel = view.block.clipFromWorld * world;
   block.previousClipFromModel = view.block.previousClipFromWorld * previousWorld;
   block.previousDepthRow = -glm::row(view.block.previousViewFromWorld * previousWorld, 2);
+  if (isOutOfNothing(glm::mat3(previousWorld), glm::mat3(world))) { // a w of 0 has no previous position
+    block.previousClipFromModel = glm::mat4(0.0f);
+    block.previousDepthRow = glm::vec4(0.0f);
+  }
   if (mode == MotionMode::None) {
     block.previousClipFromModel = block.clipFromModel;
     block.previousDepthRow = -glm::row(view.block.viewFromWorld * world, 2);

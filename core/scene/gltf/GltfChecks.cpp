@@ -201,8 +201,8 @@ void findImageFaults(GltfDocument& document) {
     }
 }
 
-/// The parent of each node, −1 for roots. Throws Error when a node has two or the way up never ends.
-std::vector<int> parentsOf(const Json& nodes) {
+/// Throws Error when a node has two parents or the way up never ends.
+void checkTrees(const Json& nodes) {
   std::vector<int> parents(nodes.size(), -1);
   for (std::size_t i = 0; i < nodes.size(); ++i)
     for (const Json& child : arrayOf(nodes[i], "children")) {
@@ -222,18 +222,15 @@ std::vector<int> parentsOf(const Json& nodes) {
       if (passed >= 0) break; // an earlier walk found the end from here
       passed = static_cast<int>(i);
     }
-  return parents;
 }
 
-void checkScenes(const Json& root, const std::vector<int>& parents) {
+void checkScenes(const Json& root) {
   const Json& scenes = arrayOf(root, "scenes");
-  std::vector<std::size_t> listed(parents.size(), scenes.size()); // the last scene that names a node
+  // The last scene that names a node.
+  std::vector<std::size_t> listed(arrayOf(root, "nodes").size(), scenes.size());
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     for (const Json& node : arrayOf(scenes[i], "nodes")) {
       const std::size_t index = node.get<std::size_t>();
-      if (parents[index] >= 0)
-        throw Error(listPlace("scenes", i) +
-                    say<"nodes[%1] is the child of nodes[%2], not a root">(index, parents[index]));
       if (listed[index] == i) throw Error(listPlace("scenes", i) + say<"it lists nodes[%1] twice">(index));
       listed[index] = i;
     }
@@ -296,7 +293,8 @@ void checkGltfData(GltfDocument& document) {
 }
 
 void checkGltfGraph(const Json& root) {
-  checkScenes(root, parentsOf(arrayOf(root, "nodes")));
+  checkTrees(arrayOf(root, "nodes"));
+  checkScenes(root);
   checkAnimations(root);
   checkCameras(root);
   checkLights(root);

@@ -22,7 +22,7 @@ struct GltfContext {
   std::vector<int>
       sceneNode{}; ///< for each node of the file its index in the scene, −1 when that scene leaves it out
   std::vector<bool>
-      posedOnly{};          ///< for each node of the file: outside the shown scene, it moves a skin in it
+      posedOnly{}; ///< for each node of the file: outside the shown scene, it moves a skin or a node in it
   std::size_t vertices = 0; ///< made so far
   std::size_t indices = 0;  ///< made so far
 

@@ -4,6 +4,7 @@
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
 #include "core/scene/Geometry.h"
+#include "core/scene/Pose.h"
 #include "core/scene/ShotChoice.h"
 #include "core/scene/gltf/GltfAnimation.h"
 #include "core/scene/gltf/GltfContext.h"
@@ -54,6 +55,7 @@ Shot shotOf(const Scene& scene) {
   for (const Animation& animation : scene.animations)
     duration = std::max(duration, double(animation.duration));
   Shot shot;
+  if (scene.cameras.size() == 1) shot.camera = cameraNames(scene).back(); // its author's own view
   shot.frames = kStillFrames;
   if (!(duration > 0.0)) return shot;
   const double frames = std::ceil(kSeconds / duration) * duration * shot.framesPerSecond;

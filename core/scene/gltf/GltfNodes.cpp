@@ -61,7 +61,8 @@ constexpr float kLargest = std::numeric_limits<float>::max();
 void addCamera(GltfContext& context, const tinygltf::Camera& source, int nodeIndex) {
   bool isOther = false;
   SceneCamera camera;
-  camera.name = plainText(source.name);
+  const std::string& ofNode = context.scene.nodes[static_cast<std::size_t>(nodeIndex)].name;
+  camera.name = source.name.empty() ? ofNode : plainText(source.name);
   camera.node = nodeIndex;
   camera.orthographic = source.type == "orthographic";
   if (camera.orthographic) {
@@ -117,21 +118,43 @@ void addLight(GltfContext& context, const tinygltf::Light& source, int nodeIndex
   context.scene.lights.push_back(light);
 }
 
+std::vector<int> parentsOf(const tinygltf::Model& model) {
+  std::vector<int> parents(model.nodes.size(), -1);
+  for (std::size_t i = 0; i < model.nodes.size(); ++i)
+    for (const int child : model.nodes[i].children)
+      parents[static_cast<std::size_t>(child)] = static_cast<int>(i);
+  return parents;
+}
+
+/// Of the nodes that a scene names, those that hang on no other one of them. glTF wants roots; whole kits of
+/// assets name children, and mean them to be where their parents put them.
+std::vector<int> topmost(GltfContext& context, const std::vector<int>& named,
+                         const std::vector<int>& parents) {
+  const std::set<int> all(named.begin(), named.end());
+  std::vector<int> out;
+  for (const int node : named) {
+    int above = parents[static_cast<std::size_t>(node)];
+    if (above >= 0)
+      context.warn(say<"The scene names nodes[%1], which is a child of nodes[%2] and no root: it is drawn "
+                       "once, where its parents put it.">(node, above));
+    while (above >= 0 && !all.contains(above)) above = parents[static_cast<std::size_t>(above)];
+    if (above < 0) out.push_back(node);
+  }
+  return out;
+}
+
 /// The nodes the default scene starts from; all roots when the file has no scenes.
-std::vector<int> rootsOf(GltfContext& context) {
+std::vector<int> rootsOf(GltfContext& context, const std::vector<int>& parents) {
   const tinygltf::Model& model = context.model;
   if (!model.scenes.empty()) {
     const std::size_t chosen = model.defaultScene < 0 ? 0 : static_cast<std::size_t>(model.defaultScene);
     if (model.scenes.size() > 1)
       context.warn(say<"The file has %1 scenes; scenes[%2] is shown.">(model.scenes.size(), chosen));
-    return model.scenes.at(chosen).nodes;
+    return topmost(context, model.scenes.at(chosen).nodes, parents);
   }
-  std::vector<bool> isChild(model.nodes.size(), false);
-  for (const tinygltf::Node& node : model.nodes)
-    for (const int child : node.children) isChild[static_cast<std::size_t>(child)] = true;
   std::vector<int> roots;
-  for (std::size_t i = 0; i < isChild.size(); ++i)
-    if (!isChild[i]) roots.push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < parents.size(); ++i)
+    if (parents[i] < 0) roots.push_back(static_cast<int>(i));
   return roots;
 }
 
@@ -156,32 +179,28 @@ void addNode(GltfContext& context, std::size_t sourceIndex, int parent) {
              index);
 }
 
-/// A joint and what it hangs on, as far as that is not there yet: posed and not drawn.
-void addPosedOnly(GltfContext& context, int joint, const std::vector<int>& parents) {
-  std::vector<std::size_t> way; // from the joint up to what is there
-  int at = joint;
+/// A node and what it hangs on, as far as that is not there yet: posed and not drawn. Its index in the
+/// scene; −1 of none.
+int addPosedOnly(GltfContext& context, int node, const std::vector<int>& parents) {
+  std::vector<std::size_t> way; // from the node up to what is there
+  int at = node;
   for (; at >= 0 && context.sceneNode[static_cast<std::size_t>(at)] < 0;
        at = parents[static_cast<std::size_t>(at)])
     way.push_back(static_cast<std::size_t>(at));
   int parent = at < 0 ? -1 : context.sceneNode[static_cast<std::size_t>(at)];
-  for (auto node = way.rbegin(); node != way.rend(); ++node) {
-    context.posedOnly[*node] = true;
-    addNode(context, *node, parent);
-    parent = context.sceneNode[*node];
+  for (auto above = way.rbegin(); above != way.rend(); ++above) {
+    context.posedOnly[*above] = true;
+    addNode(context, *above, parent);
+    parent = context.sceneNode[*above];
   }
+  return parent;
 }
 
 /// Joints outside the shown scene that move skins in it.
-void addJointsOutside(GltfContext& context) {
+void addJointsOutside(GltfContext& context, const std::vector<int>& parents) {
   const tinygltf::Model& model = context.model;
-  const std::size_t count = model.nodes.size();
-  std::vector<int> parents(count, -1);
-  for (std::size_t i = 0; i < count; ++i)
-    for (const int child : model.nodes[i].children)
-      parents[static_cast<std::size_t>(child)] = static_cast<int>(i);
-  context.posedOnly.assign(count, false);
   std::set<int> skins;
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < model.nodes.size(); ++i)
     if (context.sceneNode[i] >= 0 && model.nodes[i].mesh >= 0 && model.nodes[i].skin >= 0)
       skins.insert(model.nodes[i].skin);
   for (const int skin : skins)
@@ -195,10 +214,13 @@ void addGltfNodes(GltfContext& context) {
   struct Visit {
     int source, parent;
   };
-  context.sceneNode.assign(context.model.nodes.size(), -1);
+  const std::vector<int> parents = parentsOf(context.model);
+  context.sceneNode.assign(parents.size(), -1);
+  context.posedOnly.assign(parents.size(), false);
   std::vector<Visit> open;
-  const std::vector<int> roots = rootsOf(context);
-  for (auto root = roots.rbegin(); root != roots.rend(); ++root) open.push_back({*root, -1});
+  const std::vector<int> roots = rootsOf(context, parents);
+  for (auto root = roots.rbegin(); root != roots.rend(); ++root)
+    open.push_back({*root, addPosedOnly(context, parents[static_cast<std::size_t>(*root)], parents)});
   while (!open.empty()) { // depth first, in the file's order; checkGltfGraph has seen to it that this ends
     const Visit visit = open.back();
     open.pop_back();
@@ -208,7 +230,7 @@ void addGltfNodes(GltfContext& context) {
     for (auto child = children.rbegin(); child != children.rend(); ++child)
       open.push_back({*child, context.sceneNode[source]});
   }
-  addJointsOutside(context);
+  addJointsOutside(context, parents);
 }
 
 void keepStrongestLights(GltfContext& context) {

@@ -68,6 +68,18 @@ TEST(GltfLoader, ReadsMaterialsCamerasAndLights) {
   EXPECT_FALSE(scene.sky.sunEnabled) << "the file brings its own light";
 }
 
+TEST(GltfLoader, LooksThroughTheOnlyCameraThatAFileHas) {
+  GltfSample sample;
+  EXPECT_EQ(openScene(sample.writeEmbedded("eye").string()).shot.camera, "gltf:eye")
+      << "as its node is called";
+  sample.json["cameras"][0]["name"] = "lens";
+  EXPECT_EQ(openScene(sample.writeEmbedded("lens").string()).shot.camera, "gltf:lens");
+  sample.json["nodes"].push_back({{"name", "other"}, {"camera", 0}});
+  sample.json["scenes"][0]["nodes"].push_back(5);
+  const Scene several = openScene(sample.writeEmbedded("several").string());
+  EXPECT_EQ(several.shot.camera, Scene().shot.camera) << "nothing says which of two";
+}
+
 // Point lights of 1 to 70 cd behind a sun of 0.001 lx, which has no place to be weighed by, and the file's
 // spot light of 5 cd, whose color has a luminance of 0.57.
 TEST(GltfLoader, DrawsTheStrongestOfMoreLightsThanItCanAndSaysSo) {
@@ -167,6 +179,36 @@ TEST(GltfLoader, PosesASkinByJointsOutsideTheScene) {
   EXPECT_EQ(deformer.position(2), glm::vec3(5, 3, 0)) << "(0, 1, 0) moved by joint and armature";
   EXPECT_EQ(std::ranges::count_if(scene.nodes, [](const Node& node) { return node.mesh >= 0; }), 2)
       << "the armature's own mesh is not in the scene";
+}
+
+// As exporters of whole kits write it: every node is named, or only a child.
+TEST(GltfLoader, DrawsOnceWhatASceneNamesThatIsNoRoot) {
+  const auto opened = [](const json& named) {
+    GltfSample sample;
+    sample.json["nodes"][0]["translation"] = {7, 0, 0};
+    sample.json["scenes"][0]["nodes"] = named;
+    return openScene(sample.writeEmbedded("named").string());
+  };
+  const auto meshesOf = [](const Scene& scene) {
+    return std::ranges::count_if(scene.nodes, [](const Node& node) { return node.mesh >= 0; });
+  };
+  const Scene roots = opened({0, 4});
+  for (const json& named : {json({0, 1, 4}), json({1, 0, 4})}) {
+    const Scene all = opened(named);
+    EXPECT_EQ(all.nodes.size(), roots.nodes.size()) << named;
+    EXPECT_EQ(meshesOf(all), meshesOf(roots)) << named;
+    EXPECT_EQ(all.bounds.min, roots.bounds.min) << named;
+    ASSERT_FALSE(all.warnings.empty());
+    EXPECT_NE(all.warnings[0].find("The scene names nodes[1], which is a child of nodes[0] and no root"),
+              std::string::npos)
+        << all.warnings[0];
+  }
+  const Scene child = opened({1});
+  const auto drawn = std::ranges::find_if(child.nodes, [](const Node& node) { return node.mesh >= 0; });
+  ASSERT_NE(drawn, child.nodes.end());
+  const glm::mat4 pose =
+      poseAt(child, 0.0).worldFromNode[static_cast<std::size_t>(drawn - child.nodes.begin())];
+  EXPECT_EQ(pose[3].x, 7.0f) << "where its parent puts it";
 }
 
 TEST(GltfLoader, SkinsVerticesByTheirJoints) {
