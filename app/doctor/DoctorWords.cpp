@@ -2,14 +2,9 @@
 
 #include "app/style/Numbers.h"
 #include "app/style/Text.h"
-#include "core/settings/Faults.h"
 
 #include <QCoreApplication>
 #include <QStringList>
-
-#include <algorithm>
-#include <string>
-#include <utility>
 
 namespace taa::app {
 
@@ -49,21 +44,15 @@ QString whereText(const doctor::Finding& finding) {
 }
 
 QString placeText(const doctor::RegionPlace& place) {
+  if (place.isWholeFrame) return qtext(place.name);
   return DoctorWords::tr("%1: %2 of all pixels, largest in frame %3")
       .arg(qtext(place.name), percentText(100.0 * place.share))
       .arg(place.frame);
 }
 
-// Findings that no fault of the table makes begin with what they are about.
 IntermediateId shownRow(const doctor::Finding& finding) {
-  for (const FaultInfo& fault : faultTable())
-    if (fault.id == finding.id) return rowOfPart(fault.part);
-  const std::pair<const char*, IntermediateId> beginnings[] = {{"jitter", IntermediateId::color},
-                                                               {"depth", IntermediateId::depthView},
-                                                               {"motion", IntermediateId::motion}};
-  const auto* found =
-      std::ranges::find_if(beginnings, [&](const auto& each) { return finding.id.starts_with(each.first); });
-  return found == std::end(beginnings) ? IntermediateId::resolved : found->second;
+  const auto part = doctor::partOf(finding);
+  return part ? rowOfPart(*part) : IntermediateId::resolved;
 }
 
 } // namespace taa::app

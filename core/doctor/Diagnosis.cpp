@@ -3,6 +3,7 @@
 #include "core/base/Say.h"
 
 #include <cstddef>
+#include <string_view>
 #include <utility>
 
 namespace taa::doctor {
@@ -78,6 +79,16 @@ std::string Diagnosis::healthySentence() const {
     if (part.isMisfit && ++count <= kNamed) names += (names.empty() ? "" : ", ") + part.question;
   if (count > kNamed) names = say<"%1 and %2 more">(names, count - kNamed);
   return say<"Nothing is wrong in what could be decided, but not everything fits: %1.">(names);
+}
+
+std::optional<FaultPart> partOf(const Finding& finding) {
+  const auto row = std::ranges::find(faultTable(), std::string_view(finding.id), &FaultInfo::id);
+  if (row != faultTable().end()) return row->part;
+  const std::pair<std::string_view, FaultPart> beginnings[] = {
+      {"jitter", FaultPart::Jitter}, {"motion", FaultPart::Motion}, {"depth", FaultPart::Depth}};
+  for (const auto& [beginning, part] : beginnings)
+    if (finding.id.starts_with(beginning)) return part;
+  return {};
 }
 
 Finding faultFinding(Fault fault) {

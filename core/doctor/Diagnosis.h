@@ -2,6 +2,7 @@
 // at.
 #pragma once
 
+#include "core/base/Image.h"
 #include "core/doctor/Outline.h"
 #include "core/settings/Faults.h"
 
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +33,7 @@ struct RegionPlace {
   bool isSky = false;
   std::uint32_t objectId = 0;        ///< 0: the sky, or a part that no number says
   std::vector<PixelRun> pixels = {}; ///< all of them in that frame, see outlineOf()
+  bool isWholeFrame = false;         ///< a frame, and no region of it
 };
 
 /// What one explanation leaves.
@@ -59,6 +63,9 @@ struct Finding {
   bool isKnown = false;           ///< by a baseline: it is no news
 };
 
+/// The part that it is of, by the table of faults or, where that does not have it, by how its id begins.
+/// Nothing: it is of none.
+std::optional<FaultPart> partOf(const Finding& finding);
 /// A sure one with id, name and symptom of the fault's row.
 Finding faultFinding(Fault fault);
 
@@ -103,6 +110,8 @@ struct Diagnosis {
   std::vector<Finding> findings;
   ExaminedParts parts;
   std::vector<std::string> notes; ///< sentences: what is worth knowing and no fault
+  /// Light that was compared, 0 to 1, of frames in which regions of findings are shown, by frame.
+  std::map<int, Image> pictures;
 
   bool isHealthy() const { return findings.empty(); }
   /// Whether something that was measured does not fit what is stated, and no finding says why.

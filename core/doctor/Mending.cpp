@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <map>
-#include <string_view>
 #include <utility>
 
 namespace taa::doctor {
@@ -15,17 +14,6 @@ namespace {
 
 /// Of all pixels: what is wrong with so many is taken to be wrong everywhere, where the rest says nothing.
 constexpr double kMostOfPicture = 0.5;
-
-/// The part of the table that a finding is of; those that no fault of the table makes begin with its name.
-std::optional<FaultPart> partOf(const Finding& finding) {
-  const auto row = std::ranges::find(faultTable(), std::string_view(finding.id), &FaultInfo::id);
-  if (row != faultTable().end()) return row->part;
-  const std::pair<std::string_view, FaultPart> beginnings[] = {
-      {"jitter", FaultPart::Jitter}, {"motion", FaultPart::Motion}, {"depth", FaultPart::Depth}};
-  for (const auto& [beginning, part] : beginnings)
-    if (finding.id.starts_with(beginning)) return part;
-  return {};
-}
 
 /// Where and when planes are faulty.
 void copyPlace(const FaultSettings& from, FaultSettings& to) {

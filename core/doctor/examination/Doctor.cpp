@@ -190,7 +190,7 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
   Hiding hiding;
   const bool hasCamera = known.camera && !told.allDepth;
   // Motion that is next to none makes jitter, depth and cameras look wrong.
-  if (known.motion && !told.unit)
+  if (!told.unit)
     if (const std::optional<FittedLength> length = examiner.motionLength()) {
       told.unit = trialOf(*length, out.sizePx);
       std::ranges::move(lengthFindings(*length, *told.unit, examiner.patient()),
@@ -204,7 +204,7 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
     hiding.allDepth = tellEnds(examiner.depth().ends, examiner.isDepthDistance(), out);
   if (hiding.allDepth) return hiding;
   const bool isDepthRight = isDepthConfirmed(examiner.flow());
-  if (known.motion && hasCamera && !told.depth && !isDepthRight) hiding.depth = otherDepth(examiner.depth());
+  if (hasCamera && !told.depth && !isDepthRight) hiding.depth = otherDepth(examiner.depth());
   if (hiding.depth) {
     tellDepth(examiner.depth(), out);
     return hiding;
@@ -216,7 +216,7 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
             "that could be wrong with motion makes it of them as they are stated.">()));
     return hiding;
   }
-  if (known.motion && !told.unit && examiner.isMotionBeyondPicture()) {
+  if (!told.unit && examiner.isMotionBeyondPicture()) {
     told.unit = MotionTrial{MotionKind::OtherUnit, 1.0f / glm::vec2(out.sizePx)};
     told.guessedUnit = out.findings.size();
     out.findings.push_back(unitFinding(*told.unit));
@@ -226,12 +226,6 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
   }
   const JitterOutcome jitter = told.jitter ? JitterOutcome() : examiner.tellJitter(hasCamera, out);
   told.isJitterOpen = jitter.isOpen;
-  if (!known.motion) {
-    out.parts.leaveOpen(
-        {say<"Motion">(), say<"the capture has none">(), say<"Capture the plane of motion vectors, too.">()});
-    tellRims(examiner.rims(), false, out);
-    return {};
-  }
   hiding.jitter = jitter.mender;
   if (hiding.jitter) return hiding;
   hiding = tellPlanes(examiner, hasCamera && !told.depth, !jitter.isOpen, told, out);
@@ -282,8 +276,8 @@ void tellAll(const Examination& examination, const Examiner& first, const Bright
     }
     hiding = tellSeen(*next, examination, told, out);
   }
-  if (examination.known.motion)
-    tellFlow(first.flow(), last->flow(), {first.patient(), told.motion || told.unit, told.isJitterOpen}, out);
+  tellFlow(first.flow(), last->flow(), {first.patient(), told.motion || told.unit, told.isJitterOpen}, out);
+  if (examination.known.camera && !told.allDepth && !told.depth) last->tellMissingDepth(out);
   tellInterfaceLeft(last->color(), told.interface, told.isJitterOpen, out);
   last->tellColor(brightness, out);
 }
@@ -301,6 +295,26 @@ void tellRows(const Patient& patient, Diagnosis& out) {
                     "upside down.">();
   std::erase_if(out.findings, isTurned);
   out.findings.insert(out.findings.begin(), std::move(rows));
+}
+
+/// Without a plane of motion what the resolve makes of that was examined.
+void tellNoMotion(Diagnosis& out) {
+  const std::string change =
+      say<"The capture has no plane of motion: all of it is taken to rest, or to move as depth and matrices "
+          "make it. Capture motion vectors, too.">();
+  for (Finding& finding : out.findings)
+    if (partOf(finding) == FaultPart::Motion) finding.change = change;
+  out.notes.push_back(change);
+}
+
+/// Of the first frames in which findings are shown: a page with all of them would be too large to send.
+void keepPictures(const FrameReader& read, Diagnosis& out) {
+  constexpr std::size_t kMostPictures = 6;
+  for (const Finding& finding : out.findings) {
+    if (finding.isWholePicture || finding.regions.empty() || out.pictures.size() >= kMostPictures) continue;
+    const int frame = finding.regions.front().frame;
+    if (!out.pictures.contains(frame)) out.pictures[frame] = read(frame).luma;
+  }
 }
 
 } // namespace
@@ -354,6 +368,8 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
                             "(motion.whereNothing), whatever is stored there.">());
   const bool isOutputLate = std::ranges::count(times, TimedPlane::Output, &PlaneTime::plane) > 0;
   if (examination.known.output && !isOutputLate) tellResolve(first.resolve(), out.findings.empty(), out);
+  if (!examination.known.motion) tellNoMotion(out);
+  keepPictures(examination.read, out);
   return out;
 }
 

@@ -70,6 +70,7 @@ void Examiner::add(const DoctorFrame* before, const DoctorFrame& now, const Doct
   const std::vector<RegionIndex> labels = tracker_.label(now);
   values_.add(now, labels);
   returns_.add(now, labels);
+  missingDepth_.add(now, labels);
   const std::vector<RegionIndex> labelsBefore = std::exchange(labels_, labels);
   jitter_.stated[now.frame] = now.jitterPx;
   if (!before || now.startsHistory) {
@@ -77,20 +78,17 @@ void Examiner::add(const DoctorFrame* before, const DoctorFrame& now, const Doct
     return;
   }
   ++out.pairs;
-  const FrameNeighbors frames{now, *before, after};
+  const FrameNeighbors frames{now, *before, after, otherCameras(now)};
   auto pictures = std::async(std::launch::async, [&] {
     color_.add(frames, labels);
     jitter_.add(frames);
-    if (examination_.known.motion) flow_.push_back(measureFlow(frames, labels));
+    flow_.push_back(measureFlow(frames, labels, motion_.trials()));
   });
   depth_.add(now);
   depth_.order.add(now, *before, labels, labelsBefore);
   depth_.form.add(now, labels);
   depth_.ends.add(now);
-  if (examination_.known.motion) {
-    motion_.add(frames, labels, labelsBefore);
-    length_.add(frames);
-  }
+  motion_.add(frames, labels, labelsBefore);
   pictures.get();
   output.get();
   if (!flow_.empty()) order_.addPair(now.frame, {flow_.back().asked, flow_.back().squares.size()});

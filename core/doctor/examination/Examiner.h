@@ -5,13 +5,14 @@
 #include "core/doctor/Diagnosis.h"
 #include "core/doctor/color/ColorCheck.h"
 #include "core/doctor/depth/DepthCheck.h"
+#include "core/doctor/depth/MissingDepth.h"
 #include "core/doctor/examination/Examination.h"
 #include "core/doctor/flow/FlowCheck.h"
+#include "core/doctor/flow/FlowLength.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/jitter/JitterCheck.h"
 #include "core/doctor/motion/MotionEvidence.h"
 #include "core/doctor/motion/MotionFindings.h"
-#include "core/doctor/motion/MotionLength.h"
 #include "core/doctor/motion/MotionReturns.h"
 #include "core/doctor/motion/MotionRims.h"
 #include "core/doctor/resolve/ResolveEvidence.h"
@@ -45,13 +46,14 @@ class Examiner {
   const JitterEvidence& jitter() const { return jitter_; }
   JitterOutcome tellJitter(bool hasCamera, Diagnosis& out) const;
   const DepthEvidence& depth() const { return depth_; }
+  void tellMissingDepth(Diagnosis& out) const { missingDepth_.tell(flow(), patient_, out); }
   bool isDepthDistance() const { return examination_.known.depthDistance; }
   bool isDepthDrawn() const { return !patient_.conventions; }
   const RimEvidence& rims() const { return rims_; }
   const ResolveEvidence& resolve() const { return resolve_; }
   bool areMatricesFlipped() const;
   bool isMotionBeyondPicture() const { return isBeyondPicture(motion_); }
-  std::optional<FittedLength> motionLength() const { return length_.fit(); }
+  std::optional<FittedLength> motionLength() const { return fittedLength(flow_); }
   MotionTold tellMotion(Diagnosis& out) const;
   FlowSeen flow() const { return {flow_, tracker_.regions()}; }
   const OrderEvidence& order() const { return order_; }
@@ -75,10 +77,10 @@ class Examiner {
   std::vector<RegionIndex> labels_; ///< of the frame that was added last
   ColorEvidence color_;
   MotionEvidence motion_{patient_.sizePx};
-  LengthEvidence length_;
   std::vector<FlowPair> flow_;
   JitterEvidence jitter_;
   DepthEvidence depth_;
+  MissingDepth missingDepth_;
   RimEvidence rims_;
   OrderEvidence order_;
   PlaneTimes times_;

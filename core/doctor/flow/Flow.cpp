@@ -341,6 +341,37 @@ class FlowMeter {
   glm::dvec2 step_;
 };
 
+std::vector<glm::vec2> underTrials(const std::vector<MotionTrial>& trials, const FrameNeighbors& frames,
+                                   const glm::ivec2& pixel) {
+  std::vector<glm::vec2> out;
+  for (const MotionTrial& trial : trials)
+    out.push_back(
+        trueMotion(trial, frames, pixel).value_or(glm::vec2(std::numeric_limits<float>::quiet_NaN())));
+  return out;
+}
+
+std::map<RegionIndex, glm::dvec2> middlesOf(const std::vector<RegionIndex>& labels,
+                                            const glm::ivec2& sizePx) {
+  struct Sum {
+    glm::dvec2 px{0.0};
+    double count = 0.0;
+  };
+  const auto highest = std::ranges::max_element(labels);
+  std::vector<Sum> sums(highest == labels.end() ? 0 : static_cast<std::size_t>(*highest + 1));
+  for (int y = 0; y < sizePx.y; ++y)
+    for (int x = 0; x < sizePx.x; ++x) {
+      const RegionIndex region = labels[static_cast<std::size_t>(y) * sizePx.x + x];
+      if (region == kNoRegion) continue;
+      Sum& sum = sums[static_cast<std::size_t>(region)];
+      sum.px += glm::dvec2(x, y) + 0.5;
+      sum.count += 1.0;
+    }
+  std::map<RegionIndex, glm::dvec2> out;
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    if (sums[i].count > 0.0) out[static_cast<RegionIndex>(i)] = sums[i].px / sums[i].count;
+  return out;
+}
+
 } // namespace
 
 bool FlowSquare::isOfCamera() const {
@@ -359,9 +390,11 @@ bool FlowSquare::refutesGiven(double tolerancePx) const {
          leftAsGiven - left >= kLeastLuma;
 }
 
-FlowPair measureFlow(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels) {
-  FlowPair out{frames.now.frame, {}, {}, 0};
+FlowPair measureFlow(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels,
+                     const std::vector<MotionTrial>& trials) {
+  FlowPair out{frames.now.frame, {}, {}, {}, 0};
   if (frames.now.motionPx.empty() || frames.before.luma.width != frames.now.luma.width) return out;
+  out.middles = middlesOf(labels, frames.now.sizePx());
   const FlowMeter meter(frames);
   for (const auto& [region, of] : squaresOf(frames.now, labels)) {
     std::optional<glm::dvec2> last;
@@ -374,6 +407,7 @@ FlowPair measureFlow(const FrameNeighbors& frames, const std::vector<RegionIndex
       ++said;
       last = measured->px - meter.step();
       out.squares.push_back(*measured);
+      out.squares.back().byTrial = underTrials(trials, frames, square.pixel);
     }
     out.asked += asked;
     if (asked > 0)

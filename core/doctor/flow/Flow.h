@@ -32,6 +32,8 @@ struct FlowSquare {
   double apart = 0.0;
 
   std::optional<glm::dvec2> camera; ///< what depth and matrices make of what rests there, px
+  /// What it would move by under each of motionTrials(), px; not a number where one says nothing.
+  std::vector<glm::vec2> byTrial;
 
   /// Whether that is what is given: a light or a reflection may move over it.
   bool isOfCamera() const;
@@ -46,13 +48,15 @@ struct FlowPair {
   std::vector<FlowSquare> squares;
   /// By region: of the squares well inside it, the share whose motion pictures say.
   std::map<RegionIndex, double> said;
+  std::map<RegionIndex, glm::dvec2> middles; ///< of the pixels of each region, px
   std::size_t asked = 0; ///< squares that were looked for; those that were found are `squares`
 };
 
 /// Squares whose motion pictures say: nearly all that is seen there must have been in the frame before.
 /// Evenly of all regions: kMaxFlowSquares, and four of each where there are many. `labels`: regions of
-/// `frames.now`. Motion has to be known.
-FlowPair measureFlow(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels);
+/// `frames.now`; `trials`: motionTrials(). Motion has to be known.
+FlowPair measureFlow(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels,
+                     const std::vector<MotionTrial>& trials);
 inline constexpr std::size_t kMaxFlowSquares = 256;
 
 } // namespace taa::doctor

@@ -3,10 +3,14 @@
 #include "core/base/Median.h"
 #include "core/base/NumberText.h"
 #include "core/base/Say.h"
+#include "core/doctor/Mending.h"
 #include "core/doctor/flow/FlowFit.h"
+#include "core/doctor/flow/FlowReadings.h"
 #include "core/doctor/flow/FlowWords.h"
+#include "core/doctor/flow/OtherObjects.h"
 #include "core/doctor/frames/FramesText.h"
 #include "core/doctor/motion/MotionFindings.h"
+#include "core/doctor/motion/MotionMending.h"
 #include "core/doctor/motion/MotionWords.h"
 #include "core/settings/Faults.h"
 
@@ -29,13 +33,11 @@ namespace {
 
 /// px: what pictures alias by is less; with jitter that is not known, that adds up.
 constexpr double kOffPx = 0.5, kOffPxWithOpenJitter = 1.5;
-/// Of all squares: as many, refuted, refute an explanation of the whole picture.
-constexpr double kRefutesAll = 0.5;
+/// Of all squares: as many, refuted, refute an explanation of the whole picture; or make it doubtful.
+constexpr double kRefutesAll = 0.5, kDoubtsAll = 0.25;
 
 bool isOfMotion(const Finding& finding) {
-  for (const FaultInfo& row : faultTable())
-    if (row.id == finding.id) return row.part == FaultPart::Motion;
-  return finding.id.starts_with("motion");
+  return partOf(finding) == FaultPart::Motion;
 }
 
 double allPixels(const Patient& patient, const Diagnosis& out) {
@@ -223,28 +225,42 @@ bool isOfOtherLength(const FlowSeen& seen, const FlowPatient& patient, double to
   return isOther(0) && isOther(1) && fit->factors[0][0] > 0.0 && fit->factors[1][1] > 0.0;
 }
 
-/// Whether an explanation that says what is made of the motion given makes it what pictures move by.
-/// `squares`: of where it was told.
-bool isBorneOut(const MotionTrial& trial, const std::vector<const FlowSquare*>& squares) {
-  constexpr double kBorneOutPx = 0.35, kShareOfMotion = 0.15, kMost = 0.7;
-  const auto factors = factorsOf(trial);
-  if (!factors || squares.size() < kEnoughRefutingSquares) return true;
-  const auto near = std::ranges::count_if(squares, [&](const FlowSquare* square) {
-    return glm::distance(square->px, *factors * square->given) <=
-           std::max(kBorneOutPx, kShareOfMotion * glm::length(square->px));
-  });
-  return static_cast<double>(near) >= kMost * static_cast<double>(squares.size());
-}
-
 /// Whether the motion given is what pictures move by, and an explanation would make something else of it.
-bool isRightAsGiven(const MotionTrial& trial, const std::vector<const FlowSquare*>& squares) {
+bool isRightAsGiven(const std::vector<const FlowSquare*>& squares, std::size_t trial) {
   constexpr double kNearlyAll = 0.8, kOtherPx = 1.0;
-  const auto factors = factorsOf(trial);
-  if (!factors || squares.size() < kEnoughRefutingSquares) return false;
+  if (squares.size() < kEnoughRefutingSquares) return false;
   const auto right = std::ranges::count_if(squares, [&](const FlowSquare* square) {
-    return square->offPx() <= kOffPx && glm::distance(*factors * square->given, square->given) >= kOtherPx;
+    return square->offPx() <= kOffPx && isMotion(square->byTrial[trial]) &&
+           glm::distance(glm::dvec2(square->byTrial[trial]), square->given) >= kOtherPx;
   });
   return static_cast<double>(right) >= kNearlyAll * static_cast<double>(squares.size());
+}
+
+/// Whether nothing is given of what moves, by what all squares of a pair move by in the middle and in the
+/// mean over all pairs: jitter, whichever it is, comes to nothing there.
+bool isRestRefuted(const FlowSeen& seen) {
+  constexpr std::size_t kEnoughPairs = 5, kEnoughOfPair = 8;
+  constexpr double kMovesPx = 0.1, kErrors = 4.0;
+  std::vector<glm::dvec2> middles;
+  glm::dvec2 mean(0.0);
+  for (const FlowPair& pair : seen.pairs) {
+    std::vector<double> x, y;
+    for (const FlowSquare& square : pair.squares) {
+      if (square.given != glm::dvec2(0.0)) return false;
+      x.push_back(square.px.x);
+      y.push_back(square.px.y);
+    }
+    if (x.size() < kEnoughOfPair) continue;
+    middles.emplace_back(median(std::move(x)), median(std::move(y)));
+    mean += middles.back();
+  }
+  if (middles.size() < kEnoughPairs) return false;
+  const auto count = static_cast<double>(middles.size());
+  mean /= count;
+  double squares = 0.0;
+  for (const glm::dvec2& middle : middles) squares += glm::dot(middle - mean, middle - mean);
+  const double error = std::sqrt(squares / (count * (count - 1.0)));
+  return glm::length(mean) >= std::max(kMovesPx, kErrors * error);
 }
 
 /// All that was measured where a finding is.
@@ -272,15 +288,18 @@ bool isHardlyBetter(const MotionTrial& trial, const Finding& finding) {
 }
 
 /// Takes back findings of regions whose explanation does not make what is measured there, or where nothing is
-/// wrong.
+/// wrong; what makes only a part of it is not sure.
 void takeBackRefuted(const FlowSeen& seen, const Patient& patient, Diagnosis& out) {
   const std::vector<MotionTrial> trials = motionTrials(patient.sizePx);
-  std::erase_if(out.findings, [&](const Finding& finding) {
+  std::erase_if(out.findings, [&](Finding& finding) {
     if (!isOfMotion(finding) || finding.isWholePicture || finding.residuals.empty()) return false;
     const auto trial = std::ranges::find(trials, finding.residuals.front().id, &trialId);
     if (trial == trials.end()) return false;
     const std::vector<const FlowSquare*> squares = squaresIn(finding, seen, patient);
-    return isRightAsGiven(*trial, squares) || !isBorneOut(*trial, squares) || isHardlyBetter(*trial, finding);
+    const auto index = static_cast<std::size_t>(trial - trials.begin());
+    const BorneOut says = borneOut(squares, index);
+    if (says == BorneOut::Partly) finding.sureness = Sureness::Likely;
+    return isRightAsGiven(squares, index) || says == BorneOut::No || isHardlyBetter(*trial, finding);
   });
 }
 
@@ -357,6 +376,80 @@ void nameNotCameras(const FlowSeen& seen, const Patient& patient, double toleran
   out.parts.takeBack(say<"Motion">());
 }
 
+FaultWords otherObjectWords() {
+  return {
+      "motionOfAnotherObject", say<"Motion of another object">(),
+      say<"A ghost where the other one is, or went.">(),
+      say<"Each object has to find its own previous transform: look at the key or the index that it is kept "
+          "by, and at what is drawn in between.">()};
+}
+
+/// What is taken from another object, and whose it is; takes these regions out of `refuted`.
+void tellOtherObjects(std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,
+                      Diagnosis& out) {
+  const std::vector<OfOtherObject> found = ofOtherObjects(refuted, seen);
+  if (found.empty()) return;
+  std::vector<Refuted> of;
+  std::string says;
+  for (const OfOtherObject& one : found) {
+    of.push_back(*std::ranges::find(refuted, one.region, &Refuted::region));
+    const std::string name = placeOf(*one.region, patient, 1.0).name;
+    const std::string other = placeOf(*one.other, patient, 1.0).name;
+    says += " " + (one.kind == OtherObjectKind::Motion
+                       ? say<"In %1 of %2 frames the motion given of %3 is what %4 moves by, to %5 px.">(
+                             one.frames, one.asked, name, other, shortNumber(one.px))
+                       : say<"In %1 of %2 frames the motion given of %3 leads to where %4 was, to %5 px.">(
+                             one.frames, one.asked, name, other, shortNumber(one.px)));
+  }
+  Finding finding = measuredFinding(of, seen, patient, out);
+  finding.sureness = Sureness::Likely;
+  const std::string example = finding.change;
+  nameBy(otherObjectWords(), finding);
+  finding.reason += says;
+  finding.change += " " + example;
+  out.findings.push_back(std::move(finding));
+  std::erase_if(refuted, [&](const Refuted& one) {
+    return std::ranges::count(found, one.region, &OfOtherObject::region) > 0;
+  });
+}
+
+/// What explanations that are no line make of the motion given; takes these regions out of `refuted`.
+void tellReadings(std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,
+                  Diagnosis& out) {
+  const std::vector<MotionTrial> trials = motionTrials(patient.sizePx);
+  const double healthy = healthyPx(seen);
+  std::map<std::size_t, std::vector<Refuted>> byTrial;
+  std::map<std::size_t, std::set<std::size_t>> rivals;
+  std::erase_if(refuted, [&](const Refuted& one) {
+    if (areAllZero(one.squares)) return false;
+    const std::vector<std::size_t> best = bestReadings(one.squares, trials, healthy);
+    if (best.empty()) return false;
+    // What is right in the frames before and after a wrong one is no motion of theirs that came late.
+    if (isOfTime(trials[best.front()].kind) && borneOut(one.ofAll, best.front()) != BorneOut::Yes)
+      return false;
+    byTrial[best.front()].push_back(one);
+    rivals[best.front()].insert(best.begin() + 1, best.end());
+    return true;
+  });
+  for (const auto& [trial, of] : byTrial) {
+    const std::vector<const FlowSquare*> squares = squaresOf(of);
+    Finding finding = measuredFinding(of, seen, patient, out);
+    finding.sureness = Sureness::Likely;
+    const std::string example = finding.change;
+    nameBy(motionFault(&trials[trial], *of.front().region, RegionEvidence()), finding);
+    finding.reason += " " + say<"Taken like this it is off by %1 px: %2.">(
+                                shortNumber(leftPx(squares, trial)), trialText(trials[trial]));
+    for (const std::size_t rival : rivals[trial]) {
+      std::string id = motionFault(&trials[rival], *of.front().region, RegionEvidence()).id;
+      if (id != finding.id && std::ranges::count(finding.alike, id) == 0)
+        finding.alike.push_back(std::move(id));
+    }
+    finding.change += " " + example;
+    mendBy(motionMending(trials[trial]), finding);
+    out.findings.push_back(std::move(finding));
+  }
+}
+
 /// What goes one way has lost that part of its motion: numbers without a sign.
 void tellClipped(const FlowSeen& seen, const Patient& patient, Diagnosis& out) {
   const std::vector<Refuted> all{wholePicture(seen)};
@@ -400,7 +493,9 @@ bool isDepthConfirmed(const FlowSeen& seen) {
 
 void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient& patient, Diagnosis& out) {
   const double tolerancePx = patient.isJitterOpen ? kOffPxWithOpenJitter : kOffPx;
-  const bool isOtherLength = isOfOtherLength(mended, patient, tolerancePx, out);
+  const bool isAnyTold = std::ranges::any_of(out.findings, isOfMotion);
+  const bool isOtherLength =
+      isOfOtherLength(mended, patient, tolerancePx, out) || (!isAnyTold && isRestRefuted(mended));
   if (isOtherLength || (patient.isMotionMended && refutedShare(mended, tolerancePx) >= kRefutesAll)) {
     // What is wrong everywhere shows in the sum of squares in none of which it is clear.
     std::vector<Refuted> refuted{wholePicture(asGiven)};
@@ -416,6 +511,9 @@ void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient
     out.parts.takeBack(say<"Motion">());
     return;
   }
+  if (patient.isMotionMended && refutedShare(mended, tolerancePx) >= kDoubtsAll)
+    for (Finding& finding : out.findings)
+      if (finding.isWholePicture && isOfMotion(finding)) finding.sureness = Sureness::Likely;
   std::vector<Refuted> refuted = refutedRegions(mended, tolerancePx);
   takeBackRefuted(mended, patient.patient, out);
   tellClipped(mended, patient.patient, out);
@@ -423,7 +521,10 @@ void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient
   tellFrames(refuted, patient.patient, out);
   std::erase_if(refuted, [&](const Refuted& one) { return isToldOf(*one.region, patient.patient, out); });
   if (refuted.empty()) return;
-  out.findings.push_back(bestFinding(refuted, mended, patient.patient, tolerancePx, out));
+  tellOtherObjects(refuted, mended, patient.patient, out);
+  tellReadings(refuted, mended, patient.patient, out);
+  if (!refuted.empty())
+    out.findings.push_back(bestFinding(refuted, mended, patient.patient, tolerancePx, out));
   out.parts.takeBack(say<"Motion">());
 }
 

@@ -88,13 +88,20 @@ std::optional<FlowFit> fitBy(const std::vector<const FlowSquare*>& squares, Flow
   }
   FlowFit out;
   out.factors = glm::dmat2(glm::dvec2(found->x.x, found->y.x), glm::dvec2(found->x.y, found->y.y));
-  double squared = 0.0, weight = 0.0;
+  double squared = 0.0, weight = 0.0, varied = 0.0;
+  glm::dvec2 mean(0.0);
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    mean += weights[i] * squares[i]->px;
+    weight += weights[i];
+  }
+  mean /= std::max(1.0, weight);
   for (std::size_t i = 0; i < squares.size(); ++i) {
     squared += 0.5 * weights[i] * off[i] * off[i];
-    weight += weights[i];
+    varied += 0.5 * weights[i] * glm::dot(squares[i]->px - mean, squares[i]->px - mean);
     if (off[i] <= std::max(tolerancePx, kChanceErrors * squares[i]->errorPx)) ++out.followed;
   }
   out.squares = squares.size();
+  out.explainedShare = varied > 0.0 ? 1.0 - squared / varied : 0.0;
   const glm::dvec3 errors = std::sqrt(squared / std::max(1.0, weight - 3.0)) * found->errorShares;
   out.factorErrors = glm::dmat2(glm::dvec2(errors.x), glm::dvec2(errors.y));
   if (model != FlowModel::FactorsAndOffset) return out;
@@ -188,8 +195,11 @@ std::optional<MotionTrial> knownTrial(const FlowFit& fit, const glm::ivec2& size
 }
 
 std::optional<FlowFit> explaining(const std::vector<const FlowSquare*>& squares, double tolerancePx) {
+  // Where motion hardly varies, turned and scaled axes make anything of it.
+  constexpr double kVaries = 0.8;
   const auto scaled = fitFlow(squares, true, tolerancePx);
-  if (scaled && scaled->isGood()) return scaled;
+  if (scaled && scaled->isGood() && (isAlongAxes(*scaled) || scaled->explainedShare >= kVaries))
+    return scaled;
   const auto shifted = fitFlow(squares, false, tolerancePx);
   return shifted && shifted->isGood() && isAlongAxes(*shifted) ? shifted : std::nullopt;
 }

@@ -21,6 +21,8 @@ struct FlowFit {
   glm::dmat2 factorErrors{0.0}; ///< standard errors of each
   glm::dvec2 offsetErrorsPx{0.0};
   std::size_t squares = 0, followed = 0; ///< that were asked; that lie within the tolerance
+  /// Of how what pictures move by varies from square to square, squared: what the line makes.
+  double explainedShare = 0.0;
 
   /// Whether nearly all follow it, and its numbers are known to a twentieth.
   bool isGood() const;

@@ -77,7 +77,7 @@ DoctorFrame readFrame(FrameSource& source, const FrameRequest& request, const Kn
     out.color = std::move(color);
   }
   out.depthTerms = drawn.block.depthTerms;
-  if (known.motion) out.motionPx = drawn.motion.download();
+  out.motionPx = drawn.motion.download();
   if (known.depth) {
     out.depth = drawn.depth.download();
     out.depthView = out.depth;

@@ -19,7 +19,8 @@ namespace taa::doctor {
 
 /// What frames of a source hold; what they do not is made up by it or 0, and no witness.
 struct KnownPlanes {
-  bool motion = true, depth = true, ids = true;
+  bool motion = true; ///< else it is what the resolve takes it to be: rest, or what depth and matrices make
+  bool depth = true, ids = true;
   bool camera = true;         ///< matrices of all frames
   bool depthJittered = true;  ///< depth was drawn with the jitter of its frame
   bool depthDistance = false; ///< depth is examined as a distance that is stored, and no device depth

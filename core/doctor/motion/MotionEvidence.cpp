@@ -338,23 +338,21 @@ void MotionEvidence::add(const FrameNeighbors& frames, const std::vector<RegionI
   const std::size_t count = highest == labels.end() ? 0 : static_cast<std::size_t>(*highest + 1);
   if (regions_.size() < count) regions_.resize(count);
   for (RegionEvidence& region : regions_) region.trials.resize(trials_.size());
-  FrameNeighbors known = frames;
-  known.others = otherCameras(frames.now);
-  if (known.others.beside) ++moved_;
-  if (known.others.wayShare) {
-    wayShares_.push_back(*known.others.wayShare);
-    movedBy_.push_back(known.others.movedByM);
-    if (known.others.isMovedAside) ++aside_;
+  if (frames.others.beside) ++moved_;
+  if (frames.others.wayShare) {
+    wayShares_.push_back(*frames.others.wayShare);
+    movedBy_.push_back(frames.others.movedByM);
+    if (frames.others.isMovedAside) ++aside_;
   }
-  PairEvidence pair(known, trials_, labels, labelsBefore, regions_);
+  PairEvidence pair(frames, trials_, labels, labelsBefore, regions_);
   pair.add();
   pairs_.push_back(pair.witness());
-  for (const auto& [region, outline] : outlinesOf(known, trials_, labels, labelsBefore))
+  for (const auto& [region, outline] : outlinesOf(frames, trials_, labels, labelsBefore))
     regions_[static_cast<std::size_t>(region)].outline.add(outline);
-  for (const auto& [region, middle] : middles_.add(known, trials_, labels, labelsBefore)) {
+  for (const auto& [region, middle] : middles_.add(frames, trials_, labels, labelsBefore)) {
     RegionEvidence& evidence = regions_[static_cast<std::size_t>(region)];
     evidence.middle.add(middle);
-    if (evidence.example.byTrial.empty()) evidence.example = exampleAt(known, trials_, middle.pixel, 0.0f);
+    if (evidence.example.byTrial.empty()) evidence.example = exampleAt(frames, trials_, middle.pixel, 0.0f);
   }
 }
 

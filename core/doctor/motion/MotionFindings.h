@@ -3,10 +3,10 @@
 
 #include "core/doctor/Diagnosis.h"
 #include "core/doctor/Patient.h"
+#include "core/doctor/flow/FlowLength.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/motion/MotionEvidence.h"
 #include "core/doctor/motion/MotionJudgement.h"
-#include "core/doctor/motion/MotionLength.h"
 
 #include <optional>
 #include <vector>

@@ -301,12 +301,9 @@ void leaveOutlinesAlone(std::vector<JudgedRegion>& judged, const std::vector<Mot
 void leaveSkyAlone(std::vector<JudgedRegion>& judged, const std::vector<MotionTrial>& trials) {
   for (JudgedRegion& sky : judged) {
     if (!sky.region->isSky || !sky.trial) continue;
-    const MotionKind kind = trials[*sky.trial].kind;
-    const bool isOfTime =
-        kind == MotionKind::FrameLate || kind == MotionKind::FrameEarly || kind == MotionKind::Forward;
     const bool isAlone = std::ranges::none_of(
         judged, [&](const JudgedRegion& other) { return &other != &sky && other.trial == sky.trial; });
-    if (!isOfTime || !isAlone) continue;
+    if (!isOfTime(trials[*sky.trial].kind) || !isAlone) continue;
     sky.trial.reset();
     sky.decision = {MotionVerdict::Contradicted, {}};
   }

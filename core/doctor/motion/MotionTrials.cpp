@@ -155,6 +155,10 @@ bool isOfJitter(MotionKind kind) {
   }
 }
 
+bool isOfTime(MotionKind kind) {
+  return kind == MotionKind::FrameLate || kind == MotionKind::FrameEarly || kind == MotionKind::Forward;
+}
+
 std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx) {
   std::vector<MotionTrial> trials;
   for (const MotionKind kind :

@@ -59,6 +59,8 @@ struct MotionTrial {
 
 /// Whether jitter is left in it, or taken off though it had none.
 bool isOfJitter(MotionKind kind);
+/// Whether it is that of another frame.
+bool isOfTime(MotionKind kind);
 
 /// AsGiven first, then all others for pictures of a size: those that say most before those that say little.
 std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx);

@@ -322,8 +322,8 @@ std::string lengthReason(const FittedLength& length, const MotionTrial& trial, c
   };
   std::string text =
       say<"All motion is shorter than a pixel, and the pictures move by %1 px in the mean. By least squares "
-          "over %2 pixels of %3 pairs of frames they move by so many times the motion given (and its "
-          "standard error): %4, %5.">(shortNumber(length.movesPx), length.pixels, length.pairs, along(0),
+          "over %2 squares of %3 pairs of frames they move by so many times the motion given (and its "
+          "standard error): %4, %5.">(shortNumber(length.movesPx), length.squares, length.pairs, along(0),
                                       along(1));
   if (trial.kind != MotionKind::OtherUnit)
     return text + " " + say<"No unit of a picture of %1 × %2 px lies within that.">(sizePx.x, sizePx.y);

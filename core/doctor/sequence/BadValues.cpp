@@ -1,5 +1,6 @@
 #include "core/doctor/sequence/BadValues.h"
 
+#include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/doctor/frames/FramesText.h"
 #include "core/doctor/motion/MotionFindings.h"
@@ -21,6 +22,7 @@ constexpr std::size_t kFewInRegion = 16; ///< of a frame: at a rim they are thos
 
 void ValueEvidence::add(const DoctorFrame& frame, const std::vector<RegionIndex>& labels) {
   badColors_ += frame.badColors;
+  addDepth(frame);
   if (frame.motionPx.empty()) return;
   asked_.push_back(frame.frame);
   addWhole(frame);
@@ -58,6 +60,26 @@ void ValueEvidence::addWhole(const DoctorFrame& frame) {
     }
 }
 
+void ValueEvidence::addDepth(const DoctorFrame& frame) {
+  if (frame.depth.empty()) return;
+  const float least = *std::ranges::min_element(frame.depth.pixels);
+  const auto count = std::ranges::count(frame.depth.pixels, least);
+  farthest_.isSame = farthest_.isSame && (farthest_.frames == 0 || least == farthest_.depth);
+  farthest_.depth = least;
+  if (!frame.depthView.empty()) farthest_.distance = *std::ranges::max_element(frame.depthView.pixels);
+  farthest_.share =
+      std::min(farthest_.share, static_cast<double>(count) / static_cast<double>(frame.depth.pixels.size()));
+  ++farthest_.frames;
+}
+
+std::optional<FarthestDepth> ValueEvidence::unstatedSky() const {
+  constexpr double kMuch = 0.02; // a surface has one value over so much of the picture only where it faces it
+  constexpr int kEnoughFrames = 3;
+  const bool isSky = farthest_.frames >= kEnoughFrames && farthest_.isSame && farthest_.share >= kMuch &&
+                     farthest_.depth > 0.0f && farthest_.depth < 1.0f;
+  return isSky ? std::optional(farthest_) : std::nullopt;
+}
+
 bool ValueEvidence::isOfWholePixels() const {
   constexpr std::size_t kEnough = 2000, kManyLengths = 8; // fewer a plain scroll may have
   constexpr double kNearlyAll = 0.995;
@@ -71,6 +93,13 @@ void tellBadValues(const ValueEvidence& evidence, const std::vector<Region>& reg
     out.notes.push_back(
         say<"Color is no number (NaN or infinite) at %1 pixels of all frames: each that history takes "
             "over stays there.">(evidence.badColors()));
+  if (const auto sky = evidence.unstatedSky())
+    out.parts.leaveOpen(
+        {say<"The sky in depth">(),
+         say<"over %1 % of the picture or more, in all frames, depth is exactly the same, %2 m away; nothing "
+             "is farther, and nothing lies in the far plane">(shortNumber(100.0 * sky->share),
+                                                              shortNumber(sky->distance)),
+         say<"If nothing is drawn there, state what is stored there (depth.nothing).">()});
   if (evidence.isOfWholePixels()) {
     Finding whole;
     whole.id = "motionWholePixels";

@@ -7,6 +7,7 @@
 #include "core/doctor/frames/Regions.h"
 
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -21,6 +22,15 @@ struct NotFinite {
   std::set<RegionIndex> regions; ///< that hold more than a few
 };
 
+/// The farthest depth of frames in which nothing is as far as the sky.
+struct FarthestDepth {
+  float depth = 0.0f;    ///< reversed, as in DoctorFrame
+  double distance = 0.0; ///< m
+  double share = 1.0;    ///< of the picture that has exactly it, where it is least
+  int frames = 0;
+  bool isSame = true; ///< in all of these
+};
+
 class ValueEvidence {
  public:
   void add(const DoctorFrame& frame, const std::vector<RegionIndex>& labels);
@@ -31,11 +41,15 @@ class ValueEvidence {
   std::size_t badColors() const { return badColors_; }
   /// Whether nearly all motion of what moves is of whole pixels, of many lengths.
   bool isOfWholePixels() const;
+  /// One value that is farthest over much of the picture in all frames: perhaps the sky, which nobody stated.
+  std::optional<FarthestDepth> unstatedSky() const;
 
  private:
   void addWhole(const DoctorFrame& frame);
+  void addDepth(const DoctorFrame& frame);
 
   NotFinite motion_;
+  FarthestDepth farthest_;
   std::vector<int> asked_;
   std::size_t badColors_ = 0;
   std::size_t moving_ = 0, whole_ = 0;    ///< pixels; of these: that move by whole pixels

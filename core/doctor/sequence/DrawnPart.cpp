@@ -26,11 +26,11 @@ struct StaleLine {
 
 /// The first line from which on nearly all that should move does not; as many as there are: none.
 int firstStale(const std::vector<StaleLine>& lines) {
-  constexpr double kNearlyAll = 0.95;
+  constexpr double kNearlyAllLines = 0.95;
   auto first = static_cast<int>(lines.size());
   for (int line = first - 1; line >= 0; --line) {
     const StaleLine& at = lines[static_cast<std::size_t>(line)];
-    if (at.stale < kNearlyAll * at.moving) break;
+    if (at.stale < kNearlyAllLines * at.moving) break;
     if (at.moving > 0) first = line;
   }
   return first;

@@ -127,6 +127,7 @@ RegionPlace wholeFrame(int frame, const Diagnosis& out) {
   place.box = {0, 0, out.sizePx.x, out.sizePx.y};
   place.pixel = out.sizePx / 2;
   place.share = 1.0 / std::max(1, out.frames);
+  place.isWholeFrame = true;
   return place;
 }
 

@@ -71,6 +71,7 @@ std::string residualBars(const Finding& finding) {
 }
 
 std::string regionText(const RegionPlace& region) {
+  if (region.isWholeFrame) return region.name;
   return say<"%1: largest in frame %2, pixels %3, %4 to %5, %6, for example %7, %8">(
       region.name, region.frame, region.box.x, region.box.y, region.box.z - 1, region.box.w - 1,
       region.pixel.x, region.pixel.y);
@@ -99,9 +100,17 @@ std::string imageHtml(const Image& picture, const glm::ivec2& sizePx) {
          "\" href=\"data:image/png;base64," + base64Of(pngOfShown(picture)) + "\"/>";
 }
 
+Image grayPicture(const Image& luma) {
+  Image out(luma.width, luma.height, 3);
+  for (std::size_t i = 0; i < luma.pixels.size(); ++i)
+    std::fill_n(out.pixels.begin() + 3 * static_cast<std::ptrdiff_t>(i), 3, luma.pixels[i]);
+  return out;
+}
+
 /// The outline of its regions, over the pictures where there are some.
-std::string findingPictures(const Finding& finding, std::size_t index, const glm::ivec2& sizePx,
-                            const doctor::MendedLook* mended) {
+std::string findingPictures(const Diagnosis& diagnosis, std::size_t index, const doctor::MendedLook* mended) {
+  const Finding& finding = diagnosis.findings[index];
+  const glm::ivec2& sizePx = diagnosis.sizePx;
   if (mended)
     for (const doctor::MendedPicture& picture : mended->pictures)
       if (picture.finding == index) {
@@ -115,8 +124,12 @@ std::string findingPictures(const Finding& finding, std::size_t index, const glm
       }
   if (finding.isWholePicture || finding.regions.empty()) return {};
   const int frame = finding.regions.front().frame;
+  const auto picture = diagnosis.pictures.find(frame);
+  const std::string seen =
+      picture == diagnosis.pictures.end() ? std::string() : imageHtml(grayPicture(picture->second), sizePx);
   return "<div class=\"pictures\">\n" +
-         figureHtml(outlinePath(finding, frame), sizePx, say<"Where it is in frame %1">(frame)) + "</div>\n";
+         figureHtml(seen + outlinePath(finding, frame), sizePx, say<"Where it is in frame %1">(frame)) +
+         "</div>\n";
 }
 
 std::string findingHtml(const Finding& finding, int number) {
@@ -158,7 +171,7 @@ std::string doctorHtml(const Diagnosis& diagnosis, const std::string& source,
   int number = 0;
   for (const Finding& finding : diagnosis.findings) {
     text += findingHtml(finding, number + 1);
-    text += findingPictures(finding, static_cast<std::size_t>(number), diagnosis.sizePx, mended);
+    text += findingPictures(diagnosis, static_cast<std::size_t>(number), mended);
     ++number;
   }
   if (mended) text += mendedHtml(*mended, diagnosis);

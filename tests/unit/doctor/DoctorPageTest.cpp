@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <string>
 
 namespace taa {
@@ -44,6 +45,27 @@ TEST(DoctorPage, SaysAllThatIsSaid) {
         "Motion of the sky: it has no detail. Capture clouds.", "Jitter is right.",
         "The first frame is not jittered."})
     EXPECT_TRUE(isIn(page, text)) << text;
+}
+
+TEST(DoctorPage, ShowsRegionsInTheFrameThatTheyAreIn) {
+  doctor::Diagnosis shown = shownDiagnosis();
+  const auto images = [](const std::string& page) {
+    std::size_t count = 0;
+    for (std::size_t at = page.find("<image"); at != page.npos; at = page.find("<image", at + 1)) ++count;
+    return count;
+  };
+  EXPECT_EQ(images(doctorHtml(shown, "shot")), 0u) << "nothing was kept";
+  shown.pictures[3] = Image(160, 96, 1);
+  EXPECT_EQ(images(doctorHtml(shown, "shot")), 1u);
+}
+
+TEST(DoctorPage, SaysNoPixelsOfAWholeFrame) {
+  doctor::Diagnosis shown = shownDiagnosis();
+  shown.findings[0].regions[0].name = "frame 9";
+  shown.findings[0].regions[0].isWholeFrame = true;
+  const std::string page = doctorHtml(shown, "shot");
+  EXPECT_TRUE(isIn(page, "<dd>frame 9</dd>"));
+  EXPECT_FALSE(isIn(page, "largest in frame"));
 }
 
 TEST(DoctorPage, DrawsResidualsAsBarsByTheLargest) {

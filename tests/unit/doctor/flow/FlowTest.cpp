@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -24,7 +25,7 @@ FlowPair flowOf(const test::FrameFault& fault, int frame = 3) {
   tracker.label(before);
   const std::vector<RegionIndex> labels = tracker.label(now);
   if (fault) fault(now);
-  return measureFlow({now, before}, labels);
+  return measureFlow({now, before}, labels, motionTrials(now.sizePx()));
 }
 
 /// Squares that move by `factors · given + offset`, and some that do not.
@@ -100,7 +101,7 @@ TEST(Flow, RefutesNothingThatDepthAndMatricesMake) {
   now.luma = test::paintedFrame(shadows, 3).luma;
   before.luma = test::paintedFrame(shadows, 2).luma;
   std::size_t ofCamera = 0;
-  for (const FlowSquare& square : measureFlow({now, before}, labels).squares) {
+  for (const FlowSquare& square : measureFlow({now, before}, labels, motionTrials(now.sizePx())).squares) {
     if (!square.isOfCamera()) continue;
     ++ofCamera;
     EXPECT_FALSE(square.refutesGiven(0.5));
@@ -108,7 +109,7 @@ TEST(Flow, RefutesNothingThatDepthAndMatricesMake) {
   EXPECT_GT(ofCamera, 8u);
   now.previousClipFromClip.reset();
   std::size_t refuting = 0;
-  for (const FlowSquare& square : measureFlow({now, before}, labels).squares)
+  for (const FlowSquare& square : measureFlow({now, before}, labels, motionTrials(now.sizePx())).squares)
     if (square.refutesGiven(0.5)) ++refuting;
   EXPECT_GT(refuting, 8u) << "nothing else says that they rest";
 }
@@ -164,6 +165,19 @@ TEST(FlowFit, IsNotGoodWhereManyFollowAnother) {
   const auto fit = fitFlow(pointersTo(squares), true, 0.5);
   ASSERT_TRUE(fit);
   EXPECT_FALSE(fit->isGood());
+}
+
+// What goes one way alone fits any axes: only what varies says how these are turned.
+TEST(FlowFit, IsNotTurnedByWhatHardlyVaries) {
+  std::vector<FlowSquare> squares = squaresBy(glm::dmat2(1.0), glm::dvec2(0.0), 0);
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    const auto turn = static_cast<double>(i);
+    squares[i].given = {4.0 + 0.05 * std::sin(7.0 * turn), 1.0 + 0.05 * std::cos(3.0 * turn)};
+    squares[i].px = {-1.0 + 0.05 * std::cos(5.0 * turn), 3.0 + 0.05 * std::sin(2.0 * turn)};
+  }
+  EXPECT_FALSE(explaining(pointersTo(squares), 0.5));
+  const glm::dmat2 turned(glm::dvec2(0.0, 1.0), glm::dvec2(-1.0, 0.0));
+  EXPECT_TRUE(explaining(pointersTo(squaresBy(turned, glm::dvec2(0.0), 0)), 0.5));
 }
 
 } // namespace taa::doctor

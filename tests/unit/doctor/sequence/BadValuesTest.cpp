@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -67,6 +68,25 @@ TEST(BadValues, OfWholePixelsAloneAreNamed) {
   scroll.cameraPx = {2.0, -1.0};
   scroll.boardPx = {1.0, 3.0};
   EXPECT_FALSE(hasWhole(scroll, true));
+}
+
+// As a clear to 255/256 leaves it.
+TEST(BadValues, OfDepthThatMayBeTheSkyAreAsked) {
+  const auto isAsked = [](float depth, float change) {
+    const Diagnosis diagnosis = examine(test::paintedExamination({}, kFrames, [=](DoctorFrame& frame) {
+      const float sky = depth + change * static_cast<float>(frame.frame);
+      for (std::size_t i = 0; i < frame.depth.pixels.size(); ++i)
+        if (frame.depth.pixels[i] == 0.0f) {
+          frame.depth.pixels[i] = sky;
+          frame.depthView.pixels[i] = frame.previousDepthView.pixels[i] = sky > 0.0f ? 0.1f / sky : 0.0f;
+        }
+    }));
+    return std::ranges::any_of(diagnosis.parts.undecided(),
+                               [](const Undecided& open) { return open.question == "The sky in depth"; });
+  };
+  EXPECT_TRUE(isAsked(1.0f / 256.0f, 0.0f));
+  EXPECT_FALSE(isAsked(0.0f, 0.0f)) << "it is the sky";
+  EXPECT_FALSE(isAsked(1.0f / 256.0f, 1e-4f)) << "something that comes nearer";
 }
 
 } // namespace taa::doctor

@@ -1,5 +1,5 @@
 // The length of motion that is shorter than a pixel, fitted to painted pictures that move by a known one.
-#include "core/doctor/motion/MotionLength.h"
+#include "core/doctor/flow/FlowLength.h"
 
 #include "tests/support/doctor/PaintedFrames.h"
 
@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace taa::doctor {
 namespace {
@@ -25,7 +26,8 @@ using MotionChange = std::function<glm::vec2(const glm::vec2&)>;
 
 std::optional<FittedLength> lengthOf(const PaintedShot& shot, const MotionChange& change,
                                      std::uint32_t onlyObject = 0) {
-  LengthEvidence evidence;
+  std::vector<FlowPair> pairs;
+  RegionTracker tracker;
   DoctorFrame before = test::paintedFrame(shot, 0);
   for (int frame = 1; frame < kFrames; ++frame) {
     DoctorFrame now = test::paintedFrame(shot, frame);
@@ -33,10 +35,10 @@ std::optional<FittedLength> lengthOf(const PaintedShot& shot, const MotionChange
       test::changeMotion(now, id, [&](const glm::vec2& motion) {
         return onlyObject == 0 || id == onlyObject ? change(motion) : glm::vec2(0.0f);
       });
-    evidence.add({now, before, nullptr});
+    pairs.push_back(measureFlow({now, before}, tracker.label(now), motionTrials(kPaintedPx)));
     before = std::move(now);
   }
-  return evidence.fit();
+  return fittedLength(pairs);
 }
 
 glm::vec2 sizePx() {
@@ -54,7 +56,7 @@ void expectFactors(const std::optional<FittedLength>& length, const glm::dvec2& 
 
 } // namespace
 
-TEST(MotionLength, IsThatOfThePictureWhereMotionIsAShareOfIt) {
+TEST(FlowLength, IsThatOfThePictureWhereMotionIsAShareOfIt) {
   const auto uv = lengthOf({}, [](const glm::vec2& m) { return m / sizePx(); });
   expectFactors(uv, {160.0, 96.0});
   const MotionTrial trial = trialOf(*uv, kPaintedPx);
@@ -63,7 +65,7 @@ TEST(MotionLength, IsThatOfThePictureWhereMotionIsAShareOfIt) {
   EXPECT_FALSE(trial.isDevice);
 }
 
-TEST(MotionLength, IsHalfThatInDeviceCoordinatesWhoseYPointsUp) {
+TEST(FlowLength, IsHalfThatInDeviceCoordinatesWhoseYPointsUp) {
   const auto ndc = lengthOf({}, [](const glm::vec2& m) { return glm::vec2(2.0f, -2.0f) * m / sizePx(); });
   expectFactors(ndc, {80.0, -48.0});
   const MotionTrial trial = trialOf(*ndc, kPaintedPx);
@@ -71,12 +73,12 @@ TEST(MotionLength, IsHalfThatInDeviceCoordinatesWhoseYPointsUp) {
   EXPECT_TRUE(trial.isDevice);
 }
 
-TEST(MotionLength, OfAnotherDirectionIsNegative) {
+TEST(FlowLength, OfAnotherDirectionIsNegative) {
   expectFactors(lengthOf({}, [](const glm::vec2& m) { return -m / sizePx(); }), {-160.0, -96.0});
 }
 
 // No number of the picture lies within the error: it is told as it was measured.
-TEST(MotionLength, OfNoUnitIsMeasured) {
+TEST(FlowLength, OfNoUnitIsMeasured) {
   const auto length = lengthOf({}, [](const glm::vec2& m) { return m / 20.0f; });
   expectFactors(length, {20.0, 20.0});
   const MotionTrial trial = trialOf(*length, kPaintedPx);
@@ -85,36 +87,40 @@ TEST(MotionLength, OfNoUnitIsMeasured) {
   EXPECT_NEAR(trial.factor.y, 20.0f, 0.2f);
 }
 
-TEST(MotionLength, IsMeasuredByAnObjectAlone) {
+TEST(FlowLength, IsMeasuredByAnObjectAlone) {
   PaintedShot shot;
   shot.cameraPx = glm::dvec2(0.0);
   expectFactors(lengthOf(shot, [](const glm::vec2& m) { return m / sizePx(); }), {160.0, 96.0});
 }
 
 // Nothing moves along y: what its factor is, and its sign, is not known, and x alone says the unit.
-TEST(MotionLength, HasNoFactorOfAnAxisAlongWhichNothingMoves) {
+TEST(FlowLength, HasNoFactorOfAnAxisAlongWhichNothingMoves) {
   PaintedShot shot;
   shot.cameraPx = {3.0, 0.0};
   shot.boardPx = {1.5, 0.0};
-  const auto length = lengthOf(shot, [](const glm::vec2& m) { return m / sizePx(); });
-  ASSERT_TRUE(length && length->factor[0]);
-  EXPECT_NEAR(*length->factor[0], 160.0, 160.0 * kFittedTo);
-  EXPECT_FALSE(length->factor[1]);
-  EXPECT_EQ(trialOf(*length, kPaintedPx).factor, glm::vec2(160.0f, 96.0f));
+  for (const float rounding : {0.0f, 1e-6f}) { // of a projection
+    const auto length =
+        lengthOf(shot, [rounding](const glm::vec2& m) { return m / sizePx() + glm::vec2(0.0f, rounding); });
+    ASSERT_TRUE(length && length->factor[0]);
+    EXPECT_NEAR(*length->factor[0], 160.0, 160.0 * kFittedTo);
+    EXPECT_FALSE(length->factor[1]) << rounding;
+    EXPECT_EQ(trialOf(*length, kPaintedPx).factor, glm::vec2(160.0f, 96.0f));
+  }
 }
 
-// A fifteenth of a pixel up or down is not enough for a sign: x is told nevertheless.
-TEST(MotionLength, LeavesAnAxisOpenWhoseOtherSignFitsAsWell) {
+// A fifteenth of a pixel up or down is known to a part of itself, by hundreds of squares.
+TEST(FlowLength, MeasuresAnAxisAlongWhichHardlyAnythingMoves) {
   PaintedShot shot;
   shot.cameraPx = {3.0, 0.07};
   shot.boardPx = {1.5, 0.0};
   const auto length = lengthOf(shot, [](const glm::vec2& m) { return m / sizePx(); });
   ASSERT_TRUE(length && length->factor[0]);
   EXPECT_NEAR(*length->factor[0], 160.0, 160.0 * kFittedTo);
-  EXPECT_FALSE(length->factor[1]);
+  ASSERT_TRUE(length->factor[1]);
+  EXPECT_NEAR(*length->factor[1], 96.0, 4.0 * length->error[1]);
 }
 
-TEST(MotionLength, IsNotAskedOfMotionThatFits) {
+TEST(FlowLength, IsNotAskedOfMotionThatFits) {
   const MotionChange asItIs = [](const glm::vec2& m) { return m; };
   EXPECT_FALSE(lengthOf({}, asItIs)) << "longer than a pixel";
   PaintedShot slow;
@@ -125,7 +131,7 @@ TEST(MotionLength, IsNotAskedOfMotionThatFits) {
 }
 
 // What the camera moves has motion of another cause: no factor makes the pictures of it.
-TEST(MotionLength, IsNotFoundWhereMotionIsOfSomethingElse) {
+TEST(FlowLength, IsNotFoundWhereMotionIsOfSomethingElse) {
   int turn = 0;
   EXPECT_FALSE(lengthOf({}, [&](const glm::vec2&) {
     ++turn;
@@ -138,7 +144,7 @@ TEST(MotionLength, IsNotFoundWhereMotionIsOfSomethingElse) {
 }
 
 // A size of the picture within three standard errors, and one beside it.
-TEST(MotionLength, NamesAUnitOnlyWithinItsError) {
+TEST(FlowLength, NamesAUnitOnlyWithinItsError) {
   FittedLength length;
   length.factor[0] = 162.0;
   length.factor[1] = 96.5;
