@@ -16,6 +16,7 @@ struct Patient {
   glm::ivec2 sizePx{0}, outputPx{0}; ///< of what is drawn, of the picture
   std::map<std::uint32_t, std::string> objectNames;
   std::optional<capture::Conventions> conventions; ///< the engine's; none: this program's
+  std::map<int, double> preExposure;               ///< as it is stated of each frame; empty: it is not
 };
 
 } // namespace taa::doctor

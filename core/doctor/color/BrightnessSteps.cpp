@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -115,6 +116,92 @@ Finding stepFinding(const std::vector<const BrightnessPair*>& steps) {
   return out;
 }
 
+/// What else the pre-exposure that is stated may be.
+struct ExposureReading {
+  std::string name, change; ///< sentences but for the name
+  /// log2 of the light of a frame over what it should be, by log2 of what is stated of it and of the frames
+  /// before and after; nothing where one of these is not known.
+  std::optional<double> (*stops)(const std::map<int, double>& stated, int frame);
+};
+
+std::optional<double> statedStops(const std::map<int, double>& stated, int frame) {
+  const auto found = stated.find(frame);
+  if (found == stated.end() || !(found->second > 0.0)) return {};
+  return std::log2(found->second);
+}
+
+std::optional<double> lessStated(std::optional<double> stops, const std::map<int, double>& stated,
+                                 int frame) {
+  const auto own = statedStops(stated, frame);
+  if (!stops || !own) return {};
+  return *stops - *own;
+}
+
+std::vector<ExposureReading> exposureReadings(bool isTakenOut) {
+  using Stated = std::map<int, double>;
+  if (!isTakenOut)
+    return {{say<"Pre-exposure in color, which is stated to have none">(),
+             say<"State that color is pre-exposed (color.preExposed).">(),
+             [](const Stated& stated, int frame) { return statedStops(stated, frame); }}};
+  return {
+      {say<"Pre-exposure stated a frame late">(),
+       say<"Color of a frame holds the pre-exposure that is stated of the frame after: write that of the "
+           "frame itself.">(),
+       [](const Stated& stated, int frame) {
+         return lessStated(statedStops(stated, frame + 1), stated, frame);
+       }},
+      {say<"Pre-exposure stated a frame early">(),
+       say<"Color of a frame holds the pre-exposure that is stated of the frame before: write that of the "
+           "frame itself.">(),
+       [](const Stated& stated, int frame) {
+         return lessStated(statedStops(stated, frame - 1), stated, frame);
+       }},
+      {say<"Pre-exposure that is not in color">(),
+       say<"Color was not multiplied by the pre-exposure that is stated: state that it is not "
+           "(color.preExposed=off).">(),
+       [](const Stated& stated, int frame) { return lessStated(0.0, stated, frame); }},
+      {say<"Pre-exposure the other way around">(),
+       say<"Color was divided by the pre-exposure that is stated: state 1 over it.">(),
+       [](const Stated& stated, int frame) {
+         return lessStated(lessStated(0.0, stated, frame), stated, frame);
+       }}};
+}
+
+/// Root of the mean square, stops, of what steps are off by what a reading makes; infinite where it says too
+/// little.
+double offStops(const BrightnessEvidence& evidence, const ExposureReading& reading,
+                const std::map<int, double>& stated) {
+  constexpr int kEnoughPairs = 4;
+  double squares = 0.0;
+  int count = 0;
+  for (const BrightnessPair& pair : evidence.pairs) {
+    const auto now = reading.stops(stated, pair.frame), before = reading.stops(stated, pair.frame - 1);
+    if (!now || !before) continue;
+    const double off = pair.stops - (*now - *before);
+    squares += off * off;
+    ++count;
+  }
+  return count < kEnoughPairs ? std::numeric_limits<double>::infinity() : std::sqrt(squares / count);
+}
+
+/// Says which pre-exposure steps are, where they are one that is stated.
+void tellPreExposure(const BrightnessEvidence& evidence, const Patient& patient, Finding& finding) {
+  constexpr double kFitsStops = 0.05, kMuchLess = 0.25;
+  double squares = 0.0;
+  for (const BrightnessPair& pair : evidence.pairs) squares += pair.stops * pair.stops;
+  const double given = std::sqrt(squares / static_cast<double>(evidence.pairs.size()));
+  const bool isTakenOut = patient.conventions && patient.conventions->color.preExposed;
+  for (const ExposureReading& reading : exposureReadings(isTakenOut)) {
+    const double off = offStops(evidence, reading, patient.preExposure);
+    if (off > std::min(kFitsStops, kMuchLess * given)) continue;
+    finding.name = reading.name;
+    finding.change = reading.change;
+    finding.reason += " " + say<"Steps of %1 stops in the mean are those of the pre-exposure that is stated, "
+                                "taken like this, to %2 stops.">(shortNumber(given), shortNumber(off));
+    return;
+  }
+}
+
 } // namespace
 
 bool BrightnessPair::isStep() const {
@@ -166,7 +253,7 @@ FrameReader withBrightness(FrameReader read, std::map<int, double> stepped) {
   };
 }
 
-void tellBrightness(const BrightnessEvidence& evidence, Diagnosis& out) {
+void tellBrightness(const BrightnessEvidence& evidence, const Patient& patient, Diagnosis& out) {
   if (evidence.pairs.empty()) {
     out.parts.leaveOpen({say<"Exposure">(),
                          say<"too little of the picture can be followed from one frame to the next">(),
@@ -181,13 +268,15 @@ void tellBrightness(const BrightnessEvidence& evidence, Diagnosis& out) {
     if (pair.isStep()) steps.push_back(&pair);
     most = std::max(most, std::abs(pair.stops));
   }
-  if (!steps.empty())
+  if (!steps.empty()) {
     out.findings.push_back(stepFinding(steps));
-  else if (most < kStepStops)
+    tellPreExposure(evidence, patient, out.findings.back());
+  } else if (most < kStepStops) {
     out.parts.addRight(
         say<"Exposure">(),
         say<"Brightness does not step: in the middle of the picture's places light changes by %1 "
             "stops from frame to frame at most.">(shortNumber(most)));
+  }
 }
 
 } // namespace taa::doctor

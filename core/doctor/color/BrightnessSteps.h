@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/doctor/Diagnosis.h"
+#include "core/doctor/Patient.h"
 #include "core/doctor/motion/MotionTrials.h"
 
 #include <cstddef>
@@ -39,6 +40,6 @@ struct BrightnessEvidence {
 FrameReader withBrightness(FrameReader read, std::map<int, double> stepped);
 
 /// Adds what is wrong, right or not decided about brightness.
-void tellBrightness(const BrightnessEvidence& evidence, Diagnosis& out);
+void tellBrightness(const BrightnessEvidence& evidence, const Patient& patient, Diagnosis& out);
 
 } // namespace taa::doctor

@@ -53,7 +53,7 @@ FrameReader coveredReader(const FrameReader& read, std::vector<std::uint8_t> cov
 void tellColor(const ColorEvidence& evidence, const BrightnessEvidence& brightness, const Patient& patient,
                bool isMaskUsed, Diagnosis& out) {
   tellBlended(evidence.blended, isMaskUsed, out);
-  tellBrightness(brightness, out);
+  tellBrightness(brightness, patient, out);
   tellCoplanar(evidence.coplanar, patient, out);
   tellTextures(out);
   tellEncoding(evidence.light, patient, out);

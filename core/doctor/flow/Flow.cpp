@@ -350,25 +350,46 @@ std::vector<glm::vec2> underTrials(const std::vector<MotionTrial>& trials, const
   return out;
 }
 
-std::map<RegionIndex, glm::dvec2> middlesOf(const std::vector<RegionIndex>& labels,
-                                            const glm::ivec2& sizePx) {
+std::map<RegionIndex, RegionMeans> meansOf(const DoctorFrame& frame, const std::vector<RegionIndex>& labels) {
+  constexpr int kCameraStep = 3; // of pixels whose camera's motion is made
   struct Sum {
-    glm::dvec2 px{0.0};
-    double count = 0.0;
+    RegionMeans of;
+    glm::dvec2 camera{0.0};
+    double count = 0.0, moving = 0.0, asked = 0.0, known = 0.0;
   };
+  const glm::ivec2 size = frame.sizePx();
   const auto highest = std::ranges::max_element(labels);
   std::vector<Sum> sums(highest == labels.end() ? 0 : static_cast<std::size_t>(*highest + 1));
-  for (int y = 0; y < sizePx.y; ++y)
-    for (int x = 0; x < sizePx.x; ++x) {
-      const RegionIndex region = labels[static_cast<std::size_t>(y) * sizePx.x + x];
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const RegionIndex region = labels[static_cast<std::size_t>(y) * size.x + x];
       if (region == kNoRegion) continue;
       Sum& sum = sums[static_cast<std::size_t>(region)];
-      sum.px += glm::dvec2(x, y) + 0.5;
+      sum.of.middle += glm::dvec2(x, y) + 0.5;
       sum.count += 1.0;
+      if (x == 0 || y == 0 || x + 1 == size.x || y + 1 == size.y) sum.of.isWhole = false;
+      const glm::vec2 motion = frame.motionAt(x, y);
+      if (!isMotion(motion)) continue;
+      sum.of.given += glm::dvec2(motion);
+      sum.moving += 1.0;
+      if (!frame.depthView.empty()) sum.of.distance += static_cast<double>(*frame.depthView.at(x, y));
+      if (x % kCameraStep != 0 || y % kCameraStep != 0) continue;
+      sum.asked += 1.0;
+      const auto camera = cameraMotionPx(frame, {x, y});
+      if (!camera) continue;
+      sum.camera += glm::dvec2(*camera);
+      sum.known += 1.0;
     }
-  std::map<RegionIndex, glm::dvec2> out;
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    if (sums[i].count > 0.0) out[static_cast<RegionIndex>(i)] = sums[i].px / sums[i].count;
+  std::map<RegionIndex, RegionMeans> out;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    Sum& sum = sums[i];
+    if (!(sum.moving > 0.0)) continue;
+    sum.of.middle /= sum.count;
+    sum.of.given /= sum.moving;
+    sum.of.distance /= sum.moving;
+    if (sum.known > 0.0 && sum.known == sum.asked) sum.of.camera = sum.camera / sum.known;
+    out[static_cast<RegionIndex>(i)] = sum.of;
+  }
   return out;
 }
 
@@ -394,7 +415,7 @@ FlowPair measureFlow(const FrameNeighbors& frames, const std::vector<RegionIndex
                      const std::vector<MotionTrial>& trials) {
   FlowPair out{frames.now.frame, {}, {}, {}, 0};
   if (frames.now.motionPx.empty() || frames.before.luma.width != frames.now.luma.width) return out;
-  out.middles = middlesOf(labels, frames.now.sizePx());
+  out.means = meansOf(frames.now, labels);
   const FlowMeter meter(frames);
   for (const auto& [region, of] : squaresOf(frames.now, labels)) {
     std::optional<glm::dvec2> last;

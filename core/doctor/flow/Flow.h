@@ -42,13 +42,21 @@ struct FlowSquare {
   bool refutesGiven(double tolerancePx) const;
 };
 
+/// Means over the pixels of a region in a frame, px.
+struct RegionMeans {
+  glm::dvec2 middle{0.0}, given{0.0}; ///< of places; of motion where it is known
+  std::optional<glm::dvec2> camera;   ///< where it is known of all that was looked at
+  double distance = 0.0;              ///< m; 0: no depth tells
+  bool isWhole = true;                ///< no border cuts it
+};
+
 /// Of a pair of frames.
 struct FlowPair {
   int frame = 0; ///< the later one
   std::vector<FlowSquare> squares;
   /// By region: of the squares well inside it, the share whose motion pictures say.
   std::map<RegionIndex, double> said;
-  std::map<RegionIndex, glm::dvec2> middles; ///< of the pixels of each region, px
+  std::map<RegionIndex, RegionMeans> means;
   std::size_t asked = 0; ///< squares that were looked for; those that were found are `squares`
 };
 

@@ -384,15 +384,29 @@ FaultWords otherObjectWords() {
           "by, and at what is drawn in between.">()};
 }
 
+/// Takes what is said of regions of that name, where it is not sure, out of findings of motion.
+void takeBackUnsure(const std::string& name, Diagnosis& out) {
+  std::erase_if(out.findings, [&](Finding& finding) {
+    if (!isOfMotion(finding) || finding.isWholePicture || finding.sureness == Sureness::Sure) return false;
+    const auto taken =
+        std::erase_if(finding.regions, [&](const RegionPlace& place) { return place.name == name; });
+    return taken > 0 && finding.regions.empty();
+  });
+}
+
 /// What is taken from another object, and whose it is; takes these regions out of `refuted`.
 void tellOtherObjects(std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,
                       Diagnosis& out) {
   const std::vector<OfOtherObject> found = ofOtherObjects(refuted, seen);
   if (found.empty()) return;
   std::vector<Refuted> of;
+  std::vector<RegionPlace> places;
   std::string says;
   for (const OfOtherObject& one : found) {
-    of.push_back(*std::ranges::find(refuted, one.region, &Refuted::region));
+    const auto known = std::ranges::find(refuted, one.region, &Refuted::region);
+    if (known != refuted.end()) of.push_back(*known);
+    places.push_back(placeOf(*one.region, patient, allPixels(patient, out)));
+    takeBackUnsure(places.back().name, out);
     const std::string name = placeOf(*one.region, patient, 1.0).name;
     const std::string other = placeOf(*one.other, patient, 1.0).name;
     says += " " + (one.kind == OtherObjectKind::Motion
@@ -401,8 +415,12 @@ void tellOtherObjects(std::vector<Refuted>& refuted, const FlowSeen& seen, const
                        : say<"In %1 of %2 frames the motion given of %3 leads to where %4 was, to %5 px.">(
                              one.frames, one.asked, name, other, shortNumber(one.px)));
   }
+  if (of.empty()) // of one that nothing follows, by another one that is refuted
+    of.assign(refuted.begin(), refuted.end());
   Finding finding = measuredFinding(of, seen, patient, out);
   finding.sureness = Sureness::Likely;
+  std::ranges::stable_sort(places, std::greater(), &RegionPlace::share);
+  finding.regions = std::move(places);
   const std::string example = finding.change;
   nameBy(otherObjectWords(), finding);
   finding.reason += says;
@@ -519,9 +537,9 @@ void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient
   tellClipped(mended, patient.patient, out);
   nameNotCameras(mended, patient.patient, tolerancePx, out);
   tellFrames(refuted, patient.patient, out);
+  tellOtherObjects(refuted, mended, patient.patient, out);
   std::erase_if(refuted, [&](const Refuted& one) { return isToldOf(*one.region, patient.patient, out); });
   if (refuted.empty()) return;
-  tellOtherObjects(refuted, mended, patient.patient, out);
   tellReadings(refuted, mended, patient.patient, out);
   if (!refuted.empty())
     out.findings.push_back(bestFinding(refuted, mended, patient.patient, tolerancePx, out));

@@ -5,59 +5,28 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace taa::doctor {
 
 namespace {
 
-/// Middle values of a region's squares in a pair of frames, px.
-struct RegionPair {
-  glm::dvec2 measured{0.0}, given{0.0};
-  glm::dvec2 camera{0.0}; ///< 0: it is not known
-
-  double offPx() const { return glm::distance(measured, given); }
+/// Of a region in a pair of frames, px; both without the camera's motion, where that is known.
+struct OwnMotion {
+  std::optional<glm::dvec2> measured;
+  glm::dvec2 given{0.0};
+  double distance = 0.0; ///< m; 0: no depth tells
 };
 
-using RegionPairs = std::map<int, RegionPair>; ///< by frame
-
-glm::dvec2 middleOf(const std::vector<const FlowSquare*>& squares,
-                    const std::function<glm::dvec2(const FlowSquare&)>& value) {
-  std::vector<double> x, y;
-  for (const FlowSquare* square : squares) {
-    const glm::dvec2 one = value(*square);
-    x.push_back(one.x);
-    y.push_back(one.y);
-  }
-  return {median(std::move(x)), median(std::move(y))};
-}
-
-std::map<const Region*, RegionPairs> byRegion(const FlowSeen& seen) {
-  std::map<const Region*, RegionPairs> out;
-  for (const FlowPair& pair : seen.pairs) {
-    std::map<RegionIndex, std::vector<const FlowSquare*>> squares;
-    for (const FlowSquare& square : pair.squares) squares[square.region].push_back(&square);
-    for (const auto& [region, own] : squares) {
-      const bool isCameraKnown =
-          std::ranges::all_of(own, [](const FlowSquare* square) { return square->camera.has_value(); });
-      RegionPair& one = out[&seen.regions[static_cast<std::size_t>(region)]][pair.frame];
-      one.measured = middleOf(own, [](const FlowSquare& square) { return square.px; });
-      one.given = middleOf(own, [](const FlowSquare& square) { return square.given; });
-      if (isCameraKnown) one.camera = middleOf(own, [](const FlowSquare& square) { return *square.camera; });
-    }
-  }
-  return out;
-}
-
 /// px: that far a vector of an object may be from that of another one, which lies elsewhere.
-double tolerancePx(const glm::dvec2& motion) {
-  constexpr double kLeastPx = 0.5, kShare = 0.15;
+double alikePx(const glm::dvec2& motion) {
+  constexpr double kLeastPx = 0.75, kShare = 0.15;
   return std::max(kLeastPx, kShare * glm::length(motion));
 }
 
-/// Of frames that say whether it is so; `offPx` to what would be there.
+/// Of frames that say whether one vector is another one.
 struct Votes {
   std::size_t asked = 0, won = 0;
   double length = 0.0; ///< sum
@@ -66,7 +35,7 @@ struct Votes {
   void add(const glm::dvec2& expected, const glm::dvec2& given) {
     ++asked;
     const double offPx = glm::distance(expected, given);
-    if (offPx <= tolerancePx(given)) ++won;
+    if (offPx <= alikePx(given)) ++won;
     off.push_back(offPx);
     length += glm::length(given);
   }
@@ -78,69 +47,116 @@ struct Votes {
   }
 };
 
-/// Whether the own motion given of one is what pictures show of the other one.
-Votes asMotion(const RegionPairs& one, const RegionPairs& other) {
-  constexpr double kClearlyOffPx = 1.0;
-  Votes out;
-  for (const auto& [frame, pair] : one) {
-    const auto at = other.find(frame);
-    if (at == other.end() || pair.offPx() < kClearlyOffPx) continue;
-    out.add(at->second.measured - at->second.camera, pair.given - pair.camera);
+class ObjectMotions {
+ public:
+  explicit ObjectMotions(const FlowSeen& seen) : seen_(seen) {
+    for (std::size_t i = 0; i < seen.pairs.size(); ++i) addPair(i);
   }
-  return out;
-}
 
-/// Whether the motion given of one leads to where the other one was.
-Votes asPlace(const Region& one, const RegionPairs& pairs, const Region& other, const FlowSeen& seen) {
-  Votes out;
-  const auto index = [&](const Region& region) {
-    return static_cast<RegionIndex>(&region - seen.regions.data());
-  };
-  for (std::size_t i = 1; i < seen.pairs.size(); ++i) {
-    const FlowPair &now = seen.pairs[i], &before = seen.pairs[i - 1];
-    const auto pair = pairs.find(now.frame);
-    const auto own = now.middles.find(index(one)), others = before.middles.find(index(other));
-    if (now.frame != before.frame + 1 || pair == pairs.end() || own == now.middles.end() ||
-        others == before.middles.end())
-      continue;
-    out.add(own->second - others->second, pair->second.given);
+  bool areCamerasKnown() const { return areCamerasKnown_; }
+
+  /// Whether the motion given of one is what the other one moves by: on the screen, or in the world, where
+  /// the same is longer on the screen the nearer it is.
+  Votes asMotion(RegionIndex one, RegionIndex other, bool isInWorld) const {
+    constexpr double kClearlyOffPx = 1.0;
+    Votes out;
+    for (const auto& motions : pairs_) {
+      const auto own = motions.find(one), others = motions.find(other);
+      if (own == motions.end() || others == motions.end() || !others->second.measured) continue;
+      const OwnMotion& of = own->second;
+      if (of.measured && glm::distance(*of.measured, of.given) < kClearlyOffPx) continue;
+      const double theirs = others->second.distance;
+      if (isInWorld && !(of.distance > 0.0 && theirs > 0.0)) continue;
+      out.add((isInWorld ? theirs / of.distance : 1.0) * *others->second.measured, of.given);
+    }
+    return out;
   }
-  return out;
-}
 
-bool areCamerasKnown(const FlowSeen& seen) {
-  return std::ranges::all_of(seen.pairs, [](const FlowPair& pair) {
-    return std::ranges::all_of(pair.squares,
-                               [](const FlowSquare& square) { return square.camera.has_value(); });
-  });
-}
+  /// Whether the motion given of one leads to where the other one was.
+  Votes asPlace(RegionIndex one, RegionIndex other) const {
+    Votes out;
+    for (std::size_t i = 1; i < seen_.pairs.size(); ++i) {
+      const FlowPair &now = seen_.pairs[i], &before = seen_.pairs[i - 1];
+      const auto own = now.means.find(one), others = before.means.find(other);
+      if (now.frame != before.frame + 1 || own == now.means.end() || others == before.means.end()) continue;
+      out.add(own->second.middle - others->second.middle, own->second.given);
+    }
+    return out;
+  }
+
+ private:
+  void addPair(std::size_t index) {
+    const FlowPair& pair = seen_.pairs[index];
+    std::map<RegionIndex, std::pair<std::vector<double>, std::vector<double>>> squares;
+    for (const FlowSquare& square : pair.squares) {
+      squares[square.region].first.push_back(square.px.x);
+      squares[square.region].second.push_back(square.px.y);
+    }
+    auto& motions = pairs_.emplace_back();
+    for (const auto& [region, means] : pair.means) {
+      const glm::dvec2 camera = means.camera.value_or(glm::dvec2(0.0));
+      OwnMotion& motion = motions[region];
+      motion.given = means.given - camera;
+      motion.distance = means.distance;
+      if (const auto own = squares.find(region); own != squares.end()) {
+        motion.measured = glm::dvec2(median(own->second.first), median(own->second.second)) - camera;
+        areCamerasKnown_ = areCamerasKnown_ && means.camera.has_value();
+      } else if (const auto moved = middleMoved(index, region, means)) {
+        motion.measured = *moved - camera;
+      }
+    }
+  }
+
+  /// What the middle of a region moves by that is seen whole.
+  std::optional<glm::dvec2> middleMoved(std::size_t index, RegionIndex region,
+                                        const RegionMeans& means) const {
+    if (index == 0 || !means.isWhole) return {};
+    const FlowPair &now = seen_.pairs[index], &before = seen_.pairs[index - 1];
+    const auto then = before.means.find(region);
+    if (now.frame != before.frame + 1 || then == before.means.end() || !then->second.isWhole) return {};
+    return means.middle - then->second.middle;
+  }
+
+  const FlowSeen& seen_;
+  std::vector<std::map<RegionIndex, OwnMotion>> pairs_;
+  bool areCamerasKnown_ = true;
+};
 
 } // namespace
 
 std::vector<OfOtherObject> ofOtherObjects(const std::vector<Refuted>& refuted, const FlowSeen& seen) {
-  const std::map<const Region*, RegionPairs> pairs = byRegion(seen);
-  std::vector<OfOtherObject> out;
-  for (const Refuted& one : refuted) {
-    const auto own = pairs.find(one.region);
-    if (!one.region || one.region->objectId == 0 || own == pairs.end()) continue;
-    std::optional<OfOtherObject> best;
-    for (const Region& other : seen.regions) {
-      if (&other == one.region || other.objectId == 0) continue;
-      const auto others = pairs.find(&other);
-      const auto keep = [&](Votes votes, OtherObjectKind kind) {
-        if (!votes.isSo()) return;
-        const double px = median(std::move(votes.off));
-        if (!best || px < best->px) best = {one.region, &other, kind, votes.won, votes.asked, px};
-      };
+  const ObjectMotions motions(seen);
+  std::map<RegionIndex, OfOtherObject> best;
+  const auto keep = [&](RegionIndex one, RegionIndex other, Votes votes, OtherObjectKind kind) {
+    if (!votes.isSo()) return;
+    const double px = median(std::move(votes.off));
+    const auto known = best.find(one);
+    if (known != best.end() && known->second.px <= px) return;
+    best[one] = {&seen.regions[static_cast<std::size_t>(one)],
+                 &seen.regions[static_cast<std::size_t>(other)],
+                 kind,
+                 votes.won,
+                 votes.asked,
+                 px};
+  };
+  for (const Refuted& each : refuted) {
+    if (!each.region || each.region->objectId == 0) continue;
+    const auto one = static_cast<RegionIndex>(each.region - seen.regions.data());
+    for (RegionIndex other = 0; other < std::ssize(seen.regions); ++other) {
+      const Region& region = seen.regions[static_cast<std::size_t>(other)];
+      if (other == one || region.objectId == 0) continue;
       // Without cameras the motion of what rests is that of nothing else.
-      const bool isOwnMotion =
-          areCamerasKnown(seen) || std::ranges::count(refuted, &other, &Refuted::region) > 0;
-      if (others != pairs.end() && isOwnMotion)
-        keep(asMotion(own->second, others->second), OtherObjectKind::Motion);
-      keep(asPlace(*one.region, own->second, other, seen), OtherObjectKind::Place);
+      const bool isWrong = std::ranges::count(refuted, &region, &Refuted::region) > 0;
+      for (const bool isInWorld : {false, true}) {
+        if (motions.areCamerasKnown() || isWrong)
+          keep(one, other, motions.asMotion(one, other, isInWorld), OtherObjectKind::Motion);
+        keep(other, one, motions.asMotion(other, one, isInWorld), OtherObjectKind::Motion);
+      }
+      keep(one, other, motions.asPlace(one, other), OtherObjectKind::Place);
     }
-    if (best) out.push_back(*best);
   }
+  std::vector<OfOtherObject> out;
+  for (const auto& [region, found] : best) out.push_back(found);
   return out;
 }
 

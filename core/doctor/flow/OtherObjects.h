@@ -3,6 +3,8 @@
 
 #include "core/doctor/flow/Refuted.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace taa::doctor {
@@ -12,7 +14,7 @@ enum class OtherObjectKind : std::uint8_t {
   Place,  ///< it is said to come from where the other one was
 };
 
-/// A region whose motion pictures refute, and whose it is instead.
+/// A region whose motion is wrong, and whose it is instead.
 struct OfOtherObject {
   const Region* region = nullptr;
   const Region* other = nullptr;
@@ -21,7 +23,8 @@ struct OfOtherObject {
   double px = 0.0;                   ///< to that
 };
 
-/// Of objects by their number. Motion is compared without the camera's, where that is known.
+/// Of objects by their number, of which pictures refute one at least. What one moves by is what its squares
+/// do, else its middle; it is compared without the camera's motion, where that is known.
 std::vector<OfOtherObject> ofOtherObjects(const std::vector<Refuted>& refuted, const FlowSeen& seen);
 
 } // namespace taa::doctor

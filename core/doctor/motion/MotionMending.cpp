@@ -40,6 +40,7 @@ std::vector<std::string> motionMending(const MotionTrial& trial) {
   case MotionKind::CameraTurned:
   case MotionKind::CameraBeside:
   case MotionKind::CameraMirrored:
+  case MotionKind::CameraUnzoomed:
   case MotionKind::CameraUnmoved:
   case MotionKind::CameraUnturned:
   case MotionKind::CameraIdentity:

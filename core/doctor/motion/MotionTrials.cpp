@@ -19,7 +19,7 @@ struct TrialWords {
 };
 
 /// In the order of the enumerators; those with a factor say it.
-constexpr std::array<TrialWords, 31> kTrialWords = {{
+constexpr std::array<TrialWords, 32> kTrialWords = {{
     {"asGiven", "as given"},
     {"resting", "at rest on the screen"},
     {"ofCamera", "that of the camera"},
@@ -49,6 +49,7 @@ constexpr std::array<TrialWords, 31> kTrialWords = {{
     {"cameraBeside", "with the previous camera moved back"},
     {"cameraMirrored", "with the previous camera's own matrix, not that of a mirror"},
     {"cameraIdentity", "with the previous camera's matrix, which was never set"},
+    {"cameraUnzoomed", "with the previous camera's own projection, not this one's"},
     {"cameraUnmoved", "with the way of the camera, not its turning alone"},
     {"cameraUnturned", "with the turning of the camera, not its way alone"},
 }};
@@ -182,9 +183,10 @@ std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx) {
   for (const glm::vec2& unit : {ndc, 1.0f / ndc})
     for (const glm::vec2& factor : {unit * yUp, unit, unit * xLeft, -unit})
       trials.push_back({MotionKind::OtherUnit, factor, true});
-  for (const MotionKind kind : {MotionKind::TwoFramesOld, MotionKind::CameraTurned, MotionKind::CameraBeside,
-                                MotionKind::CameraMirrored, MotionKind::CameraIdentity,
-                                MotionKind::CameraUnmoved, MotionKind::CameraUnturned})
+  for (const MotionKind kind :
+       {MotionKind::TwoFramesOld, MotionKind::CameraTurned, MotionKind::CameraBeside,
+        MotionKind::CameraMirrored, MotionKind::CameraIdentity, MotionKind::CameraUnzoomed,
+        MotionKind::CameraUnmoved, MotionKind::CameraUnturned})
     trials.push_back({kind});
   // Last: whatever is wrong with what rests in the world, this fits it, and says the least.
   trials.push_back({MotionKind::OfCamera});
@@ -278,6 +280,8 @@ std::optional<glm::vec2> trueMotion(const MotionTrial& trial, const FrameNeighbo
     return withoutOther(frames.others.mirrored, frames.now, pixel);
   case MotionKind::CameraIdentity:
     return withoutOther(frames.others.identity, frames.now, pixel);
+  case MotionKind::CameraUnzoomed:
+    return withoutOther(frames.others.unzoomed, frames.now, pixel);
   case MotionKind::CameraUnmoved:
     return withoutOther(frames.others.unmoved, frames.now, pixel);
   case MotionKind::CameraUnturned:

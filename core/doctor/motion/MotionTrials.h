@@ -47,6 +47,7 @@ enum class MotionKind : std::uint8_t {
   CameraBeside,
   CameraMirrored,
   CameraIdentity,
+  CameraUnzoomed, ///< m was made with this frame's projection for the previous position, too
   CameraUnmoved,  ///< m was made as if the previous camera had stood where this one stands; likewise as if it
   CameraUnturned, ///< had looked the same way
 };

@@ -180,6 +180,7 @@ bool isParticular(const MotionTrial& trial) {
   case MotionKind::Root:
   case MotionKind::CameraTurned:
   case MotionKind::CameraMirrored:
+  case MotionKind::CameraUnzoomed:
   case MotionKind::CameraUnmoved:
   case MotionKind::CameraUnturned:
   case MotionKind::CameraIdentity:

@@ -159,6 +159,11 @@ FaultWords otherCameraFault(MotionKind kind) {
         Fault::CameraOfSecondView,
         say<"What rests moves as if the previous camera had stood beside this one: make motion with "
             "the matrices of the frame before of the same view.">());
+  case MotionKind::CameraUnzoomed:
+    return {"motionWithoutZoom", say<"The change of the field of view missing in motion">(),
+            say<"Everything smears towards the border while the camera zooms.">(),
+            say<"Motion is made with this frame's projection for the previous position, too: keep the whole "
+                "matrix of the frame before, its projection included.">()};
   case MotionKind::CameraUnmoved:
     return {
         "motionWithoutCamerasWay", say<"The camera's way missing in motion">(),
@@ -282,6 +287,7 @@ FaultWords motionFault(const MotionTrial* trial, const Region& region, const Reg
   case MotionKind::CameraBeside:
   case MotionKind::CameraMirrored:
   case MotionKind::CameraIdentity:
+  case MotionKind::CameraUnzoomed:
   case MotionKind::CameraUnmoved:
   case MotionKind::CameraUnturned:
     return otherCameraFault(trial->kind);

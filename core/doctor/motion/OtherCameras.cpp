@@ -174,8 +174,22 @@ glm::dmat4 viewAt(const glm::dmat4& rotated, const glm::dmat4& placed) {
   return out;
 }
 
-glm::mat4 previousClip(const UnjitteredCameras& cameras, const glm::dmat4& previousView) {
-  return glm::mat4(cameras.clipFromView * previousView * glm::inverse(cameras.viewFromWorld) *
+/// That of the frame before, which is another one where the camera zooms.
+glm::dmat4 previousProjection(const DoctorFrame& frame) {
+  const UnjitteredCameras& cameras = *frame.cameras;
+  return glm::dmat4(*frame.previousClipFromClip) * cameras.clipFromView * cameras.viewFromWorld *
+         glm::inverse(cameras.previousViewFromWorld);
+}
+
+bool isZoomed(const glm::dmat4& projection, const glm::dmat4& previous) {
+  constexpr double kSame = 1e-3;
+  return std::abs(previous[0][0] / projection[0][0] - 1.0) > kSame ||
+         std::abs(previous[1][1] / projection[1][1] - 1.0) > kSame;
+}
+
+glm::mat4 previousClip(const UnjitteredCameras& cameras, const glm::dmat4& projection,
+                       const glm::dmat4& previousView) {
+  return glm::mat4(projection * previousView * glm::inverse(cameras.viewFromWorld) *
                    glm::inverse(cameras.clipFromView));
 }
 
@@ -193,8 +207,12 @@ OtherCameras otherCameras(const DoctorFrame& frame) {
   if (isOwn(samples) && (!hasNear || isOwn(near))) return out;
   const UnjitteredCameras& cameras = *frame.cameras;
   out.identity = glm::mat4(glm::inverse(cameras.clipFromView * cameras.viewFromWorld));
-  out.unmoved = previousClip(cameras, viewAt(cameras.previousViewFromWorld, cameras.viewFromWorld));
-  out.unturned = previousClip(cameras, viewAt(cameras.viewFromWorld, cameras.previousViewFromWorld));
+  const glm::dmat4 previous = previousProjection(frame);
+  if (isZoomed(cameras.clipFromView, previous))
+    out.unzoomed = previousClip(cameras, cameras.clipFromView, cameras.previousViewFromWorld);
+  out.unmoved = previousClip(cameras, previous, viewAt(cameras.previousViewFromWorld, cameras.viewFromWorld));
+  out.unturned =
+      previousClip(cameras, previous, viewAt(cameras.viewFromWorld, cameras.previousViewFromWorld));
   out.mirrored = mirroredCamera(cameras, samples);
   out.turned = changedCamera(frame, fittedChange(samples, turnedBy), turnedBy);
   const std::optional<glm::dvec3> moved = fittedChange(near, movedBy);

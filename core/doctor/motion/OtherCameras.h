@@ -21,6 +21,7 @@ struct OtherCameras {
   bool isMovedAside = false;         ///< … along the picture's x, as views of two eyes stand
   std::optional<glm::mat4> mirrored; ///< by a plane of the world through its origin
   std::optional<glm::mat4> identity; ///< a matrix that was never set
+  std::optional<glm::mat4> unzoomed; ///< the previous view with this frame's projection, which is another one
   std::optional<glm::mat4> unmoved;  ///< the previous camera's rotation where this one stands; its place …
   std::optional<glm::mat4> unturned; ///< … with this one's rotation
 };

@@ -55,6 +55,8 @@ DoctorSource openCaptureForDoctor(const SourceRequest& request, const Progress& 
   DoctorSource out;
   out.frameCount = static_cast<int>(manifest.frames.size());
   out.objectNames = manifest.objects;
+  for (std::size_t frame = 0; frame < manifest.frames.size(); ++frame)
+    out.preExposure[static_cast<int>(frame)] = manifest.frames[frame].preExposure;
   out.known.motion = manifest.framesWith(capture::PlaneKind::Motion) > 0;
   out.known.depth = manifest.framesWith(capture::PlaneKind::Depth) > 0;
   out.known.ids = manifest.framesWith(capture::PlaneKind::ObjectId) > 0;

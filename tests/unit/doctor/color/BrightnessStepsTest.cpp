@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -48,7 +50,7 @@ BrightnessEvidence evidenceOf(const test::PaintedShot& shot, float factor, int f
 
 std::string toldOf(const test::PaintedShot& shot, float factor, int fromColumn = 0) {
   Diagnosis out;
-  tellBrightness(evidenceOf(shot, factor, fromColumn), out);
+  tellBrightness(evidenceOf(shot, factor, fromColumn), {}, out);
   std::string text;
   for (const Finding& finding : out.findings)
     text += finding.id + (finding.isWholePicture ? " everywhere" : "");
@@ -79,7 +81,7 @@ TEST(BrightnessSteps, AreNotToldOfALightOnAPart) {
 
 TEST(BrightnessSteps, SayAtWhichFrame) {
   Diagnosis out;
-  tellBrightness(evidenceOf(restingShot(), 0.5f), out);
+  tellBrightness(evidenceOf(restingShot(), 0.5f), {}, out);
   ASSERT_EQ(out.findings.size(), 1u);
   EXPECT_NE(out.findings[0].reason.find("-1 stops at frame 5"), std::string::npos) << out.findings[0].reason;
   ASSERT_EQ(out.findings[0].residuals.size(), 2u);
@@ -127,7 +129,7 @@ TEST(BrightnessSteps, HideNoOtherFault) {
 
 TEST(BrightnessSteps, OfABlackPictureAreNotDecided) {
   Diagnosis out;
-  tellBrightness(evidenceOf(restingShot(), 0.0f), out); // black from the step on
+  tellBrightness(evidenceOf(restingShot(), 0.0f), {}, out); // black from the step on
   EXPECT_TRUE(out.findings.empty());
   BrightnessEvidence black;
   DoctorFrame now = test::paintedFrame({}, 1), before = test::paintedFrame({}, 0);
@@ -135,9 +137,37 @@ TEST(BrightnessSteps, OfABlackPictureAreNotDecided) {
   brighten(before, 0.0f);
   black.add({now, before});
   Diagnosis open;
-  tellBrightness(black, open);
+  tellBrightness(black, {}, open);
   ASSERT_EQ(open.parts.undecided().size(), 1u);
   EXPECT_EQ(open.parts.undecided()[0].faults, std::vector<Fault>{Fault::ExposureStep});
+}
+
+// Each reading makes other steps of the same numbers.
+TEST(BrightnessSteps, AreThoseOfPreExposureThatIsStatedWrongly) {
+  constexpr int kExposedFrames = 10;
+  Patient patient;
+  patient.conventions.emplace().color.preExposed = true;
+  const auto stops = [](int frame) { return 0.4 * std::sin(1.7 * frame) + 0.05 * frame; };
+  for (int frame = 0; frame < kExposedFrames; ++frame) patient.preExposure[frame] = std::exp2(stops(frame));
+  const auto nameOf = [&](const std::function<double(int)>& light) {
+    BrightnessEvidence evidence;
+    for (int frame = 1; frame < kExposedFrames; ++frame)
+      evidence.pairs.push_back({frame, light(frame) - light(frame - 1), 48, 48, 0.1, 0.01});
+    Diagnosis out;
+    tellBrightness(evidence, patient, out);
+    return out.findings.empty() ? std::string() : out.findings[0].name;
+  };
+  EXPECT_EQ(nameOf([&](int frame) { return stops(frame + 1) - stops(frame); }),
+            "Pre-exposure stated a frame late");
+  EXPECT_EQ(nameOf([&](int frame) { return stops(frame - 1) - stops(frame); }),
+            "Pre-exposure stated a frame early");
+  EXPECT_EQ(nameOf([&](int frame) { return -stops(frame); }), "Pre-exposure that is not in color");
+  EXPECT_EQ(nameOf([&](int frame) { return -2.0 * stops(frame); }), "Pre-exposure the other way around");
+  EXPECT_EQ(nameOf([](int frame) { return 0.3 * std::cos(2.3 * frame); }),
+            std::string(faultInfo(Fault::ExposureStep).label))
+      << "of another cause";
+  patient.conventions->color.preExposed = false;
+  EXPECT_EQ(nameOf(stops), "Pre-exposure in color, which is stated to have none");
 }
 
 } // namespace taa::doctor

@@ -39,7 +39,10 @@ class OtherObjects : public testing::Test {
       pair.frame = frame;
       for (RegionIndex region = 0; region < 3; ++region) {
         pair.said[region] = 1.0;
-        pair.middles[region] = placeOf(region, frame);
+        RegionMeans& means = pair.means[region];
+        means.middle = placeOf(region, frame);
+        means.given = given(region, frame);
+        if (hasCamera) means.camera = cameraPx();
         for (int i = 0; i < 9; ++i) {
           FlowSquare square;
           square.region = region;
@@ -83,6 +86,39 @@ TEST_F(OtherObjects, AreFoundByTheirOwnMotion) {
     EXPECT_EQ(exchanged[0].kind, OtherObjectKind::Motion);
     EXPECT_EQ(exchanged[0].frames, exchanged[0].asked);
   }
+}
+
+// One is twice as far away: the same way in the world is half as long on the screen.
+TEST_F(OtherObjects, AreFoundByTheirWayInTheWorld) {
+  fill([](RegionIndex region, int frame) {
+    if (region == 0) return cameraPx();
+    return cameraPx() + (region == 1 ? 2.0 : 0.5) * ownPx(3 - region, frame);
+  });
+  EXPECT_TRUE(found().empty()) << "on the screen it is another one";
+  for (FlowPair& pair : pairs_)
+    for (const RegionIndex region : {0, 1, 2}) pair.means[region].distance = region == 2 ? 10.0 : 5.0;
+  const std::vector<OfOtherObject> exchanged = found();
+  ASSERT_EQ(exchanged.size(), 2u);
+  EXPECT_EQ(exchanged[0].other, &regions_[2]);
+  EXPECT_EQ(exchanged[1].other, &regions_[1]);
+}
+
+// One of them has no squares that can be followed: its middle says what it moves by.
+TEST_F(OtherObjects, AreFoundByTheirMiddles) {
+  fill([](RegionIndex region, int frame) {
+    const RegionIndex other = region == 0 ? 0 : 3 - region;
+    return cameraPx() + ownPx(other, frame);
+  });
+  glm::dvec2 at(60.0, 40.0);
+  for (FlowPair& pair : pairs_) {
+    std::erase_if(pair.squares, [](const FlowSquare& square) { return square.region == 2; });
+    at += cameraPx() + ownPx(2, pair.frame);
+    pair.means[2].middle = at;
+  }
+  const std::vector<OfOtherObject> exchanged = found();
+  ASSERT_EQ(exchanged.size(), 2u);
+  EXPECT_EQ(exchanged[0].other, &regions_[2]);
+  EXPECT_EQ(exchanged[1].other, &regions_[1]);
 }
 
 TEST_F(OtherObjects, AreFoundByTheirPlace) {

@@ -121,6 +121,19 @@ TEST(OtherCameras, KnowThoseWhoseWayOrTurningIsMissing) {
   EXPECT_LT(missOf(unmoved, others.unmoved), 0.01f);
 }
 
+TEST(OtherCameras, KnowThoseWithoutTheChangeOfTheFieldOfView) {
+  DoctorFrame zoomed = frameWith([](const glm::dmat4& clip, const glm::dmat4& view) { return clip * view; });
+  EXPECT_FALSE(otherCameras(zoomed).unzoomed) << "it is the camera's";
+  // The projection of the frame before was another one, and motion was made without it.
+  glm::dmat4 wider(1.0);
+  wider[0][0] = wider[1][1] = 0.95;
+  zoomed.previousClipFromClip = glm::mat4(wider * glm::dmat4(*zoomed.previousClipFromClip));
+  const OtherCameras others = otherCameras(zoomed);
+  ASSERT_TRUE(others.unzoomed);
+  EXPECT_LT(missOf(zoomed, others.unzoomed), 0.01f);
+  EXPECT_GT(missOf(zoomed, others.unmoved), 0.1f);
+}
+
 // The way is from (−0.28, 1, −0.25) to (−0.3, 1, −0.2): views that stand on it, and one that does not.
 TEST(OtherCameras, OnTheCamerasWayHaveAShareOfIt) {
   const auto shareOf = [](const glm::dvec3& eye) {
