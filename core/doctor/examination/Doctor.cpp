@@ -297,6 +297,14 @@ void tellRows(const Patient& patient, Diagnosis& out) {
   out.findings.insert(out.findings.begin(), std::move(rows));
 }
 
+/// What else seems to be wrong with motion that is known to some pixels only comes of that.
+void leaveStepsAlone(Diagnosis& out) {
+  if (std::ranges::count(out.findings, kMotionStepsId, &Finding::id) == 0) return;
+  std::erase_if(out.findings, [](const Finding& finding) {
+    return partOf(finding) == FaultPart::Motion && finding.id != kMotionStepsId;
+  });
+}
+
 /// Without a plane of motion what the resolve makes of that was examined.
 void tellNoMotion(Diagnosis& out) {
   const std::string change =
@@ -368,6 +376,7 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
                             "(motion.whereNothing), whatever is stored there.">());
   const bool isOutputLate = std::ranges::count(times, TimedPlane::Output, &PlaneTime::plane) > 0;
   if (examination.known.output && !isOutputLate) tellResolve(first.resolve(), out.findings.empty(), out);
+  leaveStepsAlone(out);
   if (!examination.known.motion) tellNoMotion(out);
   keepPictures(examination.read, out);
   return out;

@@ -263,6 +263,61 @@ bool isRestRefuted(const FlowSeen& seen) {
   return glm::length(mean) >= std::max(kMovesPx, kErrors * error);
 }
 
+/// Frames of which nearly all that was measured moves otherwise than is given, whatever depth and matrices
+/// say: no light moves over all of the picture. Empty where that is so of most frames.
+Refuted wholeFrames(const FlowSeen& seen, double tolerancePx) {
+  constexpr std::size_t kEnoughOfFrame = 24;
+  constexpr double kNearlyAll = 0.8;
+  Refuted out;
+  for (const FlowPair& pair : seen.pairs) {
+    if (pair.squares.size() < kEnoughOfFrame) continue;
+    out.asked.push_back(pair.frame);
+    const auto off = std::ranges::count_if(pair.squares, [&](const FlowSquare& square) {
+      return square.offPx() > std::max(tolerancePx, kChanceErrors * square.errorPx);
+    });
+    if (static_cast<double>(off) < kNearlyAll * static_cast<double>(pair.squares.size())) continue;
+    out.frames.push_back(pair.frame);
+    for (const FlowSquare& square : pair.squares) out.squares.push_back(&square);
+  }
+  out.ofAll = out.squares;
+  if (2 * out.frames.size() > out.asked.size()) return {};
+  return out;
+}
+
+/// px: at which motion that is given ends, and what pictures move by there does not; nothing: at none.
+std::optional<double> limitPx(const FlowSeen& seen) {
+  constexpr double kAtLimit = 0.995, kBelow = 0.9, kLongerPx = 0.5, kAlong = 0.98, kVaries = 1.1;
+  constexpr std::size_t kEnoughAt = 12, kEnoughBelow = 8;
+  constexpr double kNearlyAll = 0.8, kMostLonger = 0.6; // some may be hardly longer
+  double limit = 0.0;
+  for (const FlowPair& pair : seen.pairs)
+    for (const FlowSquare& square : pair.squares) limit = std::max(limit, glm::length(square.given));
+  std::size_t at = 0, longer = 0, below = 0, right = 0;
+  std::vector<double> lengths;
+  for (const FlowPair& pair : seen.pairs)
+    for (const FlowSquare& square : pair.squares) {
+      const double given = glm::length(square.given), moved = glm::length(square.px);
+      if (given >= kAtLimit * limit) {
+        ++at;
+        const bool isAlong = glm::dot(square.given, square.px) >= kAlong * given * moved;
+        if (isAlong && moved >= given + kLongerPx) ++longer;
+        lengths.push_back(moved);
+      } else if (given <= kBelow * limit) {
+        ++below;
+        if (square.offPx() <= std::max(kOffPx, kChanceErrors * square.errorPx)) ++right;
+      }
+    }
+  const auto isShare = [](std::size_t part, std::size_t whole, double share) {
+    return static_cast<double>(part) >= share * static_cast<double>(whole);
+  };
+  if (at < kEnoughAt || below < kEnoughBelow || !isShare(longer, at, kMostLonger) ||
+      !isShare(right, below, kNearlyAll))
+    return {};
+  // What is as long everywhere may as well be a factor.
+  const auto [least, most] = std::ranges::minmax(lengths);
+  return most >= kVaries * least ? std::optional(limit) : std::nullopt;
+}
+
 /// All that was measured where a finding is.
 std::vector<const FlowSquare*> squaresIn(const Finding& finding, const FlowSeen& seen,
                                          const Patient& patient) {
@@ -468,6 +523,44 @@ void tellReadings(std::vector<Refuted>& refuted, const FlowSeen& seen, const Pat
   }
 }
 
+/// Motion that ends at a length, and what was said of regions where it does.
+void tellLimited(const FlowSeen& seen, const Patient& patient, double tolerancePx, Diagnosis& out) {
+  const auto limit = limitPx(seen);
+  if (!limit) return;
+  std::vector<Refuted> refuted = refutedRegions(seen, tolerancePx);
+  if (refuted.empty()) return;
+  std::erase_if(out.findings, [](const Finding& finding) {
+    return isOfMotion(finding) && !finding.isWholePicture && !finding.residuals.empty();
+  });
+  Finding finding = measuredFinding(refuted, seen, patient, out);
+  const std::string example = finding.change;
+  nameBy({"motionLimited", say<"Motion cut off at a length">(),
+          say<"Fast things ghost; slow ones are right.">(),
+          say<"Store motion for TAA without the limit that motion blur, or a format, puts on it.">()},
+         finding);
+  finding.reason +=
+      " " + say<"No motion that is given is longer than %1 px, where the pictures move farther, "
+                "and now more and now less; shorter motion is right.">(shortNumber(*limit));
+  finding.change += " " + example;
+  out.findings.push_back(std::move(finding));
+  out.parts.takeBack(say<"Motion">());
+}
+
+/// A frame of which everything moves otherwise than is given.
+void tellWholeFrames(const FlowSeen& seen, const Patient& patient, double tolerancePx, Diagnosis& out) {
+  const std::vector<Refuted> refuted{wholeFrames(seen, tolerancePx)};
+  if (refuted.front().frames.empty() || std::ranges::any_of(out.findings, isOfMotion)) return;
+  Finding finding = measuredFinding(refuted, seen, patient, out);
+  finding.sureness = Sureness::Likely;
+  finding.isWholePicture = true;
+  if (const auto missing = fitOfMissing(refuted))
+    nameMissing(refuted.front().frames.front(), *missing, finding);
+  else
+    nameUnknown(finding);
+  out.findings.push_back(std::move(finding));
+  out.parts.takeBack(say<"Motion">());
+}
+
 /// What goes one way has lost that part of its motion: numbers without a sign.
 void tellClipped(const FlowSeen& seen, const Patient& patient, Diagnosis& out) {
   const std::vector<Refuted> all{wholePicture(seen)};
@@ -535,11 +628,15 @@ void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient
   std::vector<Refuted> refuted = refutedRegions(mended, tolerancePx);
   takeBackRefuted(mended, patient.patient, out);
   tellClipped(mended, patient.patient, out);
+  tellLimited(mended, patient.patient, tolerancePx, out);
   nameNotCameras(mended, patient.patient, tolerancePx, out);
   tellFrames(refuted, patient.patient, out);
   tellOtherObjects(refuted, mended, patient.patient, out);
   std::erase_if(refuted, [&](const Refuted& one) { return isToldOf(*one.region, patient.patient, out); });
-  if (refuted.empty()) return;
+  if (refuted.empty()) {
+    if (!patient.isJitterOpen) tellWholeFrames(mended, patient.patient, tolerancePx, out);
+    return;
+  }
   tellReadings(refuted, mended, patient.patient, out);
   if (!refuted.empty())
     out.findings.push_back(bestFinding(refuted, mended, patient.patient, tolerancePx, out));

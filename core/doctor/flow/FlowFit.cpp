@@ -148,6 +148,13 @@ bool isAlongAxes(const FlowFit& fit) {
          std::abs(fit.factors[1][0]) <= std::max(3.0 * fit.factorErrors[1][0], 0.02 * scale);
 }
 
+bool isTurned(const FlowFit& fit) {
+  constexpr double kAcross = 0.2, kAsLong = 2.5; // pictures may be twice as wide as high, as units are
+  const double x = glm::length(fit.factors[0]), y = glm::length(fit.factors[1]);
+  return std::abs(glm::dot(fit.factors[0], fit.factors[1])) <= kAcross * x * y && x <= kAsLong * y &&
+         y <= kAsLong * x;
+}
+
 bool hasOffset(const FlowFit& fit) {
   constexpr double kOffsetPx = 0.25;
   return std::abs(fit.offsetPx.x) > std::max(kOffsetPx, 3.0 * fit.offsetErrorsPx.x) ||
@@ -198,8 +205,10 @@ std::optional<FlowFit> explaining(const std::vector<const FlowSquare*>& squares,
   // Where motion hardly varies, turned and scaled axes make anything of it.
   constexpr double kVaries = 0.8;
   const auto scaled = fitFlow(squares, true, tolerancePx);
-  if (scaled && scaled->isGood() && (isAlongAxes(*scaled) || scaled->explainedShare >= kVaries))
-    return scaled;
+  const auto isOfAxes = [](const FlowFit& fit) {
+    return isAlongAxes(fit) || (isTurned(fit) && fit.explainedShare >= kVaries);
+  };
+  if (scaled && scaled->isGood() && isOfAxes(*scaled)) return scaled;
   const auto shifted = fitFlow(squares, false, tolerancePx);
   return shifted && shifted->isGood() && isAlongAxes(*shifted) ? shifted : std::nullopt;
 }

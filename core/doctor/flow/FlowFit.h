@@ -30,6 +30,8 @@ struct FlowFit {
 
 /// Whether x of motion has no part in y, nor y in x; whether there is an offset, beyond its errors.
 bool isAlongAxes(const FlowFit& fit);
+/// Whether axes are turned, exchanged or mirrored: they are still across each other, and none is much longer.
+bool isTurned(const FlowFit& fit);
 bool hasOffset(const FlowFit& fit);
 
 /// `tolerancePx`: to which squares follow it. Nothing where there are too few. With `isThroughZero` there is

@@ -77,8 +77,12 @@ std::vector<Return> ReturnEvidence::found() const {
   return out;
 }
 
-void tellReturns(const std::vector<Return>& returns, const std::vector<Region>& regions,
-                 const Patient& patient, Diagnosis& out) {
+void tellReturns(std::vector<Return> returns, const std::vector<Region>& regions, const Patient& patient,
+                 Diagnosis& out) {
+  // Parts that no number says come and go as motion and depth join and part them.
+  std::erase_if(returns, [&](const Return& one) {
+    return regions[static_cast<std::size_t>(one.region)].objectId == 0;
+  });
   if (returns.empty()) return;
   Finding finding = faultFinding(Fault::OldTransformOnReturn);
   std::erase_if(out.findings, [&](const Finding& other) { return other.id == finding.id; });

@@ -47,7 +47,7 @@ class ReturnEvidence {
 /// What to change, in a sentence.
 std::string returnChange();
 /// One finding for all of them.
-void tellReturns(const std::vector<Return>& returns, const std::vector<Region>& regions,
-                 const Patient& patient, Diagnosis& out);
+void tellReturns(std::vector<Return> returns, const std::vector<Region>& regions, const Patient& patient,
+                 Diagnosis& out);
 
 } // namespace taa::doctor

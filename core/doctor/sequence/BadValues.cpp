@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -16,6 +18,7 @@ namespace taa::doctor {
 
 namespace {
 
+constexpr std::size_t kMostSteps = 256;  ///< of 8 bits
 constexpr std::size_t kFewInRegion = 16; ///< of a frame: at a rim they are those of what is beside
 
 } // namespace
@@ -26,6 +29,7 @@ void ValueEvidence::add(const DoctorFrame& frame, const std::vector<RegionIndex>
   if (frame.motionPx.empty()) return;
   asked_.push_back(frame.frame);
   addWhole(frame);
+  addSteps(frame);
   std::map<RegionIndex, std::size_t> counts;
   const std::size_t before = motion_.nan + motion_.infinite;
   for (int y = 0; y < frame.motionPx.height; ++y)
@@ -58,6 +62,46 @@ void ValueEvidence::addWhole(const DoctorFrame& frame) {
       if (lengths_.size() < kMostLengths)
         lengths_.emplace(static_cast<int>(whole.x), static_cast<int>(whole.y));
     }
+}
+
+void ValueEvidence::addSteps(const DoctorFrame& frame) {
+  if (frame.startsHistory) return; // its motion refers to itself
+  for (int axis = 0; axis < 2; ++axis) {
+    std::set<float>& all = values_[static_cast<std::size_t>(axis)];
+    if (all.size() > kMostSteps) return;
+    std::set<float> values;
+    for (int y = 0; y < frame.motionPx.height; ++y)
+      for (int x = 0; x < frame.motionPx.width; ++x) {
+        const glm::vec2 motion = frame.motionAt(x, y);
+        if (isMotion(motion) && values.size() <= kMostSteps) values.insert(motion[axis]);
+      }
+    mostOfFrame_ = std::max(mostOfFrame_, values.size());
+    all.merge(values);
+  }
+}
+
+std::optional<glm::dvec2> ValueEvidence::stepsPx() const {
+  constexpr double kCoarsePx = 0.25, kWhole = 0.02;
+  constexpr std::size_t kEnough = 5; // fewer may be as many things, whose speeds change evenly
+  glm::dvec2 out(0.0);
+  if (mostOfFrame_ < kEnough) return {};
+  for (int axis = 0; axis < 2; ++axis) {
+    const std::set<float>& values = values_[static_cast<std::size_t>(axis)];
+    if (values.size() < 2 || values.size() > kMostSteps) return {};
+    double step = std::numeric_limits<double>::infinity();
+    for (auto at = std::next(values.begin()); at != values.end(); ++at)
+      step = std::min(step, static_cast<double>(*at) - static_cast<double>(*std::prev(at)));
+    if (!(step >= kCoarsePx)) return {};
+    // Half floats round each; over all of them that comes to little.
+    const double all = static_cast<double>(*values.rbegin()) - static_cast<double>(*values.begin());
+    step = all / std::round(all / step);
+    for (const float value : values) {
+      const double steps = (static_cast<double>(value) - static_cast<double>(*values.begin())) / step;
+      if (std::abs(steps - std::round(steps)) > kWhole) return {};
+    }
+    out[axis] = step;
+  }
+  return out;
 }
 
 void ValueEvidence::addDepth(const DoctorFrame& frame) {
@@ -109,6 +153,18 @@ void tellBadValues(const ValueEvidence& evidence, const std::vector<Region>& reg
     whole.reason = say<"All motion that is longer than half a pixel is of whole pixels, in many lengths.">();
     whole.change = say<"Store motion in a format with fractions of a pixel, and do not round it.">();
     out.findings.push_back(std::move(whole));
+  }
+  if (const auto steps = evidence.stepsPx(); steps && !evidence.isOfWholePixels()) {
+    Finding coarse;
+    coarse.id = kMotionStepsId;
+    coarse.name = say<"Motion in coarse steps">();
+    coarse.symptom = say<"Everything that moves slowly trembles and smears.">();
+    coarse.isWholePicture = true;
+    coarse.reason = say<"All motion of all frames is one of a few values that are steps of %1 px along x and "
+                        "%2 px along y apart.">(shortNumber(steps->x), shortNumber(steps->y));
+    coarse.change =
+        say<"Store motion with more bits: 16 of each component, or a range as narrow as motion is.">();
+    out.findings.push_back(std::move(coarse));
   }
   const NotFinite& motion = evidence.motion();
   if (motion.frames.empty()) return;

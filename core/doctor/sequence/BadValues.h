@@ -6,9 +6,11 @@
 #include "core/doctor/frames/DoctorFrame.h"
 #include "core/doctor/frames/Regions.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -41,20 +43,28 @@ class ValueEvidence {
   std::size_t badColors() const { return badColors_; }
   /// Whether nearly all motion of what moves is of whole pixels, of many lengths.
   bool isOfWholePixels() const;
+  /// px: steps of which all motion is, along x and y, where they are coarse; nothing: it has finer ones.
+  std::optional<glm::dvec2> stepsPx() const;
   /// One value that is farthest over much of the picture in all frames: perhaps the sky, which nobody stated.
   std::optional<FarthestDepth> unstatedSky() const;
 
  private:
   void addWhole(const DoctorFrame& frame);
   void addDepth(const DoctorFrame& frame);
+  void addSteps(const DoctorFrame& frame);
 
   NotFinite motion_;
   FarthestDepth farthest_;
+  std::array<std::set<float>, 2> values_; ///< of motion, px, by axis; no more than are too many for steps
+  std::size_t mostOfFrame_ = 0;           ///< of them, along the axis that has more, that one frame has
   std::vector<int> asked_;
   std::size_t badColors_ = 0;
   std::size_t moving_ = 0, whole_ = 0;    ///< pixels; of these: that move by whole pixels
   std::set<std::pair<int, int>> lengths_; ///< px; some of them
 };
+
+/// Id of a finding that is of all motion, whatever else seems to be wrong with it.
+inline constexpr std::string_view kMotionStepsId = "motionSteps";
 
 /// A finding of motion; a note of colors, which a TAA may be made for.
 void tellBadValues(const ValueEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,

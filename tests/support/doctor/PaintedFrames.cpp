@@ -59,8 +59,9 @@ doctor::DoctorFrame paintedFrame(const PaintedShot& shot, int frame) {
   out.objectId.assign(static_cast<std::size_t>(size.x) * size.y, 0);
   const glm::dvec2 camera = stepAt(shot.cameraPx, shot.change, frame);
   const glm::dvec2 cameraMoved = movedPx(shot.cameraPx, shot.change, frame);
-  const glm::dvec2 board = camera + stepAt(shot.boardPx, -shot.change, frame);
-  const glm::dvec2 boardMoved = cameraMoved + movedPx(shot.boardPx, -shot.change, frame);
+  const double boardChange = shot.boardChange.value_or(-shot.change);
+  const glm::dvec2 board = camera + stepAt(shot.boardPx, boardChange, frame);
+  const glm::dvec2 boardMoved = cameraMoved + movedPx(shot.boardPx, boardChange, frame);
   // The previous picture's device coordinates are this one's less the camera's motion.
   out.previousClipFromClip =
       glm::translate(glm::mat4(1.0f), glm::vec3(-2.0 * camera.x / size.x, 2.0 * camera.y / size.y, 0.0));

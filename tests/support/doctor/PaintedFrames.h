@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace taa::test {
@@ -20,7 +21,8 @@ struct PaintedShot {
   glm::dvec2 cameraPx{2.25, -1.5}, boardPx{1.5, 3.0}; ///< the board's besides the camera's
   bool isJittered = true;                             ///< Halton 2, 3
   bool isBoardTextured = true;
-  double change = 0.0; ///< of both speeds from frame to frame, px
+  double change = 0.0;                    ///< of both speeds from frame to frame, px
+  std::optional<double> boardChange = {}; ///< of the board's alone; nothing: it slows by as much
 };
 
 /// As a healthy engine gives it.

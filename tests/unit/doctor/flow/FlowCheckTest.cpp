@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -136,6 +137,38 @@ TEST(FlowCheck, NamesNegativeMotionThatIsLost) {
   examination.known.camera = false;
   const Diagnosis diagnosis = examine(examination);
   EXPECT_NE(idsOf(diagnosis).find("motionClipped"), std::string::npos) << idsOf(diagnosis);
+}
+
+// Longer in some frames than in others, so that no factor makes it of what is given.
+TEST(FlowCheck, NamesTheLengthAtWhichMotionEnds) {
+  test::PaintedShot shot;
+  shot.cameraPx = {0.5, 0.2};
+  shot.boardPx = {0.3, -2.0};
+  shot.boardChange = 0.35;
+  const auto limited = [&](float limitPx) {
+    return examine(test::paintedExamination(shot, kFrames, [=](DoctorFrame& frame) {
+      test::changeMotion(frame, test::kBoardId, [=](const glm::vec2& motion) {
+        return motion * std::min(1.0f, limitPx / glm::length(motion));
+      });
+    }));
+  };
+  EXPECT_EQ(idsOf(limited(100.0f)), "");
+  const Diagnosis diagnosis = limited(2.0f);
+  SCOPED_TRACE(idsOf(diagnosis));
+  const auto found = std::ranges::find(diagnosis.findings, "motionLimited", &Finding::id);
+  ASSERT_NE(found, diagnosis.findings.end());
+  EXPECT_NE(found->reason.find("longer than 2 px"), std::string::npos) << found->reason;
+}
+
+// The matrices that are stated are those of the frame that is missing, so that motion is the camera's.
+TEST(FlowCheck, NamesAMissingFrameWhateverMatricesSay) {
+  Examination examination = test::paintedExamination({}, kFrames);
+  examination.read = [read = examination.read](int frame) {
+    DoctorFrame out = read(frame < 7 ? frame : frame + 1);
+    out.frame = frame;
+    return out;
+  };
+  EXPECT_EQ(idsOf(examine(examination)), "frameMissing");
 }
 
 // What is right in all other frames explains none of what is wrong in one.

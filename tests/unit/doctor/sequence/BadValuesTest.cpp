@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -87,6 +88,23 @@ TEST(BadValues, OfDepthThatMayBeTheSkyAreAsked) {
   EXPECT_TRUE(isAsked(1.0f / 256.0f, 0.0f));
   EXPECT_FALSE(isAsked(0.0f, 0.0f)) << "it is the sky";
   EXPECT_FALSE(isAsked(1.0f / 256.0f, 1e-4f)) << "something that comes nearer";
+}
+
+// As 8 bits of a component leave it, with an offset of half a step, while the camera comes nearer.
+TEST(BadValues, OfCoarseStepsAreNamedAlone) {
+  const auto idsWith = [](float stepPx) {
+    return test::idsOf(examine(test::paintedExamination({}, kFrames, [=](DoctorFrame& frame) {
+      for (int y = 0; y < frame.motionPx.height; ++y)
+        for (int x = 0; x < frame.motionPx.width; ++x) {
+          float* motion = frame.motionPx.at(x, y);
+          for (int axis = 0; axis < 2; ++axis)
+            motion[axis] =
+                stepPx * (std::floor((motion[axis] + 0.1f * static_cast<float>(x)) / stepPx) + 0.5f);
+        }
+    })));
+  };
+  EXPECT_EQ(idsWith(1.7f), std::string(kMotionStepsId));
+  EXPECT_EQ(idsWith(0.01f).find(kMotionStepsId), std::string::npos);
 }
 
 } // namespace taa::doctor
