@@ -215,7 +215,9 @@ FolderScan scanFolder(const fs::path& folder, const Progress& progress) {
     source.file = sequence.pattern;
     const std::string file = planeFile(source, sequence.numbers.front());
     try {
-      sequence.planes = namedPlanes(picturePartsOf(folder, file), sequence.pattern);
+      const std::vector<PicturePart> parts = picturePartsOf(folder, file);
+      sequence.layers = layersOf(parts);
+      sequence.planes = namedPlanes(parts, sequence.pattern);
       scan.sequences.push_back(std::move(sequence));
     } catch (const Error& error) {
       if (scan.failures.size() < kMaxFailures) scan.failures.emplace_back(error.what());

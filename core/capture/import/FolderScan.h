@@ -11,10 +11,11 @@
 namespace taa::capture {
 
 struct PictureSequence {
-  std::string pattern;      ///< "taa/workshop.{frame:4}.exr"; see PlaneSource::file
-  std::string folder;       ///< "taa"; empty for the folder itself
-  std::vector<int> numbers; ///< rising; one picture without a number is 0
-  NamedPlanes planes;       ///< by the first file
+  std::string pattern;              ///< "taa/workshop.{frame:4}.exr"; see PlaneSource::file
+  std::string folder;               ///< "taa"; empty for the folder itself
+  std::vector<int> numbers;         ///< rising; one picture without a number is 0
+  std::vector<PictureLayer> layers; ///< of the first file, whatever they are taken for
+  NamedPlanes planes;               ///< by their names
 };
 
 struct FolderScan {

@@ -118,12 +118,6 @@ std::optional<PlaneKind> kindOfWord(const std::string& word) {
   return found->kind;
 }
 
-/// A channel within its layer: "velocity.X" is velocity and x.
-struct Channel {
-  std::string name, layer, component;
-  StoredType type = StoredType::Float;
-};
-
 /// In lower case, one letter; empty where it is none.
 std::string componentOf(std::string_view text) {
   static const std::map<std::string, std::string, std::less<>> kWritten = {
@@ -133,74 +127,29 @@ std::string componentOf(std::string_view text) {
   return low.size() == 1 && std::string_view("rgbaxyzwuv").find(low[0]) != std::string_view::npos ? low : "";
 }
 
-Channel channelOf(const PictureChannel& channel) {
+/// A channel, and the name of its layer.
+std::pair<LayerChannel, std::string> placeOf(const PictureChannel& channel) {
   const std::string& name = channel.name;
   const std::size_t dot = name.rfind('.');
   const std::string last = componentOf(dot == std::string::npos ? name : name.substr(dot + 1));
-  if (!last.empty()) return {name, dot == std::string::npos ? "" : name.substr(0, dot), last, channel.type};
+  if (!last.empty()) return {{name, last, channel.type}, dot == std::string::npos ? "" : name.substr(0, dot)};
   // "motion_x", "motionX"
   const std::string component = componentOf(name.substr(name.size() - 1));
   std::string layer = name.substr(0, name.size() - 1);
   while (!layer.empty() && !isLetter(layer.back())) layer.pop_back();
   if (!component.empty() && kindOfName(layer) && !kindOfName(name))
-    return {name, layer, component, channel.type};
-  return {name, name, "", channel.type};
-}
-
-struct NamedLayer {
-  std::string part, name;
-  glm::ivec2 sizePx{0};
-  std::vector<Channel> channels;
-};
-
-std::vector<NamedLayer> layersOf(const std::vector<PicturePart>& parts) {
-  std::vector<NamedLayer> layers;
-  for (const PicturePart& part : parts)
-    for (const PictureChannel& stored : part.channels) {
-      if (stored.name.empty()) continue;
-      Channel channel = channelOf(stored);
-      const auto isSame = [&](const NamedLayer& layer) {
-        return layer.part == part.name && layer.name == channel.layer;
-      };
-      auto found = std::ranges::find_if(layers, isSame);
-      if (found == layers.end())
-        found = layers.insert(layers.end(), {part.name, channel.layer, part.sizePx, {}});
-      found->channels.push_back(std::move(channel));
-    }
-  return layers;
+    return {{name, component, channel.type}, layer};
+  return {{name, "", channel.type}, name};
 }
 
 /// The channels called so, in this order; empty where one is missing.
-std::vector<std::string> pick(const NamedLayer& layer, std::string_view components) {
+std::vector<std::string> pick(const PictureLayer& layer, std::string_view components) {
   std::vector<std::string> names;
   for (const char component : components) {
-    const auto found = std::ranges::find(layer.channels, std::string(1, component), &Channel::component);
+    const auto found = std::ranges::find(layer.channels, std::string(1, component), &LayerChannel::component);
     if (found == layer.channels.end()) return {};
     names.push_back(found->name);
   }
-  return names;
-}
-
-std::vector<std::string> namesFor(const NamedLayer& layer, PlaneKind kind) {
-  static constexpr std::string_view kFour[] = {"rgba", "xyzw", "rgb", "xyz"};
-  static constexpr std::string_view kTwo[] = {"xy", "rg", "uv"};
-  static constexpr std::string_view kOne[] = {"z", "r", "x", "v", "y"};
-  static constexpr std::string_view kThree[] = {"xyz", "rgb"};
-  std::span<const std::string_view> sets = kFour;
-  // A mask of more channels than two is a gray picture.
-  const bool isGray = kind == PlaneKind::Mask && layer.channels.size() != 2;
-  if (kind == PlaneKind::Motion || kind == PlaneKind::Mask) sets = kTwo;
-  if (kind == PlaneKind::Normal) sets = kThree;
-  if (channelsOf(kind) == 1 || isGray) sets = kOne;
-  for (const std::string_view set : sets) {
-    const std::vector<std::string> names = pick(layer, set);
-    if (!names.empty()) return names;
-  }
-  // As they come.
-  const auto least = static_cast<std::size_t>(minChannelsOf(kind));
-  if (layer.channels.size() < least) return {};
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < least; ++i) names.push_back(layer.channels[i].name);
   return names;
 }
 
@@ -217,7 +166,7 @@ std::optional<PlaneKind> kindOfFile(const std::string& file) {
 }
 
 /// What channels are without a name of their layer or file: one called Z is depth, the rest is color.
-std::optional<PlaneKind> kindOfChannels(const NamedLayer& layer) {
+std::optional<PlaneKind> kindOfChannels(const PictureLayer& layer) {
   if (layer.channels.size() == 1 && layer.channels[0].component == "z") return PlaneKind::Depth;
   if (!pick(layer, "rgb").empty()) return PlaneKind::Color;
   if (layer.channels.size() == 2 && !pick(layer, "xy").empty()) return PlaneKind::Motion;
@@ -225,11 +174,11 @@ std::optional<PlaneKind> kindOfChannels(const NamedLayer& layer) {
 }
 
 /// A layer without a name that holds both: "R", "G", "B" and "Z" of older files.
-std::vector<NamedLayer> splitDepth(std::vector<NamedLayer> layers) {
+std::vector<PictureLayer> splitDepth(std::vector<PictureLayer> layers) {
   for (std::size_t i = 0; i < layers.size(); ++i) {
     if (!layers[i].name.empty() || pick(layers[i], "rgbz").empty()) continue;
-    NamedLayer depth{layers[i].part, "", layers[i].sizePx, {}};
-    const auto isDepth = [](const Channel& channel) { return channel.component == "z"; };
+    PictureLayer depth{layers[i].part, "", layers[i].sizePx, {}};
+    const auto isDepth = [](const LayerChannel& channel) { return channel.component == "z"; };
     std::ranges::copy_if(layers[i].channels, std::back_inserter(depth.channels), isDepth);
     std::erase_if(layers[i].channels, isDepth);
     layers.push_back(std::move(depth));
@@ -258,10 +207,47 @@ std::optional<PlaneKind> kindOfName(std::string_view name) {
   return found;
 }
 
+std::vector<PictureLayer> layersOf(const std::vector<PicturePart>& parts) {
+  std::vector<PictureLayer> layers;
+  for (const PicturePart& part : parts)
+    for (const PictureChannel& stored : part.channels) {
+      if (stored.name.empty()) continue;
+      auto [channel, name] = placeOf(stored);
+      auto found = layers.begin();
+      while (found != layers.end() && (found->part != part.name || found->name != name)) ++found;
+      if (found == layers.end()) found = layers.insert(layers.end(), {part.name, name, part.sizePx, {}});
+      found->channels.push_back(std::move(channel));
+    }
+  return splitDepth(std::move(layers));
+}
+
+std::vector<std::string> channelsFor(const PictureLayer& layer, PlaneKind kind) {
+  static constexpr std::string_view kFour[] = {"rgba", "xyzw", "rgb", "xyz"};
+  static constexpr std::string_view kTwo[] = {"xy", "rg", "uv"};
+  static constexpr std::string_view kOne[] = {"z", "r", "x", "v", "y"};
+  static constexpr std::string_view kThree[] = {"xyz", "rgb"};
+  std::span<const std::string_view> sets = kFour;
+  // A mask of more channels than two is a gray picture.
+  const bool isGray = kind == PlaneKind::Mask && layer.channels.size() != 2;
+  if (kind == PlaneKind::Motion || kind == PlaneKind::Mask) sets = kTwo;
+  if (kind == PlaneKind::Normal) sets = kThree;
+  if (channelsOf(kind) == 1 || isGray) sets = kOne;
+  const auto least = static_cast<std::size_t>(minChannelsOf(kind));
+  for (const std::string_view set : sets) {
+    const std::vector<std::string> names = pick(layer, set);
+    if (names.size() >= least) return names;
+  }
+  // As they come.
+  if (layer.channels.size() < least) return {};
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < least; ++i) names.push_back(layer.channels[i].name);
+  return names;
+}
+
 NamedPlanes namedPlanes(const std::vector<PicturePart>& parts, const std::string& file) {
   NamedPlanes out;
-  const std::vector<NamedLayer> layers = splitDepth(layersOf(parts));
-  for (const NamedLayer& layer : layers) {
+  const std::vector<PictureLayer> layers = layersOf(parts);
+  for (const PictureLayer& layer : layers) {
     const std::string name = layer.part.empty() || !layer.name.empty() ? layer.name : layer.part;
     std::optional<PlaneKind> kind = kindOfName(name);
     if (!kind && !layer.part.empty()) kind = kindOfName(layer.part);
@@ -277,7 +263,7 @@ NamedPlanes namedPlanes(const std::vector<PicturePart>& parts, const std::string
       if (!kind) kind = own;
     }
     std::vector<std::string> channels;
-    if (kind) channels = namesFor(layer, *kind);
+    if (kind) channels = channelsFor(layer, *kind);
     if (channels.empty() || std::ranges::find(out.planes, *kind, &NamedPlane::kind) != out.planes.end()) {
       if (!name.empty()) out.ignored.push_back(name);
       continue;

@@ -83,4 +83,16 @@ TEST(PlaneNames, TakesFilesOfSeveralPlanesForColor) {
   EXPECT_EQ(channelsIn(planes, PlaneKind::Output), (Names{"taa.R", "taa.G", "taa.B"}));
 }
 
+TEST(PlaneNames, APlaneTakesOfAnyLayerWhatItNeeds) {
+  const std::vector<PictureLayer> layers = layersOf({partOf({"R", "G", "B", "A", "Z", "uv.X", "uv.Y"})});
+  ASSERT_EQ(layers.size(), 3u) << "color, uv, and depth beside color";
+  EXPECT_EQ(channelsFor(layers[0], PlaneKind::Color), (Names{"R", "G", "B", "A"}));
+  EXPECT_EQ(channelsFor(layers[0], PlaneKind::Motion), (Names{"R", "G"}));
+  EXPECT_EQ(channelsFor(layers[1], PlaneKind::Motion), (Names{"uv.X", "uv.Y"}));
+  EXPECT_EQ(channelsFor(layers[1], PlaneKind::Color), Names{}) << "too few";
+  EXPECT_EQ(channelsFor(layers[2], PlaneKind::Depth), (Names{"Z"}));
+  EXPECT_EQ(channelsFor(layersOf({partOf({"R", "G", "B"})})[0], PlaneKind::Overlay), Names{})
+      << "an overlay has its alpha";
+}
+
 } // namespace taa::capture
