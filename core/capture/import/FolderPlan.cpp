@@ -3,7 +3,6 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
-#include "core/capture/import/FolderScan.h"
 #include "core/capture/import/SideLimits.h"
 #include "core/capture/import/StatedPlanes.h"
 
@@ -248,6 +247,7 @@ FolderPlan planFolder(const fs::path& folder, const std::vector<std::string>& pl
   plan.manifest.sizePx = planeIn(main, PlaneKind::Color)->sizePx;
   std::vector<int> numbers = main.numbers;
   addOthers(plan, scan, main, numbers);
+  requireStated(planes, plan.manifest);
   for (const PictureSequence& sequence : scan.sequences)
     if (const NamedPlane* output = planeIn(sequence, PlaneKind::Output);
         output && plan.manifest.planes.contains(PlaneKind::Output) &&
@@ -258,6 +258,7 @@ FolderPlan planFolder(const fs::path& folder, const std::vector<std::string>& pl
   addFrames(plan, numbers, main.numbers);
   sayPlanes(plan, main);
   plan.unsure.insert(plan.unsure.end(), scan.failures.begin(), scan.failures.end());
+  plan.sequences = std::move(scan.sequences);
   return plan;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/base/Progress.h"
 #include "core/capture/format/Manifest.h"
+#include "core/capture/import/FolderScan.h"
 #include "core/capture/import/PlaneNames.h"
 #include "core/capture/import/SideFile.h"
 
@@ -18,6 +19,7 @@ namespace taa::capture {
 struct FolderPlan {
   Manifest manifest; ///< all but conventions
   std::map<PlaneKind, StoredType> types;
+  std::vector<PictureSequence> sequences; ///< all that the folder holds
   std::optional<SideFrames> side;
   std::string sideName;                   ///< of its file, to be shown
   double nearPlane = 0.0, farPlane = 0.0; ///< as the side file says; 0: it does not

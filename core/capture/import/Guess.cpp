@@ -315,20 +315,30 @@ void Guesser::finish() {
   if (isLinearInSteps(manifest, isBytes(plan_, PlaneKind::Color))) out_.unsure.push_back(linearInSteps());
   manifest.notes = {say<"conventions were guessed from names, values and pixels">()};
   manifest.notes.insert(manifest.notes.end(), out_.unsure.begin(), out_.unsure.end());
+  out_.sequences = std::move(plan_.sequences);
   checkManifest(manifest, folder_.string());
 }
 
-} // namespace
+/// What lies in a capture's folder. One that holds too much to look through is a capture nevertheless, of
+/// which no other planes can be stated.
+FolderScan scanCapture(const fs::path& folder, bool isNeeded, const Progress& progress) {
+  try {
+    return scanFolder(folder, progress);
+  } catch (const Error&) {
+    if (isNeeded) throw;
+    return {};
+  }
+}
 
-Guess guessCapture(const fs::path& folder, const std::string& like,
-                   const std::vector<std::string>& assignments, const Progress& progress) {
-  std::error_code ignored;
-  if (!fs::is_directory(folder, ignored)) throw Error(say<"%1 is not a folder">(folder.string()));
-  if (!fs::exists(folder / kManifestName, ignored))
-    return Guesser(folder, like, assignments, progress).guess();
-  // What is stated is measured; only what the caller says changes it.
+/// What is stated is measured; only what the caller says changes it.
+Guess measureCapture(const fs::path& folder, const std::string& like, std::vector<std::string> assignments,
+                     const Progress& progress) {
   Guess out;
   out.manifest = readManifest(folder);
+  const std::vector<std::string> planes = takeStatedPlanes(assignments);
+  const FolderScan scan = scanCapture(folder, !planes.empty(), progress);
+  statePlanes(planes, folder, scan, out.manifest);
+  out.sequences = scan.sequences;
   if (!like.empty()) {
     out.manifest.conventions = startingPoint(like).conventions;
     out.manifest.like = like;
@@ -345,6 +355,16 @@ Guess guessCapture(const fs::path& folder, const std::string& like,
                          ")");
   out.missing = missingInputs(out.manifest);
   return out;
+}
+
+} // namespace
+
+Guess guessCapture(const fs::path& folder, const std::string& like,
+                   const std::vector<std::string>& assignments, const Progress& progress) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) throw Error(say<"%1 is not a folder">(folder.string()));
+  if (fs::exists(folder / kManifestName, ignored)) return measureCapture(folder, like, assignments, progress);
+  return Guesser(folder, like, assignments, progress).guess();
 }
 
 std::vector<Finding> measureConventions(const fs::path& folder, const Manifest& manifest,

@@ -4,6 +4,7 @@
 
 #include "core/base/Progress.h"
 #include "core/capture/format/Manifest.h"
+#include "core/capture/import/FolderScan.h"
 
 #include <filesystem>
 #include <string>
@@ -37,12 +38,13 @@ struct Guess {
   Manifest manifest;                              ///< the best there is; readManifest() would take it
   std::vector<Finding> findings;                  ///< of pixels
   std::vector<std::string> sure, unsure, missing; ///< sentences
+  std::vector<PictureSequence> sequences; ///< all that the folder holds, also what is taken for no plane
 };
 
 /// What names, formats and side files of `folder` say, then what pixels say. `like`: a starting point to
 /// begin with, or empty; `assignments` are not questioned, those of planes included
 /// ("plane.motion=FILES:R,G", see statePlanes()). Throws Error that says what was looked for where nothing is
-/// found; Cancelled.
+/// found, or which files and channels there are; Cancelled.
 Guess guessCapture(const std::filesystem::path& folder, const std::string& like,
                    const std::vector<std::string>& assignments, const Progress& progress = {});
 

@@ -3,7 +3,6 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
-#include "core/capture/format/Manifest.h"
 #include "core/capture/planes/PictureParts.h"
 
 #include <algorithm>
@@ -17,8 +16,14 @@ namespace {
 
 struct StatedPlane {
   PlaneKind kind = PlaneKind::Color;
-  std::string files;
+  std::string files, part;           ///< part: empty: whichever holds the channels
   std::vector<std::string> channels; ///< empty: as they come
+};
+
+/// A plane that is stated, in the files that hold it; null: there is none.
+struct TakenPlane {
+  PictureSequence* sequence = nullptr;
+  NamedPlane plane;
 };
 
 PlaneKind kindCalled(const std::string& name) {
@@ -39,17 +44,23 @@ std::vector<std::string> partsOf(const std::string& text) {
   return parts;
 }
 
-/// The colon within "{frame:4}" is none that channels follow.
+/// What follows the last colon, which is taken off; nothing where there is none. That of "{frame:4}" is none.
+std::optional<std::string> takeEnd(std::string& files) {
+  const std::size_t colon = files.rfind(':');
+  if (colon == std::string::npos || files.find('}', colon) != std::string::npos) return {};
+  std::string end = files.substr(colon + 1);
+  files.resize(colon);
+  return end;
+}
+
 StatedPlane statedPlane(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals + 1 == text.size())
     throw Error(say<"\"%1\" states no plane: KIND=FILES:CHANNELS, as motion=velocity_{frame:4}.exr:R,G">(
         shownText(text)));
-  StatedPlane out{kindCalled(text.substr(0, equals)), text.substr(equals + 1), {}};
-  const std::size_t colon = out.files.rfind(':');
-  if (colon == std::string::npos || out.files.find('}', colon) != std::string::npos) return out;
-  out.channels = partsOf(out.files.substr(colon + 1));
-  out.files.resize(colon);
+  StatedPlane out{kindCalled(text.substr(0, equals)), text.substr(equals + 1), {}, {}};
+  if (const std::optional<std::string> channels = takeEnd(out.files)) out.channels = partsOf(*channels);
+  if (const std::optional<std::string> part = takeEnd(out.files)) out.part = *part;
   return out;
 }
 
@@ -68,6 +79,7 @@ NamedPlane namedPlane(const StatedPlane& stated, const std::vector<PicturePart>&
                       const std::string& file) {
   std::string known;
   for (const PicturePart& part : parts) {
+    if (!stated.part.empty() && part.name != stated.part) continue;
     const auto typeOf = [&](const std::string& name) {
       const auto found = std::ranges::find(part.channels, name, &PictureChannel::name);
       return found == part.channels.end() ? std::nullopt : std::optional(found->type);
@@ -87,7 +99,32 @@ NamedPlane namedPlane(const StatedPlane& stated, const std::vector<PicturePart>&
                                                                     shownText(known)));
 }
 
+TakenPlane takenPlane(const StatedPlane& stated, const std::filesystem::path& folder, FolderScan& scan) {
+  TakenPlane taken;
+  taken.plane.kind = stated.kind;
+  if (stated.files == kNoPlane) return taken;
+  taken.sequence = &sequenceOf(stated.files, scan);
+  PlaneSource source;
+  source.file = taken.sequence->pattern;
+  const std::string file = planeFile(source, taken.sequence->numbers.front());
+  taken.plane = namedPlane(stated, picturePartsOf(folder, file), file);
+  return taken;
+}
+
+void requireEachFrame(const PictureSequence& sequence, const Manifest& manifest) {
+  for (const CapturedFrame& frame : manifest.frames)
+    if (!std::ranges::binary_search(sequence.numbers, frame.number))
+      throw Error(say<"%1 has no picture of frame %2">(shownText(sequence.pattern), frame.number));
+}
+
 } // namespace
+
+std::string statedText(const PlaneSource& source) {
+  std::string text = source.file;
+  if (!source.part.empty()) text += ":" + source.part;
+  for (std::size_t i = 0; i < source.channels.size(); ++i) text += (i == 0 ? ":" : ",") + source.channels[i];
+  return text;
+}
 
 std::vector<std::string> takeStatedPlanes(std::vector<std::string>& assignments) {
   std::vector<std::string> planes;
@@ -101,17 +138,40 @@ std::vector<std::string> takeStatedPlanes(std::vector<std::string>& assignments)
 void statePlanes(const std::vector<std::string>& stated, const std::filesystem::path& folder,
                  FolderScan& scan) {
   for (const std::string& text : stated) {
-    const StatedPlane plane = statedPlane(text);
-    PictureSequence& sequence = sequenceOf(plane.files, scan);
-    PlaneSource source;
-    source.file = sequence.pattern;
-    const std::string file = planeFile(source, sequence.numbers.front());
-    NamedPlane named = namedPlane(plane, picturePartsOf(folder, file), file);
-    for (PictureSequence& other : scan.sequences)
-      std::erase_if(other.planes.planes, [&](const NamedPlane& one) {
-        return one.kind == plane.kind || (&other == &sequence && !one.isNamed);
+    TakenPlane taken = takenPlane(statedPlane(text), folder, scan);
+    for (PictureSequence& sequence : scan.sequences)
+      std::erase_if(sequence.planes.planes, [&](const NamedPlane& one) {
+        return one.kind == taken.plane.kind || (&sequence == taken.sequence && !one.isNamed);
       });
-    sequence.planes.planes.push_back(std::move(named));
+    if (taken.sequence) taken.sequence->planes.planes.push_back(std::move(taken.plane));
+  }
+}
+
+void statePlanes(const std::vector<std::string>& stated, const std::filesystem::path& folder, FolderScan scan,
+                 Manifest& manifest) {
+  for (const std::string& text : stated) {
+    const TakenPlane taken = takenPlane(statedPlane(text), folder, scan);
+    const PlaneKind kind = taken.plane.kind;
+    manifest.planes.erase(kind);
+    for (CapturedFrame& frame : manifest.frames) frame.planes.erase(kind);
+    if (!taken.sequence) continue;
+    requireEachFrame(*taken.sequence, manifest);
+    PlaneSource& source = manifest.planes[kind];
+    source.file = taken.sequence->pattern;
+    source.part = taken.plane.part;
+    source.channels = taken.plane.channels;
+    if (kind == PlaneKind::Color) manifest.sizePx = taken.plane.sizePx;
+    if (kind == PlaneKind::Output) manifest.outputPx = taken.plane.sizePx;
+  }
+}
+
+void requireStated(const std::vector<std::string>& stated, const Manifest& manifest) {
+  for (const std::string& text : stated) {
+    const StatedPlane plane = statedPlane(text);
+    if (plane.files != kNoPlane && !manifest.planes.contains(plane.kind))
+      throw Error(say<"%1 is not used as %2: it has not the frames of color, %3">(
+          shownText(plane.files), planeName(plane.kind),
+          shownText(manifest.planes.at(PlaneKind::Color).file)));
   }
 }
 

@@ -5,6 +5,7 @@
 #include "core/capture/import/Guess.h"
 #include "core/capture/import/SavedImport.h"
 #include "core/capture/source/Capture.h"
+#include "tests/support/ErrorOf.h"
 
 #include <gtest/gtest.h>
 
@@ -452,6 +453,14 @@ TEST_F(ImportTest, TakesColorByItsNameAndPlanesThatAreStated) {
   EXPECT_TRUE(findingOf(with.findings, "motion.direction").isSure);
   EXPECT_EQ(convention("motion.direction").text(with.manifest.conventions),
             convention("motion.direction").text(stated_));
+  ASSERT_EQ(with.sequences.size(), 2u) << "all that there are, for who chooses among them";
+  EXPECT_EQ(with.sequences[0].pattern, "dmv_{frame:4}.exr");
+  fs::remove(folder_ / "dmv_0003.exr");
+  fs::remove(folder_ / "dmv_0004.exr");
+  EXPECT_NE(test::errorOf([&] {
+              guessCapture(folder_, "", {"plane.motion=dmv_{frame:4}.exr:G,B"});
+            }).find("is not used as motion"),
+            std::string::npos);
   for (const char* wrong : {"plane.motion=dmv_{frame:4}.exr:G,Q", "plane.speed=dmv_{frame:4}.exr",
                             "plane.motion=nothing.exr", "plane.motion"})
     EXPECT_THROW(guessCapture(folder_, "", {wrong}), Error) << wrong;
