@@ -3,6 +3,7 @@
 #include "app/importing/ConventionTable.h"
 #include "app/importing/FramePanel.h"
 #include "app/importing/GuessSentences.h"
+#include "app/importing/PlaneTable.h"
 #include "app/importing/ResidualTable.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
@@ -24,6 +25,8 @@
 #include <QPushButton>
 #include <QShortcut>
 #include <QSplitter>
+#include <QStackedWidget>
+#include <QTabBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -37,6 +40,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kLeastFrames = 180; ///< logical px
+enum TableTab { ConventionsTab, PlanesTab };
 
 std::size_t slotOf(ImportTask task) {
   return static_cast<std::size_t>(task);
@@ -52,9 +56,9 @@ QHBoxLayout* lineIn(QWidget* widget) {
 } // namespace
 
 ImportPage::ImportPage(QWidget* parent, ImportFunctions functions)
-    : QDialog(parent), table_(new ConventionTable), residuals_(new ResidualTable),
-      frames_(new FramePanel(residuals_)), sentences_(new GuessSentences), like_(new QComboBox),
-      place_(new ElidedLabel), problem_(new QLabel), work_(std::move(functions)) {
+    : QDialog(parent), table_(new ConventionTable), planes_(new PlaneTable), tabs_(new QTabBar),
+      residuals_(new ResidualTable), frames_(new FramePanel(residuals_)), sentences_(new GuessSentences),
+      like_(new QComboBox), place_(new ElidedLabel), problem_(new QLabel), work_(std::move(functions)) {
   setObjectName(QStringLiteral("import"));
   setWindowTitle(tr("Import frames"));
   setAttribute(Qt::WA_DeleteOnClose);
@@ -111,15 +115,38 @@ QWidget* ImportPage::makeSides() {
   auto* sides = new QSplitter;
   sides->setHandleWidth(2 * kUnit);
   sides->setChildrenCollapsible(false);
-  sides->addWidget(table_);
+  sides->addWidget(makeTables());
   sides->addWidget(scrolledSideways(frames_, kLeastFrames)); // beside whole rows of large letters
   sides->setStretchFactor(1, 1);
   sides->setSizes({400, 780});
   connect(frames_, &FramePanel::frameChosen, this, &ImportPage::drawPictures);
   connect(table_, &ConventionTable::edited, this, &ImportPage::edit);
   connect(table_, &ConventionTable::entered, residuals_, &ResidualTable::showQuestion);
+  connect(planes_, &PlaneTable::stated, this, &ImportPage::statePlane);
   connect(residuals_, &ResidualTable::applied, this, &ImportPage::applyHypothesis);
   return sides;
+}
+
+QWidget* ImportPage::makeTables() {
+  auto* tables = new QWidget;
+  auto* pages = new QStackedWidget;
+  pages->addWidget(table_);
+  pages->addWidget(planes_);
+  tabs_->setAccessibleName(tr("Conventions or planes"));
+  tabs_->setDrawBase(false);
+  tabs_->setExpanding(false);
+  tabs_->setFocusPolicy(Qt::TabFocus);
+  tabs_->addTab(tr("Con&ventions"));
+  tabs_->addTab(tr("&Planes"));
+  tabs_->setTabToolTip(ConventionsTab, tr("How numbers in the pictures are meant (Alt+V)"));
+  tabs_->setTabToolTip(PlanesTab, tr("Which pictures hold color, motion, depth and the rest (Alt+P)"));
+  auto* column = new QVBoxLayout(tables);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kUnit);
+  column->addWidget(tabs_);
+  column->addWidget(pages, 1);
+  connect(tabs_, &QTabBar::currentChanged, pages, &QStackedWidget::setCurrentIndex);
+  return tables;
 }
 
 QPushButton* ImportPage::addButton(QWidget* to, const QString& name, const QString& text,
@@ -138,7 +165,7 @@ QWidget* ImportPage::makeButtons() {
   auto* row = new QWidget;
   auto* line = lineIn(row);
   reset_ = addButton(row, QStringLiteral("reset"), tr("&Reset to the guess"),
-                     tr("All conventions as they were guessed (Ctrl+R); can be undone"),
+                     tr("All conventions and planes as they were guessed (Ctrl+R); can be undone"),
                      &ImportPage::resetToGuess);
   line->addStretch(1);
   addButton(row, QStringLiteral("cancel"), tr("Cancel"), tr("Leave everything as it is (Esc)"),
@@ -170,6 +197,7 @@ void ImportPage::makeKeys() {
 void ImportPage::connectWork() {
   connect(&work_, &ImportWork::workChanged, this, &ImportPage::showWork);
   connect(&work_, &ImportWork::guessed, this, &ImportPage::useGuess);
+  connect(&work_, &ImportWork::found, this, &ImportPage::useSequences);
   connect(&work_, &ImportWork::measured, this, &ImportPage::useFindings);
   connect(&work_, &ImportWork::drawn, frames_, &FramePanel::setPictures);
   connect(&work_, &ImportWork::failed, this, &ImportPage::fail);
@@ -196,6 +224,9 @@ void ImportPage::openFolder(const QString& folder) {
   guess_.reset();
   manifest_ = {};
   changed_.clear();
+  stated_.clear();
+  statedOfGuess_.clear();
+  planes_->clear();
   undo_.clear();
   const QString name = QFileInfo(folder).fileName();
   place_->setTip(folder);
@@ -212,6 +243,7 @@ void ImportPage::openFolder(const QString& folder) {
 bool ImportPage::takeTyped() {
   while (const auto typed = table_->takeTyped())
     if (!edit(typed->first, typed->second)) return false;
+  while (const auto typed = planes_->takeTyped()) statePlane(typed->first, typed->second);
   return true;
 }
 
@@ -237,6 +269,11 @@ void ImportPage::applyHypothesis(const std::vector<std::string>& assignments, co
   }
 }
 
+void ImportPage::statePlane(capture::PlaneKind kind, const QString& text) {
+  change(withPlane(state(), kind, text.toStdString()),
+         tr("say what holds %1").arg(qtext(capture::planeName(kind))), {});
+}
+
 void ImportPage::startLike(const QString& id) {
   if (!guess_) {
     guessAgain();
@@ -253,14 +290,18 @@ void ImportPage::guessAgain() {
 void ImportPage::startGuess() {
   const bool isGuessed = guess_ && manifest_.like == guess_->manifest.like;
   likeOfNext_ = isGuessed ? likeOfGuess_ : like_->currentData().toString().toStdString();
+  statedOfNext_ = stated_;
   isGuessing_ = true;
   work_.guess(folder_, likeOfNext_, assignmentsOf(state()));
 }
 
 void ImportPage::resetToGuess() {
-  if (!guess_) return;
   table_->dropTyped();
-  change({guess_->manifest.conventions, guess_->manifest.like, {}}, tr("reset to the guess"), {});
+  planes_->dropTyped();
+  ImportState guessed = state();
+  if (guess_) guessed = {guess_->manifest.conventions, guess_->manifest.like, {}, {}};
+  guessed.planes.clear();
+  change(guessed, tr("reset to the guess"), {});
   showState();
 }
 
@@ -276,14 +317,15 @@ void ImportPage::change(const ImportState& next, const QString& what, const std:
 }
 
 // Pictures and residuals follow in the background; only those of the last change arrive. A guess under way
-// begins again with what stands now.
+// begins again with what stands now; of other planes everything is guessed again.
 void ImportPage::setState(const ImportState& state) {
   manifest_.conventions = state.conventions;
   manifest_.like = state.like;
   changed_ = state.changed;
+  stated_ = state.planes;
   say({});
   showState();
-  if (isGuessing_) startGuess();
+  if (isGuessing_ || stated_ != statedOfGuess_) startGuess();
   drawPictures();
   if (guess_ && !isGuessing_) work_.measure(folder_, manifest_);
 }
@@ -291,6 +333,8 @@ void ImportPage::setState(const ImportState& state) {
 void ImportPage::useGuess(const std::shared_ptr<const capture::Guess>& guess) {
   const ImportState before = state();
   const bool isFirst = !guess_;
+  // What is guessed of other planes is taken back with them.
+  const bool isOfPlanes = std::exchange(statedOfGuess_, statedOfNext_) != statedOfNext_;
   guess_ = guess;
   likeOfGuess_ = likeOfNext_;
   isGuessing_ = false;
@@ -298,10 +342,11 @@ void ImportPage::useGuess(const std::shared_ptr<const capture::Guess>& guess) {
   frames_->setFrames(manifest_.frames);
   sentences_->setGuess(*guess);
   useFindings(guess->findings);
+  useSequences(guess->sequences);
   say({});
   showState();
   drawPictures();
-  if (isFirst || before == state()) return;
+  if (isFirst || isOfPlanes || before == state()) return;
   UndoStep step = stepBackTo<ImportState>(
       before, [this] { return state(); }, [this](const ImportState& state) { setState(state); });
   step.what = tr("guess again");
@@ -311,6 +356,13 @@ void ImportPage::useGuess(const std::shared_ptr<const capture::Guess>& guess) {
 void ImportPage::useFindings(const std::vector<capture::Finding>& findings) {
   table_->setFindings(findings);
   residuals_->setFindings(findings);
+}
+
+void ImportPage::useSequences(const std::vector<capture::PictureSequence>& sequences) {
+  planes_->setSequences(sequences);
+  planes_->setPlanes(manifest_.planes, statedOfGuess_);
+  // Without color there is nothing to look at but the pictures that could be it.
+  if (!guess_ && !sequences.empty()) tabs_->setCurrentIndex(PlanesTab);
 }
 
 void ImportPage::fail(ImportTask task, const QString& sentence) {
@@ -334,18 +386,21 @@ void ImportPage::showWork(ImportTask task, const QString& what, int done, int to
 
 void ImportPage::showState() {
   const bool isThere = guess_ != nullptr;
+  const bool isGuessOfPlanes = isThere && stated_ == statedOfGuess_;
   table_->display(manifest_.conventions, isThere ? guess_->manifest.conventions : manifest_.conventions);
+  planes_->display(stated_);
   residuals_->setConventions(manifest_.conventions);
   if (isThere) like_->setCurrentIndex(std::max(0, like_->findData(QString::fromStdString(manifest_.like))));
   const std::string contradiction = capture::contradiction(capture::normalized(manifest_.conventions));
   if (!contradiction.empty()) say(QString::fromStdString(contradiction));
   // What is being written is not changed meanwhile.
-  for (QWidget* needsGuess :
-       {static_cast<QWidget*>(table_), static_cast<QWidget*>(residuals_), static_cast<QWidget*>(reset_)})
+  for (QWidget* needsGuess : {static_cast<QWidget*>(table_), static_cast<QWidget*>(residuals_)})
     needsGuess->setEnabled(isThere && !isSaving_);
+  reset_->setEnabled((isThere || !stated_.empty()) && !isSaving_);
+  planes_->setEnabled(!folder_.empty() && !isSaving_);
   like_->setEnabled(!isSaving_);
   again_->setEnabled(!folder_.empty() && !isSaving_);
-  open_->setEnabled(isThere && contradiction.empty() && !isSaving_);
+  open_->setEnabled(isGuessOfPlanes && contradiction.empty() && !isSaving_);
   save_->setEnabled(open_->isEnabled());
 }
 

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -19,6 +20,7 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QTabBar;
 
 namespace taa::app {
 
@@ -26,6 +28,7 @@ class ConventionTable;
 class ElidedLabel;
 class FramePanel;
 class GuessSentences;
+class PlaneTable;
 class ResidualTable;
 class WorkBar;
 
@@ -42,6 +45,9 @@ class ImportPage : public QDialog {
   /// Empty until something was guessed.
   const capture::Manifest& manifest() const { return manifest_; }
   ConventionTable* table() const { return table_; }
+  PlaneTable* planes() const { return planes_; }
+  /// Of conventions and planes, in this order.
+  QTabBar* tabs() const { return tabs_; }
   ResidualTable* residuals() const { return residuals_; }
   FramePanel* frames() const { return frames_; }
   QSize sizeHint() const override { return {1180, 760}; }
@@ -57,13 +63,14 @@ class ImportPage : public QDialog {
   // Layout
   QWidget* makeHeader();
   QWidget* makeSides();
+  QWidget* makeTables();
   QWidget* makeButtons();
   QPushButton* addButton(QWidget* to, const QString& name, const QString& text, const QString& toolTip,
                          void (ImportPage::*act)());
   void makeKeys();
   void connectWork();
   // Changes
-  ImportState state() const { return {manifest_.conventions, manifest_.like, changed_}; }
+  ImportState state() const { return {manifest_.conventions, manifest_.like, changed_, stated_}; }
   void setState(const ImportState& state);
   void change(const ImportState& next, const QString& what, const std::string& key);
   /// Returns whether the table takes it; else it is said why.
@@ -71,6 +78,7 @@ class ImportPage : public QDialog {
   /// What is still being typed counts as well; false where the table refuses it.
   bool takeTyped();
   void applyHypothesis(const std::vector<std::string>& assignments, const QString& text);
+  void statePlane(capture::PlaneKind kind, const QString& text);
   void startLike(const QString& id);
   void guessAgain();
   void startGuess();
@@ -78,6 +86,7 @@ class ImportPage : public QDialog {
   // Results
   void useGuess(const std::shared_ptr<const capture::Guess>& guess);
   void useFindings(const std::vector<capture::Finding>& findings);
+  void useSequences(const std::vector<capture::PictureSequence>& sequences);
   void fail(ImportTask task, const QString& sentence);
   bool stop(const std::vector<ImportTask>& tasks);
   void showWork(ImportTask task, const QString& what, int done, int total);
@@ -95,12 +104,17 @@ class ImportPage : public QDialog {
   std::filesystem::path folder_;
   std::shared_ptr<const capture::Guess> guess_; ///< null: none yet. Shared with what delivers it
   capture::Manifest manifest_;
-  std::set<std::string> changed_; ///< see ImportState
-  std::string likeOfGuess_;       ///< that the guess began with
-  std::string likeOfNext_;        ///< that one under way begins with
+  std::set<std::string> changed_;                           ///< see ImportState
+  std::string likeOfGuess_;                                 ///< that the guess began with
+  std::string likeOfNext_;                                  ///< that one under way begins with
+  std::map<capture::PlaneKind, std::string> stated_;        ///< see ImportState::planes
+  std::map<capture::PlaneKind, std::string> statedOfGuess_; ///< those of the guess there is
+  std::map<capture::PlaneKind, std::string> statedOfNext_;  ///< of that under way
   bool isGuessing_ = false, isSaving_ = false;
   std::array<QString, 4> underWay_; ///< by ImportTask: what is being done, empty: nothing
   ConventionTable* table_;
+  PlaneTable* planes_;
+  QTabBar* tabs_;
   ResidualTable* residuals_;
   FramePanel* frames_;
   GuessSentences* sentences_;

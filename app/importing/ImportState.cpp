@@ -2,6 +2,7 @@
 
 #include "core/base/Say.h"
 #include "core/capture/format/Conventions.h"
+#include "core/capture/import/StatedPlanes.h"
 
 namespace taa::app {
 
@@ -12,6 +13,14 @@ ImportState withAssignments(ImportState state, const std::vector<std::string>& a
     if (before == state.conventions) continue;
     state.changed.insert(assignment.substr(0, assignment.find('=')));
   }
+  return state;
+}
+
+ImportState withPlane(ImportState state, capture::PlaneKind kind, const std::string& text) {
+  if (text.empty())
+    state.planes.erase(kind);
+  else
+    state.planes[kind] = text;
   return state;
 }
 
@@ -27,6 +36,9 @@ std::vector<std::string> assignmentsOf(const ImportState& state) {
   std::vector<std::string> assignments;
   for (const std::string& path : state.changed)
     assignments.push_back(path + "=" + capture::convention(path).text(state.conventions));
+  for (const auto& [kind, text] : state.planes)
+    assignments.push_back(std::string(capture::kPlanePrefix) + std::string(capture::planeName(kind)) + "=" +
+                          text);
   return assignments;
 }
 

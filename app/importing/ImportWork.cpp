@@ -158,10 +158,28 @@ void ImportWork::guess(const fs::path& folder, const std::string& like,
   cancel(ImportTask::Pictures);
   ++reading_;
   post(ImportTask::Guess, [this, folder, like, assignments](const Progress& progress) -> Deliver {
-    const auto guess =
-        std::make_shared<const capture::Guess>(functions_.guess(folder, like, assignments, progress));
-    return [this, guess] { Q_EMIT guessed(guess); };
+    try {
+      const auto guess =
+          std::make_shared<const capture::Guess>(functions_.guess(folder, like, assignments, progress));
+      return [this, guess] { Q_EMIT guessed(guess); };
+    } catch (const Error& error) {
+      return afterFailure(folder, QString::fromStdString(shownReason(error)), progress);
+    }
   });
+}
+
+// Somebody may know what the pictures are of which nothing could be guessed.
+ImportWork::Deliver ImportWork::afterFailure(const fs::path& folder, const QString& sentence,
+                                             const Progress& progress) {
+  std::vector<capture::PictureSequence> sequences;
+  try {
+    sequences = functions_.scan(folder, progress).sequences;
+  } catch (const Error&) { // then there is nothing to choose from, and `sentence` says why
+  }
+  return [this, sequences, sentence] {
+    Q_EMIT found(sequences);
+    Q_EMIT failed(ImportTask::Guess, sentence);
+  };
 }
 
 void ImportWork::measure(const fs::path& folder, const capture::Manifest& manifest) {

@@ -17,7 +17,7 @@
 
 namespace taa::app {
 
-/// As guessCapture() and measureConventions(); tests put others in their place.
+/// As guessCapture(), measureConventions() and scanFolder(); tests put others in their place.
 struct ImportFunctions {
   std::function<capture::Guess(const std::filesystem::path& folder, const std::string& like,
                                const std::vector<std::string>& assignments, const Progress& progress)>
@@ -25,6 +25,8 @@ struct ImportFunctions {
   std::function<std::vector<capture::Finding>(const std::filesystem::path& folder,
                                               const capture::Manifest& manifest, const Progress& progress)>
       measure = capture::measureConventions;
+  std::function<capture::FolderScan(const std::filesystem::path& folder, const Progress& progress)> scan =
+      capture::scanFolder;
 };
 
 /// A part of the work. Of each the last request counts; a guess also makes void what was asked of the frames
@@ -56,6 +58,8 @@ class ImportWork : public QObject {
   /// `what`: for people, empty at the end.
   void workChanged(ImportTask task, const QString& what, int done, int total);
   void guessed(const std::shared_ptr<const capture::Guess>& guess);
+  /// What there is to choose from where a guess fails; failed() follows.
+  void found(const std::vector<capture::PictureSequence>& sequences);
   void measured(const std::vector<capture::Finding>& findings);
   void drawn(const FramePictures& pictures);
   void saved(const std::filesystem::path& folder);
@@ -68,6 +72,8 @@ class ImportWork : public QObject {
   using Piece = std::function<Deliver(const Progress& progress)>;
 
   void post(ImportTask task, Piece piece);
+  Deliver afterFailure(const std::filesystem::path& folder, const QString& sentence,
+                       const Progress& progress);
   void deliver(ImportTask task, int version, const Deliver& deliver);
   LatestWork& threadOf(ImportTask task);
 

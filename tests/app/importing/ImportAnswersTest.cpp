@@ -66,6 +66,13 @@ TEST(ImportState, KeepsWhatWasSetByHandForTheNextGuess) {
   EXPECT_THROW(static_cast<void>(withAssignments(state, {"motion.unit=miles"})), Error);
 }
 
+TEST(ImportState, PlanesThatAreStatedStayWhereAnEngineIsBegunWith) {
+  ImportState state = withPlane({}, capture::PlaneKind::Motion, "dmv_{frame:4}.exr:G,B");
+  state = startedLike(withAssignments(state, {"motion.unit=uv"}), "three");
+  EXPECT_EQ(assignmentsOf(state), std::vector<std::string>{"plane.motion=dmv_{frame:4}.exr:G,B"});
+  EXPECT_TRUE(assignmentsOf(withPlane(state, capture::PlaneKind::Motion, "")).empty()) << "as it is found";
+}
+
 TEST(ImportState, NotesOfTheFileSayWhatIsOtherThanGuessed) {
   capture::Manifest manifest;
   manifest.notes = {"guessed"};

@@ -1,6 +1,7 @@
 // Ways into the import page from the window, and past it.
 #include "tests/app/importing/ImportFixture.h"
 
+#include "app/importing/PlaneRow.h"
 #include "app/panels/MessagesBar.h"
 #include "app/window/Dialogs.h"
 #include "core/base/Files.h"
@@ -10,6 +11,7 @@
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QMimeData>
+#include <QTabBar>
 #include <QUrl>
 
 #include <algorithm>
@@ -76,6 +78,11 @@ TEST_F(ImportInWindow, AtTwoHundredPercentThePageIsNoLargerThanTheWindow) {
   EXPECT_LE(page->height(), window.height());
   const auto* table = page->findChild<ConventionTable*>();
   EXPECT_GE(table->viewport()->width(), table->widget()->minimumSizeHint().width()) << "rows are whole";
+  page->tabs()->setCurrentIndex(1);
+  settle();
+  for (const PlaneRow* row : page->findChildren<PlaneRow*>())
+    EXPECT_GE(row->parentWidget()->parentWidget()->width(), row->x() + row->minimumSizeHint().width());
+  EXPECT_LE(page->height(), window.height());
   page->close();
   window.setTextPercent(100);
 }
