@@ -7,6 +7,7 @@
 #include "core/doctor/examination/MendedFrames.h"
 #include "core/doctor/examination/Withholding.h"
 #include "core/doctor/flow/FlowCheck.h"
+#include "core/doctor/flow/FlowWords.h"
 #include "core/doctor/jitter/JitterCheck.h"
 #include "core/doctor/motion/MotionFindings.h"
 #include "core/doctor/motion/MotionRims.h"

@@ -314,8 +314,8 @@ std::optional<double> limitPx(const FlowSeen& seen) {
       !isShare(right, below, kNearlyAll))
     return {};
   // What is as long everywhere may as well be a factor.
-  const auto [least, most] = std::ranges::minmax(lengths);
-  return most >= kVaries * least ? std::optional(limit) : std::nullopt;
+  const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
+  return *most >= kVaries * *least ? std::optional(limit) : std::nullopt;
 }
 
 /// All that was measured where a finding is.

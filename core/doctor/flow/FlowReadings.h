@@ -6,6 +6,7 @@
 #include "core/doctor/flow/Refuted.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 

@@ -7,7 +7,9 @@
 #include "core/doctor/motion/MotionMending.h"
 #include "core/doctor/motion/MotionWords.h"
 
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace taa::doctor {
 
@@ -45,6 +47,37 @@ FaultWords fitWords(const FlowFit& fit) {
   if (!isAlongAxes(fit)) return turnedWords(say<"Make motion along the axes of the picture.">());
   return lengthWords(say<"Multiply the motion that you write by %1.">(
       shortVector(glm::dvec2(fit.factors[0][0], fit.factors[1][1]))));
+}
+
+/// Of a length that was fitted, or of axes besides.
+FaultWords lengthFault(const MotionTrial& trial) {
+  if (trial.kind != MotionKind::Scaled) return motionFault(&trial, Region(), RegionEvidence());
+  return lengthWords(say<"Multiply the motion that you write by %1, or state the unit that it has.">(
+      shortVector(glm::dvec2(trial.factor))));
+}
+
+/// Sentences: what was fitted, and what unit of a picture of that size it is.
+std::string lengthReason(const FittedLength& length, const MotionTrial& trial, const glm::ivec2& sizePx) {
+  const auto along = [&](int axis) {
+    const std::string name = axis == 0 ? "x" : "y";
+    if (!length.factor[axis]) return say<"along %1 too little moves to tell">(name);
+    return say<"%1 ± %2 along %3">(measuredNumber(*length.factor[axis], length.error[axis]),
+                                   errorNumber(length.error[axis]), name);
+  };
+  std::string text =
+      say<"All motion is shorter than a pixel, and the pictures move by %1 px in the mean. By least squares "
+          "over %2 squares of %3 pairs of frames they move by so many times the motion given (and its "
+          "standard error): %4, %5.">(shortNumber(length.movesPx), length.squares, length.pairs, along(0),
+                                      along(1));
+  if (trial.kind != MotionKind::OtherUnit)
+    return text + " " + say<"No unit of a picture of %1 × %2 px lies within that.">(sizePx.x, sizePx.y);
+  const glm::dvec2 unit = glm::abs(glm::dvec2(trial.factor));
+  return text + " " +
+         (trial.isDevice
+              ? say<"Half the size of the picture lies within that, %1 and %2: device coordinates.">(
+                    shortNumber(unit.x), shortNumber(unit.y))
+              : say<"The size of the picture lies within that, %1 and %2: texture coordinates.">(
+                    shortNumber(unit.x), shortNumber(unit.y)));
 }
 
 } // namespace
@@ -97,6 +130,27 @@ void nameUnknown(Finding& finding) {
   finding.reason +=
       " " + say<"None of the mistakes that are known here makes what is given of what pictures show.">();
   finding.change += " " + example;
+}
+
+std::vector<Finding> lengthFindings(const FittedLength& length, const MotionTrial& trial,
+                                    const Patient& patient) {
+  const auto axes = axesBesideUnit(trial, patient);
+  std::vector<MotionTrial> told{axes ? unitAlone(trial, *axes) : trial};
+  if (axes) told.push_back(*axes);
+  std::vector<Finding> out;
+  for (const MotionTrial& one : told) {
+    Finding finding;
+    nameBy(lengthFault(one), finding);
+    finding.sureness = trial.kind == MotionKind::OtherUnit ? Sureness::Sure : Sureness::Likely;
+    finding.isWholePicture = true;
+    finding.reason = lengthReason(length, trial, patient.sizePx);
+    finding.measure = say<"mean difference of luma, × 1000">();
+    finding.residuals = {{trialId(trial), trialText(trial), 1000.0 * length.fitted, false, true},
+                         {"asGiven", say<"as given">(), 1000.0 * length.given, true, false}};
+    mendEverywhereBy(motionMending(one), finding);
+    out.push_back(std::move(finding));
+  }
+  return out;
 }
 
 } // namespace taa::doctor

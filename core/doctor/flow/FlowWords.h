@@ -4,6 +4,9 @@
 #include "core/doctor/Diagnosis.h"
 #include "core/doctor/Patient.h"
 #include "core/doctor/flow/FlowFit.h"
+#include "core/doctor/flow/FlowLength.h"
+
+#include <vector>
 
 namespace taa::doctor {
 
@@ -14,5 +17,10 @@ void nameWithoutRoot(const FlowFit& fit, Finding& finding);
 /// Pictures before a frame are missing: by the factor of its motion.
 void nameMissing(int frame, const FlowFit& fit, Finding& finding);
 void nameUnknown(Finding& finding);
+
+/// That motion is shorter than a pixel everywhere, and pictures move by so many times as much: in a unit that
+/// the fit says, or by its factors; then what is wrong with the axes.
+std::vector<Finding> lengthFindings(const FittedLength& length, const MotionTrial& trial,
+                                    const Patient& patient);
 
 } // namespace taa::doctor

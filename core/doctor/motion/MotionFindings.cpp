@@ -276,27 +276,6 @@ Finding unitFinding(const MotionTrial& unit) {
   return out;
 }
 
-std::vector<Finding> lengthFindings(const FittedLength& length, const MotionTrial& trial,
-                                    const Patient& patient) {
-  const auto axes = axesBesideUnit(trial, patient);
-  std::vector<MotionTrial> told{axes ? unitAlone(trial, *axes) : trial};
-  if (axes) told.push_back(*axes);
-  std::vector<Finding> out;
-  for (const MotionTrial& one : told) {
-    Finding finding;
-    nameBy(lengthFault(one), finding);
-    finding.sureness = trial.kind == MotionKind::OtherUnit ? Sureness::Sure : Sureness::Likely;
-    finding.isWholePicture = true;
-    finding.reason = lengthReason(length, trial, patient.sizePx);
-    finding.measure = say<"mean difference of luma, × 1000">();
-    finding.residuals = {{trialId(trial), trialText(trial), 1000.0 * length.fitted, false, true},
-                         {"asGiven", say<"as given">(), 1000.0 * length.given, true, false}};
-    mendEverywhereBy(motionMending(one), finding);
-    out.push_back(std::move(finding));
-  }
-  return out;
-}
-
 MotionTold tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
                       const Patient& patient, const RimsSeen& rims, Diagnosis& out) {
   const double allPixels = static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;

@@ -3,7 +3,6 @@
 
 #include "core/doctor/Diagnosis.h"
 #include "core/doctor/Patient.h"
-#include "core/doctor/flow/FlowLength.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/motion/MotionEvidence.h"
 #include "core/doctor/motion/MotionJudgement.h"
@@ -32,11 +31,6 @@ struct MotionTold {
 bool isBeyondPicture(const MotionEvidence& evidence);
 /// That it does, and would not in another unit.
 Finding unitFinding(const MotionTrial& unit);
-
-/// That motion is shorter than a pixel everywhere, and pictures move by so many times as much: in a unit that
-/// the fit says, or by its factors; then what is wrong with the axes.
-std::vector<Finding> lengthFindings(const FittedLength& length, const MotionTrial& trial,
-                                    const Patient& patient);
 
 /// Adds findings, what is undecided and what is right about the motion of all regions. Expects that motion
 /// is known.

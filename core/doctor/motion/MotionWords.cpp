@@ -313,35 +313,6 @@ FaultWords unknownMotion() {
           "which target.">()};
 }
 
-FaultWords lengthFault(const MotionTrial& trial) {
-  if (trial.kind != MotionKind::Scaled) return motionFault(&trial, Region(), RegionEvidence());
-  return lengthWords(say<"Multiply the motion that you write by %1, or state the unit that it has.">(
-      shortVector(glm::dvec2(trial.factor))));
-}
-
-std::string lengthReason(const FittedLength& length, const MotionTrial& trial, const glm::ivec2& sizePx) {
-  const auto along = [&](int axis) {
-    const std::string name = axis == 0 ? "x" : "y";
-    if (!length.factor[axis]) return say<"along %1 too little moves to tell">(name);
-    return say<"%1 ± %2 along %3">(measuredNumber(*length.factor[axis], length.error[axis]),
-                                   errorNumber(length.error[axis]), name);
-  };
-  std::string text =
-      say<"All motion is shorter than a pixel, and the pictures move by %1 px in the mean. By least squares "
-          "over %2 squares of %3 pairs of frames they move by so many times the motion given (and its "
-          "standard error): %4, %5.">(shortNumber(length.movesPx), length.squares, length.pairs, along(0),
-                                      along(1));
-  if (trial.kind != MotionKind::OtherUnit)
-    return text + " " + say<"No unit of a picture of %1 × %2 px lies within that.">(sizePx.x, sizePx.y);
-  const glm::dvec2 unit = glm::abs(glm::dvec2(trial.factor));
-  return text + " " +
-         (trial.isDevice
-              ? say<"Half the size of the picture lies within that, %1 and %2: device coordinates.">(
-                    shortNumber(unit.x), shortNumber(unit.y))
-              : say<"The size of the picture lies within that, %1 and %2: texture coordinates.">(
-                    shortNumber(unit.x), shortNumber(unit.y)));
-}
-
 void nameBy(const FaultWords& fault, Finding& out) {
   out.id = fault.id;
   out.name = fault.name;

@@ -23,11 +23,6 @@ struct FaultWords {
 /// `trial`: what explains it; null: the pixels move as no explanation says.
 FaultWords motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence);
 
-/// Of a length that was fitted, or of axes besides.
-FaultWords lengthFault(const MotionTrial& trial);
-/// Sentences: what was fitted, and what unit of a picture of that size it is.
-std::string lengthReason(const FittedLength& length, const MotionTrial& trial, const glm::ivec2& sizePx);
-
 /// Gives a finding the words of a fault.
 /// Of motion that is longer or shorter, or turned, by what no row of the table says.
 FaultWords lengthWords(std::string change);

@@ -19,6 +19,7 @@
 #include <numbers>
 #include <numeric>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
