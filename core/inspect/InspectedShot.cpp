@@ -12,7 +12,6 @@
 #include "core/render/FrameClock.h"
 #include "core/replay/ShotPlayer.h"
 #include "core/scene/Pose.h"
-#include "core/scene/builtin/SceneSource.h"
 #include "core/settings/Parameters.h"
 
 #include <algorithm>
@@ -43,12 +42,6 @@ void takeOwn(const CaptureFacts* capture, const std::vector<Settings>& lanes, co
   next.height = sizePx.y;
 }
 
-/// What frames are kept by. `opening`: counts them, as a file may be another one when it is opened again.
-std::string keptName(const std::string& source, const ShotChoice& choice, int opening) {
-  const std::string name = source + '\n' + choice.animation + '\n' + std::to_string(choice.frames);
-  return isBuiltinScene(source) ? name : name + '\n' + std::to_string(opening);
-}
-
 } // namespace
 
 InspectedShot::InspectedShot(const gl::Driver& driver, ShotPlayer& player, Visualizer& visualizer,
@@ -62,8 +55,6 @@ void InspectedShot::open(const std::string& source, const Progress& progress, co
   next.source = source;
   next.scene = std::move(opened.scene);
   next.frames = std::move(opened.frames);
-  if (kept_)
-    next.frames = std::make_shared<KeptInputs>(next.frames, keptName(source, choice, ++openings_), kept_);
   const auto captured = next.frames->capture();
   const glm::ivec2 scenePx = scenePx_.value_or(player_.picturePx());
   takeOwn(captured.get(), lanes_, scenePx, next);

@@ -4,7 +4,6 @@
 #include "core/base/Progress.h"
 #include "core/gl/Context.h"
 #include "core/render/FrameInputs.h"
-#include "core/render/KeptInputs.h"
 #include "core/replay/BackgroundCompiler.h"
 #include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
@@ -61,9 +60,6 @@ class InspectedShot {
             const std::optional<SceneBudget>& budget = {});
   /// What scenes may ask for from the next open() on.
   void setSceneBudget(const SceneBudget& budget) { sceneBudget_ = budget; }
-  /// Keeps what is drawn of all that is opened from now on, up to so many bytes, those used last: for who
-  /// looks at few shots under many settings.
-  void keepInputs(std::size_t bytes) { kept_ = std::make_shared<InputsStore>(bytes); }
   const ShotChoice& choice() const { return choice_; } ///< it was opened with
   const std::string& source() const;                   ///< empty: nothing is open yet
   const Scene& scene() const;                          ///< of a capture it holds nothing to draw
@@ -173,8 +169,6 @@ class InspectedShot {
   ShotChoice choice_;
   std::optional<glm::ivec2> scenePx_; // while a capture is open: the size of what was open before
   SceneBudget sceneBudget_;
-  std::shared_ptr<InputsStore> kept_; ///< null: nothing is
-  int openings_ = 0;
 };
 
 } // namespace taa

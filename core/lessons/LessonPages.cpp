@@ -277,12 +277,9 @@ class PageDrawing {
 
  private:
   static constexpr std::size_t kMostThreads = 4; ///< a context holds hundreds of megabytes
-  /// Of inputs: steps look at one shot under many settings, and more are drawn than resolved.
-  static constexpr std::size_t kKeptBytes = 400u << 20;
 
   void drawLessons() try {
     Inspector inspector;
-    inspector.shot().keepInputs(kKeptBytes);
     for (std::size_t next = next_++; next < lessons_.size() && !ends_; next = next_++)
       for (std::size_t step = 0; step < lessons_[next].steps.size(); ++step)
         drawStep(inspector, lessons_[next], step, drawn_[next]);

@@ -128,7 +128,8 @@ void addOthers(FolderPlan& plan, const FolderScan& scan, const PictureSequence& 
     if (sequence.numbers == main.numbers)
       plan.unsure.push_back(
           say<"%1 is not used: it has the same frames and no name that says what it holds; --plane "
-              "motion=%1:%2 says so of channels">(shownText(sequence.pattern), exampleChannels(sequence)));
+              "motion=%1:%2, or the tab Planes of Import frames, says so of channels">(
+              shownText(sequence.pattern), exampleChannels(sequence)));
     else
       unused.push_back(sequence.pattern);
   }
