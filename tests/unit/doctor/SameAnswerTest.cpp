@@ -1,5 +1,5 @@
 // What is known besides makes an answer no worse: the same painted frames with and without object numbers,
-// depth and cameras are said to have the same fault.
+// depth and cameras are said to have the same fault. Half a minute, as nothing else asks that of one shot.
 #include "tests/support/doctor/PaintedFrames.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace taa::doctor {
 namespace {
 
-constexpr int kFrames = 12;
+constexpr int kFrames = 8;
 
 using MotionChange = std::function<glm::vec2(const glm::vec2& motion)>;
 
@@ -50,9 +50,7 @@ TEST(SameAnswer, IsGivenWhateverElseIsKnown) {
   const std::vector<Mistake> mistakes = {
       {"", [](const glm::vec2& m) { return m; }},
       {"motionNegatedY", [](const glm::vec2& m) { return glm::vec2(m.x, -m.y); }},
-      {"motionNegated", [](const glm::vec2& m) { return -m; }},
       {"motionSwapped", [](const glm::vec2& m) { return glm::vec2(m.y, m.x); }},
-      {"motionHalved", [](const glm::vec2& m) { return 0.5f * m; }},
       {"motionScaled", [](const glm::vec2& m) { return 1.18f * m; }},
       {"motionInUv", [](const glm::vec2& m) { return m / glm::vec2(test::kPaintedPx); }},
   };
