@@ -118,7 +118,8 @@ Finding stepFinding(const std::vector<const BrightnessPair*>& steps) {
 
 /// What else the pre-exposure that is stated may be.
 struct ExposureReading {
-  std::string name, change; ///< sentences but for the name
+  std::string name;   ///< as a heading
+  std::string change; ///< a sentence
   /// log2 of the light of a frame over what it should be, by log2 of what is stated of it and of the frames
   /// before and after; nothing where one of these is not known.
   std::optional<double> (*stops)(const std::map<int, double>& stated, int frame);

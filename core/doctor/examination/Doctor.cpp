@@ -309,8 +309,8 @@ void leaveStepsAlone(Diagnosis& out) {
 /// Without a plane of motion what the resolve makes of that was examined.
 void tellNoMotion(Diagnosis& out) {
   const std::string change =
-      say<"The capture has no plane of motion: all of it is taken to rest, or to move as depth and matrices "
-          "make it. Capture motion vectors, too.">();
+      say<"The capture has no motion vectors: everything is taken to rest, or to move as depth and matrices "
+          "make what rests move. Capture motion vectors, too.">();
   for (Finding& finding : out.findings)
     if (partOf(finding) == FaultPart::Motion) finding.change = change;
   out.notes.push_back(change);

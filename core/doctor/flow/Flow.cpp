@@ -2,6 +2,7 @@
 
 #include "core/base/Median.h"
 #include "core/capture/import/FrameSamples.h"
+#include "core/doctor/frames/RegionMiddles.h"
 #include "core/doctor/motion/MotionEvidence.h"
 
 #include <glm/common.hpp>
@@ -353,26 +354,21 @@ std::vector<glm::vec2> underTrials(const std::vector<MotionTrial>& trials, const
 std::map<RegionIndex, RegionMeans> meansOf(const DoctorFrame& frame, const std::vector<RegionIndex>& labels) {
   constexpr int kCameraStep = 3; // of pixels whose camera's motion is made
   struct Sum {
-    RegionMeans of;
-    glm::dvec2 camera{0.0};
-    double count = 0.0, moving = 0.0, asked = 0.0, known = 0.0;
+    glm::dvec2 given{0.0}, camera{0.0};
+    double distance = 0.0, moving = 0.0, asked = 0.0, known = 0.0;
   };
   const glm::ivec2 size = frame.sizePx();
-  const auto highest = std::ranges::max_element(labels);
-  std::vector<Sum> sums(highest == labels.end() ? 0 : static_cast<std::size_t>(*highest + 1));
+  const std::vector<RegionMiddle> middles = middlesOf(labels, size);
+  std::vector<Sum> sums(middles.size());
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
       const RegionIndex region = labels[static_cast<std::size_t>(y) * size.x + x];
-      if (region == kNoRegion) continue;
-      Sum& sum = sums[static_cast<std::size_t>(region)];
-      sum.of.middle += glm::dvec2(x, y) + 0.5;
-      sum.count += 1.0;
-      if (x == 0 || y == 0 || x + 1 == size.x || y + 1 == size.y) sum.of.isWhole = false;
       const glm::vec2 motion = frame.motionAt(x, y);
-      if (!isMotion(motion)) continue;
-      sum.of.given += glm::dvec2(motion);
+      if (region == kNoRegion || !isMotion(motion)) continue;
+      Sum& sum = sums[static_cast<std::size_t>(region)];
+      sum.given += glm::dvec2(motion);
       sum.moving += 1.0;
-      if (!frame.depthView.empty()) sum.of.distance += static_cast<double>(*frame.depthView.at(x, y));
+      if (!frame.depthView.empty()) sum.distance += static_cast<double>(*frame.depthView.at(x, y));
       if (x % kCameraStep != 0 || y % kCameraStep != 0) continue;
       sum.asked += 1.0;
       const auto camera = cameraMotionPx(frame, {x, y});
@@ -382,13 +378,14 @@ std::map<RegionIndex, RegionMeans> meansOf(const DoctorFrame& frame, const std::
     }
   std::map<RegionIndex, RegionMeans> out;
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    Sum& sum = sums[i];
+    const Sum& sum = sums[i];
     if (!(sum.moving > 0.0)) continue;
-    sum.of.middle /= sum.count;
-    sum.of.given /= sum.moving;
-    sum.of.distance /= sum.moving;
-    if (sum.known > 0.0 && sum.known == sum.asked) sum.of.camera = sum.camera / sum.known;
-    out[static_cast<RegionIndex>(i)] = sum.of;
+    RegionMeans& means = out[static_cast<RegionIndex>(i)];
+    means.middle = middles[i].place();
+    means.isWhole = !middles[i].isCut;
+    means.given = sum.given / sum.moving;
+    means.distance = sum.distance / sum.moving;
+    if (sum.known > 0.0 && sum.known == sum.asked) means.camera = sum.camera / sum.known;
   }
   return out;
 }

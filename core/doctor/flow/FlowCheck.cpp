@@ -5,6 +5,7 @@
 #include "core/base/Say.h"
 #include "core/doctor/Mending.h"
 #include "core/doctor/flow/FlowFit.h"
+#include "core/doctor/flow/FlowLength.h"
 #include "core/doctor/flow/FlowReadings.h"
 #include "core/doctor/flow/FlowWords.h"
 #include "core/doctor/flow/OtherObjects.h"
@@ -102,6 +103,19 @@ Finding measuredFinding(const std::vector<Refuted>& refuted, const FlowSeen& see
   return finding;
 }
 
+/// Adds one of motion, of which nothing is right then.
+void addMotion(Finding finding, Diagnosis& out) {
+  out.findings.push_back(std::move(finding));
+  out.parts.takeBack(say<"Motion">());
+}
+
+/// Takes back what explanations were told of regions: something else explains all of them.
+void takeBackRegions(Diagnosis& out) {
+  std::erase_if(out.findings, [](const Finding& finding) {
+    return isOfMotion(finding) && !finding.isWholePicture && !finding.residuals.empty();
+  });
+}
+
 bool areAllZero(const std::vector<const FlowSquare*>& squares) {
   constexpr double kNearlyAll = 0.98;
   const auto zero = std::ranges::count_if(
@@ -142,20 +156,16 @@ Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, c
   finding.sureness = Sureness::Likely;
   if (areAllZero(squares)) {
     const bool isOfCamera = isRightElsewhere(seen, refuted);
-    const std::string example = finding.change;
     const FaultInfo& row = faultInfo(isOfCamera ? Fault::MotionWithoutCamera : Fault::MotionZero);
-    finding.id = row.id;
-    finding.name = row.label;
-    finding.symptom = row.symptom;
+    nameMeasured({std::string(row.id), std::string(row.label), std::string(row.symptom),
+                  isOfCamera ? say<"Write the motion of what rests in the world, too: that of the camera.">()
+                             : say<"Write motion for it: draw it in the pass that writes motion, with the "
+                                   "transforms of this frame and of the one before.">()},
+                 finding);
     finding.reason +=
         " " + (isOfCamera ? say<"What is given there is 0, and where something moves by itself it is "
                                 "right: the camera's motion is missing.">()
                           : say<"What is given there is 0.">());
-    finding.change =
-        (isOfCamera ? say<"Write the motion of what rests in the world, too: that of the camera.">()
-                    : say<"Write motion for it: draw it in the pass that writes motion, with the "
-                          "transforms of this frame and of the one before.">()) +
-        " " + example;
     return finding;
   }
   // A line that all frames follow says more than one of those in which it shows.
@@ -234,88 +244,6 @@ bool isRightAsGiven(const std::vector<const FlowSquare*>& squares, std::size_t t
            glm::distance(glm::dvec2(square->byTrial[trial]), square->given) >= kOtherPx;
   });
   return static_cast<double>(right) >= kNearlyAll * static_cast<double>(squares.size());
-}
-
-/// Whether nothing is given of what moves, by what all squares of a pair move by in the middle and in the
-/// mean over all pairs: jitter, whichever it is, comes to nothing there.
-bool isRestRefuted(const FlowSeen& seen) {
-  constexpr std::size_t kEnoughPairs = 5, kEnoughOfPair = 8;
-  constexpr double kMovesPx = 0.1, kErrors = 4.0;
-  std::vector<glm::dvec2> middles;
-  glm::dvec2 mean(0.0);
-  for (const FlowPair& pair : seen.pairs) {
-    std::vector<double> x, y;
-    for (const FlowSquare& square : pair.squares) {
-      if (square.given != glm::dvec2(0.0)) return false;
-      x.push_back(square.px.x);
-      y.push_back(square.px.y);
-    }
-    if (x.size() < kEnoughOfPair) continue;
-    middles.emplace_back(median(std::move(x)), median(std::move(y)));
-    mean += middles.back();
-  }
-  if (middles.size() < kEnoughPairs) return false;
-  const auto count = static_cast<double>(middles.size());
-  mean /= count;
-  double squares = 0.0;
-  for (const glm::dvec2& middle : middles) squares += glm::dot(middle - mean, middle - mean);
-  const double error = std::sqrt(squares / (count * (count - 1.0)));
-  return glm::length(mean) >= std::max(kMovesPx, kErrors * error);
-}
-
-/// Frames of which nearly all that was measured moves otherwise than is given, whatever depth and matrices
-/// say: no light moves over all of the picture. Empty where that is so of most frames.
-Refuted wholeFrames(const FlowSeen& seen, double tolerancePx) {
-  constexpr std::size_t kEnoughOfFrame = 24;
-  constexpr double kNearlyAll = 0.8;
-  Refuted out;
-  for (const FlowPair& pair : seen.pairs) {
-    if (pair.squares.size() < kEnoughOfFrame) continue;
-    out.asked.push_back(pair.frame);
-    const auto off = std::ranges::count_if(pair.squares, [&](const FlowSquare& square) {
-      return square.offPx() > std::max(tolerancePx, kChanceErrors * square.errorPx);
-    });
-    if (static_cast<double>(off) < kNearlyAll * static_cast<double>(pair.squares.size())) continue;
-    out.frames.push_back(pair.frame);
-    for (const FlowSquare& square : pair.squares) out.squares.push_back(&square);
-  }
-  out.ofAll = out.squares;
-  if (2 * out.frames.size() > out.asked.size()) return {};
-  return out;
-}
-
-/// px: at which motion that is given ends, and what pictures move by there does not; nothing: at none.
-std::optional<double> limitPx(const FlowSeen& seen) {
-  constexpr double kAtLimit = 0.995, kBelow = 0.9, kLongerPx = 0.5, kAlong = 0.98, kVaries = 1.1;
-  constexpr std::size_t kEnoughAt = 12, kEnoughBelow = 8;
-  constexpr double kNearlyAll = 0.8, kMostLonger = 0.6; // some may be hardly longer
-  double limit = 0.0;
-  for (const FlowPair& pair : seen.pairs)
-    for (const FlowSquare& square : pair.squares) limit = std::max(limit, glm::length(square.given));
-  std::size_t at = 0, longer = 0, below = 0, right = 0;
-  std::vector<double> lengths;
-  for (const FlowPair& pair : seen.pairs)
-    for (const FlowSquare& square : pair.squares) {
-      const double given = glm::length(square.given), moved = glm::length(square.px);
-      if (given >= kAtLimit * limit) {
-        ++at;
-        const bool isAlong = glm::dot(square.given, square.px) >= kAlong * given * moved;
-        if (isAlong && moved >= given + kLongerPx) ++longer;
-        lengths.push_back(moved);
-      } else if (given <= kBelow * limit) {
-        ++below;
-        if (square.offPx() <= std::max(kOffPx, kChanceErrors * square.errorPx)) ++right;
-      }
-    }
-  const auto isShare = [](std::size_t part, std::size_t whole, double share) {
-    return static_cast<double>(part) >= share * static_cast<double>(whole);
-  };
-  if (at < kEnoughAt || below < kEnoughBelow || !isShare(longer, at, kMostLonger) ||
-      !isShare(right, below, kNearlyAll))
-    return {};
-  // What is as long everywhere may as well be a factor.
-  const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
-  return *most >= kVaries * *least ? std::optional(limit) : std::nullopt;
 }
 
 /// All that was measured where a finding is.
@@ -418,17 +346,13 @@ void nameNotCameras(const FlowSeen& seen, const Patient& patient, double toleran
   // What turns with a camera follows no line closely.
   constexpr double kClosePx = 0.2, kNearlyAll = 0.9;
   if (!fit || (isAnyTurned && followedShare(*fit, all.front().squares, kClosePx) < kNearlyAll)) return;
-  std::erase_if(out.findings, [&](const Finding& finding) {
-    // What was said of single regions is a part of it.
-    return saysNotCamerasAlone(finding) ||
-           (isOfMotion(finding) && !finding.isWholePicture && !finding.residuals.empty());
-  });
+  std::erase_if(out.findings, saysNotCamerasAlone);
+  takeBackRegions(out); // a part of it
   Finding finding = measuredFinding(all, seen, patient, out);
   finding.sureness = Sureness::Likely;
   finding.isWholePicture = true;
   nameByFit(*fit, patient, finding);
-  out.findings.push_back(std::move(finding));
-  out.parts.takeBack(say<"Motion">());
+  addMotion(std::move(finding), out);
 }
 
 FaultWords otherObjectWords() {
@@ -455,35 +379,29 @@ void tellOtherObjects(std::vector<Refuted>& refuted, const FlowSeen& seen, const
   const std::vector<OfOtherObject> found = ofOtherObjects(refuted, seen);
   if (found.empty()) return;
   std::vector<Refuted> of;
-  std::vector<RegionPlace> places;
-  std::string says;
-  for (const OfOtherObject& one : found) {
-    const auto known = std::ranges::find(refuted, one.region, &Refuted::region);
-    if (known != refuted.end()) of.push_back(*known);
-    places.push_back(placeOf(*one.region, patient, allPixels(patient, out)));
-    takeBackUnsure(places.back().name, out);
-    const std::string name = placeOf(*one.region, patient, 1.0).name;
-    const std::string other = placeOf(*one.other, patient, 1.0).name;
-    says += " " + (one.kind == OtherObjectKind::Motion
-                       ? say<"In %1 of %2 frames the motion given of %3 is what %4 moves by, to %5 px.">(
-                             one.frames, one.asked, name, other, shortNumber(one.px))
-                       : say<"In %1 of %2 frames the motion given of %3 leads to where %4 was, to %5 px.">(
-                             one.frames, one.asked, name, other, shortNumber(one.px)));
-  }
-  if (of.empty()) // of one that nothing follows, by another one that is refuted
-    of.assign(refuted.begin(), refuted.end());
+  std::erase_if(refuted, [&](const Refuted& one) {
+    const bool isFound = std::ranges::count(found, one.region, &OfOtherObject::region) > 0;
+    if (isFound) of.push_back(one);
+    return isFound;
+  });
   Finding finding = measuredFinding(of, seen, patient, out);
   finding.sureness = Sureness::Likely;
-  std::ranges::stable_sort(places, std::greater(), &RegionPlace::share);
-  finding.regions = std::move(places);
-  const std::string example = finding.change;
-  nameBy(otherObjectWords(), finding);
-  finding.reason += says;
-  finding.change += " " + example;
-  out.findings.push_back(std::move(finding));
-  std::erase_if(refuted, [&](const Refuted& one) {
-    return std::ranges::count(found, one.region, &OfOtherObject::region) > 0;
-  });
+  finding.regions.clear();
+  nameMeasured(otherObjectWords(), finding);
+  for (const OfOtherObject& one : found) {
+    const RegionPlace place = placeOf(*one.region, patient, allPixels(patient, out));
+    const std::string other = placeOf(*one.other, patient, 1.0).name;
+    finding.reason +=
+        " " + (one.kind == OtherObjectKind::Motion
+                   ? say<"In %1 of %2 frames the motion given of %3 is what %4 moves by, to %5 px.">(
+                         one.frames, one.asked, place.name, other, shortNumber(one.px))
+                   : say<"In %1 of %2 frames the motion given of %3 leads to where %4 was, to %5 px.">(
+                         one.frames, one.asked, place.name, other, shortNumber(one.px)));
+    takeBackUnsure(place.name, out);
+    finding.regions.push_back(place);
+  }
+  std::ranges::stable_sort(finding.regions, std::greater(), &RegionPlace::share);
+  addMotion(std::move(finding), out);
 }
 
 /// What explanations that are no line make of the motion given; takes these regions out of `refuted`.
@@ -508,8 +426,7 @@ void tellReadings(std::vector<Refuted>& refuted, const FlowSeen& seen, const Pat
     const std::vector<const FlowSquare*> squares = squaresOf(of);
     Finding finding = measuredFinding(of, seen, patient, out);
     finding.sureness = Sureness::Likely;
-    const std::string example = finding.change;
-    nameBy(motionFault(&trials[trial], *of.front().region, RegionEvidence()), finding);
+    nameMeasured(motionFault(&trials[trial], *of.front().region, RegionEvidence()), finding);
     finding.reason += " " + say<"Taken like this it is off by %1 px: %2.">(
                                 shortNumber(leftPx(squares, trial)), trialText(trials[trial]));
     for (const std::size_t rival : rivals[trial]) {
@@ -517,7 +434,6 @@ void tellReadings(std::vector<Refuted>& refuted, const FlowSeen& seen, const Pat
       if (id != finding.id && std::ranges::count(finding.alike, id) == 0)
         finding.alike.push_back(std::move(id));
     }
-    finding.change += " " + example;
     mendBy(motionMending(trials[trial]), finding);
     out.findings.push_back(std::move(finding));
   }
@@ -525,25 +441,20 @@ void tellReadings(std::vector<Refuted>& refuted, const FlowSeen& seen, const Pat
 
 /// Motion that ends at a length, and what was said of regions where it does.
 void tellLimited(const FlowSeen& seen, const Patient& patient, double tolerancePx, Diagnosis& out) {
-  const auto limit = limitPx(seen);
+  const auto limit = limitPx(seen.pairs, tolerancePx);
   if (!limit) return;
   std::vector<Refuted> refuted = refutedRegions(seen, tolerancePx);
   if (refuted.empty()) return;
-  std::erase_if(out.findings, [](const Finding& finding) {
-    return isOfMotion(finding) && !finding.isWholePicture && !finding.residuals.empty();
-  });
+  takeBackRegions(out);
   Finding finding = measuredFinding(refuted, seen, patient, out);
-  const std::string example = finding.change;
-  nameBy({"motionLimited", say<"Motion cut off at a length">(),
-          say<"Fast things ghost; slow ones are right.">(),
-          say<"Store motion for TAA without the limit that motion blur, or a format, puts on it.">()},
-         finding);
+  nameMeasured({"motionLimited", say<"Motion cut off at a length">(),
+                say<"Fast things ghost; slow ones are right.">(),
+                say<"Store motion for TAA without the limit that motion blur, or a format, puts on it.">()},
+               finding);
   finding.reason +=
       " " + say<"No motion that is given is longer than %1 px, where the pictures move farther, "
                 "and now more and now less; shorter motion is right.">(shortNumber(*limit));
-  finding.change += " " + example;
-  out.findings.push_back(std::move(finding));
-  out.parts.takeBack(say<"Motion">());
+  addMotion(std::move(finding), out);
 }
 
 /// A frame of which everything moves otherwise than is given.
@@ -557,8 +468,7 @@ void tellWholeFrames(const FlowSeen& seen, const Patient& patient, double tolera
     nameMissing(refuted.front().frames.front(), *missing, finding);
   else
     nameUnknown(finding);
-  out.findings.push_back(std::move(finding));
-  out.parts.takeBack(say<"Motion">());
+  addMotion(std::move(finding), out);
 }
 
 /// What goes one way has lost that part of its motion: numbers without a sign.
@@ -566,24 +476,19 @@ void tellClipped(const FlowSeen& seen, const Patient& patient, Diagnosis& out) {
   const std::vector<Refuted> all{wholePicture(seen)};
   const bool x = isClipped(all.front().squares, 0), y = isClipped(all.front().squares, 1);
   if (!x && !y) return;
-  std::erase_if(out.findings, [](const Finding& finding) {
-    return isOfMotion(finding) && !finding.isWholePicture && !finding.residuals.empty();
-  });
+  takeBackRegions(out);
   Finding finding = measuredFinding(all, seen, patient, out);
-  const std::string example = finding.change;
-  nameBy({"motionClipped", say<"Motion without its negative part">(),
-          say<"What goes one way ghosts; what goes the other is right.">(),
-          say<"Store motion in a format with a sign, or with an offset that is stated.">()},
-         finding);
+  nameMeasured({"motionClipped", say<"Motion without its negative part">(),
+                say<"What goes one way ghosts; what goes the other is right.">(),
+                say<"Store motion in a format with a sign, or with an offset that is stated.">()},
+               finding);
   finding.isWholePicture = true;
   finding.reason = say<
       "Along %1 motion of one sign is given and none of the other: where pictures move that way it is 0.">(
       x && y ? say<"x and y">()
       : x    ? std::string("x")
              : std::string("y"));
-  finding.change += " " + example;
-  out.findings.push_back(std::move(finding));
-  out.parts.takeBack(say<"Motion">());
+  addMotion(std::move(finding), out);
 }
 
 } // namespace
@@ -606,7 +511,7 @@ void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient
   const double tolerancePx = patient.isJitterOpen ? kOffPxWithOpenJitter : kOffPx;
   const bool isAnyTold = std::ranges::any_of(out.findings, isOfMotion);
   const bool isOtherLength =
-      isOfOtherLength(mended, patient, tolerancePx, out) || (!isAnyTold && isRestRefuted(mended));
+      isOfOtherLength(mended, patient, tolerancePx, out) || (!isAnyTold && isRestRefuted(mended.pairs));
   if (isOtherLength || (patient.isMotionMended && refutedShare(mended, tolerancePx) >= kRefutesAll)) {
     // What is wrong everywhere shows in the sum of squares in none of which it is clear.
     std::vector<Refuted> refuted{wholePicture(asGiven)};
@@ -618,8 +523,7 @@ void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient
     finding.isWholePicture = true;
     if (finding.id == kUnknownMotionId && !told.empty())
       finding.reason += " " + say<"What comes nearest does not explain it either: %1.">(told);
-    out.findings.push_back(std::move(finding));
-    out.parts.takeBack(say<"Motion">());
+    addMotion(std::move(finding), out);
     return;
   }
   if (patient.isMotionMended && refutedShare(mended, tolerancePx) >= kDoubtsAll)

@@ -138,6 +138,64 @@ std::optional<FittedLength> fittedLength(const std::vector<FlowPair>& pairs) {
   return LengthFit(pairs).told();
 }
 
+bool isRestRefuted(const std::vector<FlowPair>& pairs) {
+  constexpr std::size_t kEnoughPairs = 5, kEnoughOfPair = 8;
+  constexpr double kMovesPx = 0.1, kErrors = 4.0;
+  std::vector<glm::dvec2> middles;
+  glm::dvec2 mean(0.0);
+  for (const FlowPair& pair : pairs) {
+    std::vector<double> x, y;
+    for (const FlowSquare& square : pair.squares) {
+      if (square.given != glm::dvec2(0.0)) return false;
+      x.push_back(square.px.x);
+      y.push_back(square.px.y);
+    }
+    if (x.size() < kEnoughOfPair) continue;
+    middles.emplace_back(median(std::move(x)), median(std::move(y)));
+    mean += middles.back();
+  }
+  if (middles.size() < kEnoughPairs) return false;
+  const auto count = static_cast<double>(middles.size());
+  mean /= count;
+  double squares = 0.0;
+  for (const glm::dvec2& middle : middles) squares += glm::dot(middle - mean, middle - mean);
+  const double error = std::sqrt(squares / (count * (count - 1.0)));
+  return glm::length(mean) >= std::max(kMovesPx, kErrors * error);
+}
+
+std::optional<double> limitPx(const std::vector<FlowPair>& pairs, double tolerancePx) {
+  constexpr double kAtLimit = 0.995, kBelow = 0.9, kLongerPx = 0.5, kAlong = 0.98, kVaries = 1.1;
+  constexpr std::size_t kEnoughAt = 12, kEnoughBelow = 8;
+  constexpr double kNearlyAll = 0.8, kMostLonger = 0.6; // some may be hardly longer
+  double limit = 0.0;
+  for (const FlowPair& pair : pairs)
+    for (const FlowSquare& square : pair.squares) limit = std::max(limit, glm::length(square.given));
+  std::size_t at = 0, longer = 0, below = 0, right = 0;
+  std::vector<double> lengths;
+  for (const FlowPair& pair : pairs)
+    for (const FlowSquare& square : pair.squares) {
+      const double given = glm::length(square.given), moved = glm::length(square.px);
+      if (given >= kAtLimit * limit) {
+        ++at;
+        const bool isAlong = glm::dot(square.given, square.px) >= kAlong * given * moved;
+        if (isAlong && moved >= given + kLongerPx) ++longer;
+        lengths.push_back(moved);
+      } else if (given <= kBelow * limit) {
+        ++below;
+        if (square.offPx() <= std::max(tolerancePx, kChanceErrors * square.errorPx)) ++right;
+      }
+    }
+  const auto isShare = [](std::size_t part, std::size_t whole, double share) {
+    return static_cast<double>(part) >= share * static_cast<double>(whole);
+  };
+  if (at < kEnoughAt || below < kEnoughBelow || !isShare(longer, at, kMostLonger) ||
+      !isShare(right, below, kNearlyAll))
+    return {};
+  // What is as long everywhere may as well be a factor.
+  const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
+  return *most >= kVaries * *least ? std::optional(limit) : std::nullopt;
+}
+
 MotionTrial trialOf(const FittedLength& length, const glm::ivec2& sizePx) {
   constexpr double kWithinErrors = 3.0;
   const auto isWithin = [&](const glm::dvec2& unit) {

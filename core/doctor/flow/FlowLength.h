@@ -23,6 +23,13 @@ struct FittedLength {
 /// Nothing: some motion is longer, or no factor makes what squares move by of it.
 std::optional<FittedLength> fittedLength(const std::vector<FlowPair>& pairs);
 
+/// Whether nothing is given of what moves, by what all squares of a pair move by in the middle and in the
+/// mean over all pairs: jitter, whichever it is, comes to nothing there.
+bool isRestRefuted(const std::vector<FlowPair>& pairs);
+/// px: at which motion that is given ends, and what pictures move by there does not; nothing: at none.
+/// `tolerancePx`: by which motion may be off.
+std::optional<double> limitPx(const std::vector<FlowPair>& pairs, double tolerancePx);
+
 /// The unit that a fitted length is: texture or device coordinates taken for pixels, where the numbers of the
 /// picture's size lie within its error; else a trial of the fitted factors.
 MotionTrial trialOf(const FittedLength& length, const glm::ivec2& sizePx);

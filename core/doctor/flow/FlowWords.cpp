@@ -5,7 +5,6 @@
 #include "core/capture/decode/Motion.h"
 #include "core/doctor/Mending.h"
 #include "core/doctor/motion/MotionMending.h"
-#include "core/doctor/motion/MotionWords.h"
 
 #include <optional>
 #include <string>
@@ -82,11 +81,15 @@ std::string lengthReason(const FittedLength& length, const MotionTrial& trial, c
 
 } // namespace
 
+void nameMeasured(const FaultWords& fault, Finding& finding) {
+  const std::string example = std::move(finding.change);
+  nameBy(fault, finding);
+  finding.change += " " + example;
+}
+
 void nameByFit(const FlowFit& fit, const Patient& patient, Finding& finding) {
   const auto trial = knownTrial(fit, patient.sizePx);
-  const std::string example = finding.change;
-  nameBy(trial ? motionFault(&*trial, Region(), RegionEvidence()) : fitWords(fit), finding);
-  finding.change += " " + example;
+  nameMeasured(trial ? motionFault(&*trial, Region(), RegionEvidence()) : fitWords(fit), finding);
   finding.reason += " " + say<"By least squares %1: that explains %2 of %3 squares.">(
                               fitText(fit, patient.sizePx), fit.followed, fit.squares);
   if (trial)
@@ -96,9 +99,8 @@ void nameByFit(const FlowFit& fit, const Patient& patient, Finding& finding) {
 }
 
 void nameWithoutRoot(const FlowFit& fit, Finding& finding) {
-  const std::string example = finding.change;
   const double factor = fit.factors[0][0], error = fit.factorErrors[0][0];
-  nameBy(
+  nameMeasured(
       {"motionWithoutRoot", say<"Motion that is linear decoded as a root">(),
        say<"Small motion is lost, and fast things have far too little.">(),
        say<"State that motion is stored with an offset, %1, times %2 in device coordinates: the root that Unreal's "
@@ -106,30 +108,25 @@ void nameWithoutRoot(const FlowFit& fit, Finding& finding) {
            shortestText(static_cast<float>(capture::kUnrealRest)),
            withError(factor / capture::kUnrealSlope, error / capture::kUnrealSlope))},
       finding);
-  finding.change += " " + example;
   finding.reason +=
       " " + say<"By least squares the pictures move by %1 times what is read if its root is not undone: "
                 "that explains %2 of %3 squares.">(withError(factor, error), fit.followed, fit.squares);
 }
 
 void nameMissing(int frame, const FlowFit& fit, Finding& finding) {
-  const std::string example = finding.change;
-  nameBy(
+  nameMeasured(
       {"frameMissing", say<"A frame missing before frame %1">(frame),
        say<"Things jump, and history is looked for where they would have been.">(),
        say<"Write all frames one after the other, or start history anew in that one: \"cut\": true in the manifest.">()},
       finding);
   finding.reason +=
       " " + say<"There alone the pictures go %1 times as far as is given.">(shortNumber(fit.factors[0][0]));
-  finding.change += " " + example;
 }
 
 void nameUnknown(Finding& finding) {
-  const std::string example = finding.change;
-  nameBy(unknownMotion(), finding);
+  nameMeasured(unknownMotion(), finding);
   finding.reason +=
       " " + say<"None of the mistakes that are known here makes what is given of what pictures show.">();
-  finding.change += " " + example;
 }
 
 std::vector<Finding> lengthFindings(const FittedLength& length, const MotionTrial& trial,

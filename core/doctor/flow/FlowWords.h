@@ -5,12 +5,14 @@
 #include "core/doctor/Patient.h"
 #include "core/doctor/flow/FlowFit.h"
 #include "core/doctor/flow/FlowLength.h"
+#include "core/doctor/motion/MotionWords.h"
 
 #include <vector>
 
 namespace taa::doctor {
 
-// Each names a finding that has regions and numbers, and an example as its change.
+// Each names a finding that has regions and numbers, and an example as its change, which stays behind it.
+void nameMeasured(const FaultWords& fault, Finding& finding);
 void nameByFit(const FlowFit& fit, const Patient& patient, Finding& finding);
 /// Of explainingWithoutRoot().
 void nameWithoutRoot(const FlowFit& fit, Finding& finding);

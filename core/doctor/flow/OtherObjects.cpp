@@ -158,7 +158,10 @@ std::vector<OfOtherObject> ofOtherObjects(const std::vector<Refuted>& refuted, c
   }
   std::vector<OfOtherObject> out;
   for (const auto& [region, found] : best) out.push_back(found);
-  return out;
+  const bool isAnyRefuted = std::ranges::any_of(out, [&](const OfOtherObject& one) {
+    return std::ranges::count(refuted, one.region, &Refuted::region) > 0;
+  });
+  return isAnyRefuted ? out : std::vector<OfOtherObject>();
 }
 
 } // namespace taa::doctor

@@ -23,8 +23,9 @@ struct OfOtherObject {
   double px = 0.0;                   ///< to that
 };
 
-/// Of objects by their number, of which pictures refute one at least. What one moves by is what its squares
-/// do, else its middle; it is compared without the camera's motion, where that is known.
+/// Of objects by their number. One that pictures do not refute itself, as nothing of it can be followed, is
+/// told only beside one that they do: its motion may be right, and that of two things. What one moves by is
+/// what its squares do, else its middle; it is compared without the camera's motion, where that is known.
 std::vector<OfOtherObject> ofOtherObjects(const std::vector<Refuted>& refuted, const FlowSeen& seen);
 
 } // namespace taa::doctor

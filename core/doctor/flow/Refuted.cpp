@@ -1,5 +1,6 @@
 #include "core/doctor/flow/Refuted.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -68,6 +69,25 @@ Refuted wholePicture(const FlowSeen& seen) {
   }
   out.asked = out.frames;
   out.ofAll = out.squares;
+  return out;
+}
+
+Refuted wholeFrames(const FlowSeen& seen, double tolerancePx) {
+  constexpr std::size_t kEnoughOfFrame = 24;
+  constexpr double kNearlyAll = 0.8;
+  Refuted out;
+  for (const FlowPair& pair : seen.pairs) {
+    if (pair.squares.size() < kEnoughOfFrame) continue;
+    out.asked.push_back(pair.frame);
+    const auto off = std::ranges::count_if(pair.squares, [&](const FlowSquare& square) {
+      return square.offPx() > std::max(tolerancePx, kChanceErrors * square.errorPx);
+    });
+    if (static_cast<double>(off) < kNearlyAll * static_cast<double>(pair.squares.size())) continue;
+    out.frames.push_back(pair.frame);
+    for (const FlowSquare& square : pair.squares) out.squares.push_back(&square);
+  }
+  out.ofAll = out.squares;
+  if (2 * out.frames.size() > out.asked.size()) return {};
   return out;
 }
 

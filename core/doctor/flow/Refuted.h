@@ -34,6 +34,10 @@ std::vector<Refuted> refutedRegions(const FlowSeen& seen, double tolerancePx);
 /// Of the whole picture, whose squares are all alike wrong.
 Refuted wholePicture(const FlowSeen& seen);
 
+/// Frames of which nearly all that was measured moves otherwise than is given, whatever depth and matrices
+/// say: no light moves over all of the picture. Empty where that is so of most frames.
+Refuted wholeFrames(const FlowSeen& seen, double tolerancePx);
+
 std::vector<const FlowSquare*> squaresOf(const std::vector<Refuted>& refuted);
 /// Frames of any of them: in which they are refuted, and that were asked.
 std::pair<std::vector<int>, std::vector<int>> framesOf(const std::vector<Refuted>& refuted);

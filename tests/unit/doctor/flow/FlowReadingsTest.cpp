@@ -1,6 +1,8 @@
 // Explanations against squares that move by a known one.
 #include "core/doctor/flow/FlowReadings.h"
 
+#include "tests/support/doctor/FlowSquares.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +12,8 @@
 
 namespace taa::doctor {
 namespace {
+
+using test::pointersTo;
 
 constexpr glm::ivec2 kSizePx{160, 96};
 
@@ -35,12 +39,6 @@ std::vector<FlowSquare> squaresUnder(MotionKind kind, double share, double noise
     square.errorPx = 0.02;
     out.push_back(square);
   }
-  return out;
-}
-
-std::vector<const FlowSquare*> pointersTo(const std::vector<FlowSquare>& squares) {
-  std::vector<const FlowSquare*> out;
-  for (const FlowSquare& square : squares) out.push_back(&square);
   return out;
 }
 

@@ -2,6 +2,7 @@
 // it.
 #include "core/doctor/flow/FlowFit.h"
 
+#include "tests/support/doctor/FlowSquares.h"
 #include "tests/support/doctor/PaintedFrames.h"
 
 #include <gtest/gtest.h>
@@ -16,6 +17,8 @@
 
 namespace taa::doctor {
 namespace {
+
+using test::pointersTo;
 
 const test::PaintedShot kShot;
 
@@ -40,12 +43,6 @@ std::vector<FlowSquare> squaresBy(const glm::dmat2& factors, const glm::dvec2& o
     square.errorPx = 0.01;
     out.push_back(square);
   }
-  return out;
-}
-
-std::vector<const FlowSquare*> pointersTo(const std::vector<FlowSquare>& squares) {
-  std::vector<const FlowSquare*> out;
-  for (const FlowSquare& square : squares) out.push_back(&square);
   return out;
 }
 

@@ -31,6 +31,11 @@ class OtherObjects : public testing::Test {
     return region == 1 ? glm::dvec2(40.0, 30.0) + 3.0 * frame : glm::dvec2(110.0 - 2.0 * frame, 60.0);
   }
 
+  /// The two objects have each other's.
+  static glm::dvec2 exchangedPx(RegionIndex region, int frame) {
+    return cameraPx() + ownPx(region == 0 ? 0 : 3 - region, frame);
+  }
+
   /// `given`: the motion that a region is said to have.
   template <typename Given>
   void fill(const Given& given, bool hasCamera = true) {
@@ -72,12 +77,7 @@ class OtherObjects : public testing::Test {
 
 TEST_F(OtherObjects, AreFoundByTheirOwnMotion) {
   for (const bool hasCamera : {true, false}) {
-    fill(
-        [](RegionIndex region, int frame) {
-          const RegionIndex other = region == 0 ? 0 : 3 - region;
-          return cameraPx() + ownPx(other, frame);
-        },
-        hasCamera);
+    fill(exchangedPx, hasCamera);
     const std::vector<OfOtherObject> exchanged = found();
     ASSERT_EQ(exchanged.size(), 2u) << hasCamera;
     EXPECT_EQ(exchanged[0].region, &regions_[1]);
@@ -106,10 +106,7 @@ TEST_F(OtherObjects, AreFoundByTheirWayInTheWorld) {
 
 // One of them has no squares that can be followed: its middle says what it moves by.
 TEST_F(OtherObjects, AreFoundByTheirMiddles) {
-  fill([](RegionIndex region, int frame) {
-    const RegionIndex other = region == 0 ? 0 : 3 - region;
-    return cameraPx() + ownPx(other, frame);
-  });
+  fill(exchangedPx);
   glm::dvec2 at(60.0, 40.0);
   for (FlowPair& pair : pairs_) {
     std::erase_if(pair.squares, [](const FlowSquare& square) { return square.region == 2; });
@@ -120,6 +117,17 @@ TEST_F(OtherObjects, AreFoundByTheirMiddles) {
   ASSERT_EQ(exchanged.size(), 2u);
   EXPECT_EQ(exchanged[0].other, &regions_[2]);
   EXPECT_EQ(exchanged[1].other, &regions_[1]);
+}
+
+// What nothing follows may rightly have the motion of something whose own is wrong.
+TEST_F(OtherObjects, AreNotWhatNothingRefutes) {
+  fill([](RegionIndex region, int frame) {
+    if (region == 1) return glm::dvec2(-7.0 + 3.0 * (frame % 3), 9.0);
+    return cameraPx() + ownPx(region == 2 ? 1 : region, frame);
+  });
+  for (FlowPair& pair : pairs_)
+    std::erase_if(pair.squares, [](const FlowSquare& square) { return square.region == 2; });
+  EXPECT_TRUE(found().empty());
 }
 
 TEST_F(OtherObjects, AreFoundByTheirPlace) {
