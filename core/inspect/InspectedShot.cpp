@@ -218,6 +218,10 @@ void InspectedShot::setCheckpointBudget(std::size_t bytes) {
   player_.setBudget(bytes);
 }
 
+void InspectedShot::setInputsBudget(std::size_t bytes) {
+  player_.maker().keptInputs.setBudget(bytes);
+}
+
 bool InspectedShot::areAllExact() const {
   return player_.isExact();
 }

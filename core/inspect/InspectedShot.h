@@ -147,6 +147,9 @@ class InspectedShot {
   /// Bytes that kept histories of all lanes may use on the GPU; default kDefaultCheckpointBudget.
   void setCheckpointBudget(std::size_t bytes);
   std::size_t checkpointBudget() const;
+  /// Bytes that inputs of frames drawn lately may use on the GPU, so that other settings of the resolve and
+  /// other lanes draw them no second time; default 0.
+  void setInputsBudget(std::size_t bytes);
 
   /// Compiles all shaders again; on Error everything stays as it was.
   void reloadShaders();

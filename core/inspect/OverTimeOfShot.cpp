@@ -133,6 +133,31 @@ RowImages OverTimeOfShot::resolveNow(const std::vector<IntermediateId>& ids, Tra
   return imagesOf(player_.maker().exposedAll(player_.state(), player_.shown(), ids, lane), ids);
 }
 
+// Lanes that differ in the resolve alone have the same surfaces and references.
+const FlickerFrame* OverTimeOfShot::madeOfOtherLane(const FrameWindow& window, const FrameRequest& truth,
+                                                    int frame) const {
+  for (const Measured& measured : lanes_) {
+    const auto found = measured.window.frames.find(frame);
+    if (&measured.window != &window && found != measured.window.frames.end() &&
+        referenceRequest(measured.key.request) == truth)
+      return &found->second.flicker;
+  }
+  return nullptr;
+}
+
+void OverTimeOfShot::fillSteps(FrameWindow& window, const OverTimeNeed& need, int frame) {
+  Image& steps = window.frames.at(frame).flicker.steps;
+  if (!steps.empty()) return;
+  const ShotState only = player_.onlyLane(need.lane);
+  const FlickerFrame* known = madeOfOtherLane(window, referenceRequest(only.request(0)), frame);
+  if (known && !known->steps.empty()) {
+    steps = known->steps;
+    return;
+  }
+  const gl::PassGroup group(pass_group::kReference);
+  steps = drawSteps(*only.frames, only.request(0), frame, window.seen);
+}
+
 void OverTimeOfShot::fillReference(FrameWindow& window, References& drawn, const OverTimeNeed& need,
                                    int frame, const Progress& progress) {
   FlickerFrame& flicker = window.frames.at(frame).flicker;
@@ -143,6 +168,12 @@ void OverTimeOfShot::fillReference(FrameWindow& window, References& drawn, const
   const gl::PassGroup group(pass_group::kReference);
   const ShotState only = player_.onlyLane(need.lane);
   const ReferenceKey wanted{referenceRequest(only.request(0)), frame};
+  const FlickerFrame* known = madeOfOtherLane(window, wanted.request, frame);
+  if (isShown && !isCompared && known && known->referenceSamples == need.samples) {
+    flicker.reference = known->reference;
+    flicker.referenceSamples = need.samples;
+    return;
+  }
   Image reference = drawn.foundOrDrawn(*only.frames, wanted, need.samples, references_, progress).mean();
   if (isShown) {
     flicker.reference = shownColors(reference);
@@ -169,7 +200,6 @@ void OverTimeOfShot::addResolve(FrameWindow& window, const OverTimeNeed& need, i
 void OverTimeOfShot::fill(FrameWindow& window, References& drawn, const OverTimeNeed& need,
                           const Progress& progress) {
   assert(need.samples > 0 || !need.has(OverTime::Parts));
-  const ShotState only = player_.onlyLane(need.lane);
   const int first = firstFrame(need.last);
   window.keepOnly(first, need.last);
   if (window.referenceSamples != need.samples) window.references.clear();
@@ -180,11 +210,7 @@ void OverTimeOfShot::fill(FrameWindow& window, References& drawn, const OverTime
       return !progress || progress(say<"Frames before">(), frame - first, need.last - first + 1);
     };
     report(told, "", 0, 0);
-    FrameOverTime& entry = window.frames.at(frame);
-    if (entry.flicker.steps.empty() && frame > first) {
-      const gl::PassGroup group(pass_group::kReference);
-      entry.flicker.steps = drawSteps(*only.frames, only.request(0), frame, window.seen);
-    }
+    if (frame > first) fillSteps(window, need, frame);
     fillReference(window, drawn, need, frame, told);
     if (frame == need.last) break;
     const std::vector<IntermediateId> ids = missingRows(window, need, frame);

@@ -76,6 +76,9 @@ class OverTimeOfShot {
   bool lacksErrors(const FrameWindow& window, const OverTimeNeed& need, int frame) const;
   std::vector<IntermediateId> missingRows(const FrameWindow& window, const OverTimeNeed& need,
                                           int frame) const;
+  /// What another lane's window has of a frame with these references; null: none has it.
+  const FlickerFrame* madeOfOtherLane(const FrameWindow& window, const FrameRequest& truth, int frame) const;
+  void fillSteps(FrameWindow& window, const OverTimeNeed& need, int frame);
   void fillReference(FrameWindow& window, References& drawn, const OverTimeNeed& need, int frame,
                      const Progress& progress);
   void addResolve(FrameWindow& window, const OverTimeNeed& need, int frame, const RowImages& resolve) const;

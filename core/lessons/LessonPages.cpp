@@ -47,17 +47,23 @@ float zoomOf(const LessonState& state) {
   return state.shot.size.x <= kLessonSizePx.x ? kPageZoom : 1.0f;
 }
 
+/// What is measured over the last frames hardly changes from one to the next, and each of them costs
+/// references of all: a picture shows it.
+bool isClip(const LessonState& state, const LessonView& view) {
+  return state.plays && !isOverTime(view.id);
+}
+
 std::string figureName(const Lesson& lesson, std::size_t step, std::size_t view) {
   const LessonState& state = lesson.steps[step].state;
   return lesson.id + "-" + std::to_string(step + 1) + static_cast<char>('a' + view) +
-         (state.plays ? ".gif" : ".png");
+         (isClip(state, state.views[view]) ? ".gif" : ".png");
 }
 
 /// "Resolved, builtin:fan, frame 40; compared with preset:off"
 std::string captionOf(const LessonView& view, const LessonState& state) {
   std::string caption =
       say<"%1, %2, frame %3">(intermediate(view.id).label, state.shot.source, state.shot.frame);
-  if (state.plays)
+  if (isClip(state, view))
     caption = say<"%1, %2, %3 frames from frame %4 on">(intermediate(view.id).label, state.shot.source,
                                                         kClipFrames, state.shot.frame);
   if (view.comparison) caption = say<"%1; compared with %2">(caption, comparisonText(view.comparison));
@@ -165,31 +171,41 @@ Picture drawFigure(Inspector& inspector, const PictureRequest& request, const Le
   return picture;
 }
 
-void writePicture(Inspector& inspector, const LessonView& view, const LessonState& state,
-                  const fs::path& file, const Progress& progress) {
-  const int otherLane = openView(inspector, view, state, progress);
-  const Picture picture = drawFigure(inspector, requestOf(view, state, otherLane), state, progress);
-  writePng(file, picture.width, picture.height, picture.rgba);
-}
+/// One that becomes a clip.
+struct Clip {
+  PictureRequest request;
+  std::unique_ptr<GifWriter> file;
+};
 
-/// Of all views frame by frame, which are made once.
-void writeClips(Inspector& inspector, const LessonState& state, const std::vector<fs::path>& files,
+/// Of all of them frame by frame, which are made once.
+void writeClips(Inspector& inspector, const LessonState& state, const std::vector<Clip>& clips,
                 const Progress& progress) {
-  std::vector<PictureRequest> requests;
-  std::vector<std::unique_ptr<GifWriter>> clips;
-  for (std::size_t view = 0; view < files.size(); ++view) {
-    const int otherLane = openView(inspector, state.views[view], state, progress);
-    const PictureRequest& request = requests.emplace_back(requestOf(state.views[view], state, otherLane));
-    clips.push_back(
-        std::make_unique<GifWriter>(files[view], files[view], request.width, request.height, kClipRate));
-  }
+  if (clips.empty()) return;
   const int last = std::min(state.shot.frame + kClipFrames, inspector.shot().frameCount());
   for (int frame = state.shot.frame; frame < last; ++frame) {
     inspector.shot().seek(frame, progress);
-    for (std::size_t view = 0; view < clips.size(); ++view)
-      clips[view]->add(drawFigure(inspector, requests[view], state, progress).rgba);
+    for (const Clip& clip : clips) clip.file->add(drawFigure(inspector, clip.request, state, progress).rgba);
   }
-  for (const std::unique_ptr<GifWriter>& clip : clips) clip->finish();
+  for (const Clip& clip : clips) clip.file->finish();
+}
+
+/// Pictures of its views, and clips.
+void writeViews(Inspector& inspector, const LessonState& state, const std::vector<fs::path>& files,
+                const Progress& progress) {
+  std::vector<Clip> clips;
+  for (std::size_t index = 0; index < files.size(); ++index) {
+    const LessonView& view = state.views[index];
+    const int otherLane = openView(inspector, view, state, progress);
+    const PictureRequest request = requestOf(view, state, otherLane);
+    if (isClip(state, view)) {
+      clips.push_back({request, std::make_unique<GifWriter>(files[index], files[index], request.width,
+                                                            request.height, kClipRate)});
+      continue;
+    }
+    const Picture picture = drawFigure(inspector, request, state, progress);
+    writePng(files[index], picture.width, picture.height, picture.rgba);
+  }
+  writeClips(inspector, state, clips, progress);
 }
 
 /// What the window drew of a step; empty: nothing.
@@ -215,9 +231,7 @@ std::vector<LessonFigure> writeFigures(Inspector& inspector, const Lesson& lesso
     files.push_back(pages.folder / name);
     figures.push_back({name, captionOf(state.views[view], state), width});
   }
-  if (state.plays) writeClips(inspector, state, files, progress);
-  for (std::size_t view = 0; view < files.size() && !state.plays; ++view)
-    writePicture(inspector, state.views[view], state, files[view], progress);
+  writeViews(inspector, state, files, progress);
   if (const fs::path file = windowFigureFile(lesson, step, pages); !file.empty()) {
     writeFile(pages.folder / file.filename(), readFile(file));
     figures.push_back({file.filename().string(), say<"What the window shows of it">(), 0});
@@ -277,9 +291,12 @@ class PageDrawing {
 
  private:
   static constexpr std::size_t kMostThreads = 4; ///< a context holds hundreds of megabytes
+  /// Steps look at one shot under many settings: some hundred frames of a lesson's size.
+  static constexpr std::size_t kInputsBytes = 256u << 20;
 
   void drawLessons() try {
     Inspector inspector;
+    inspector.shot().setInputsBudget(kInputsBytes);
     for (std::size_t next = next_++; next < lessons_.size() && !ends_; next = next_++)
       for (std::size_t step = 0; step < lessons_[next].steps.size(); ++step)
         drawStep(inspector, lessons_[next], step, drawn_[next]);

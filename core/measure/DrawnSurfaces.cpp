@@ -38,8 +38,11 @@ void enlarge(SeenSurfaces& seen, const glm::ivec2& sizePx) {
         value *= ratio[axis];
 }
 
+/// Without what shows in color alone.
 FrameRequest centersOf(const FrameRequest& ofLane) {
   FrameRequest request = referenceRequest(ofLane);
+  request.inputs.shadows = Shadows::None;
+  request.inputs.fogDensity = 0.0f;
   request.jitterPx = glm::vec2(0.0f);
   request.inputs.mask = MaskSource::Opacity;
   return request;

@@ -23,27 +23,6 @@ gl::Rect wholePicture(const ShotState& state) {
   return {0, 0, state.width, state.height};
 }
 
-// Gives every lane its inputs: those of the step, else those of the first lane that draws the same, else new
-// ones, not drawn, whose textures are used again unless another frame has them too.
-void arrange(const ShotState& state, const std::vector<InputsHandle>& given, ShownFrame& frame) {
-  std::vector<InputsHandle> free;
-  for (ShownLane& lane : frame.lanes) {
-    InputsHandle inputs = std::exchange(lane.inputs, nullptr);
-    if (inputs.use_count() == 1) free.push_back(std::move(inputs)); // its last lane
-  }
-  frame.lanes.resize(state.lanes.size());
-  std::size_t taken = 0;
-  for (std::size_t lane = 0; lane < state.lanes.size(); ++lane) {
-    InputsHandle& inputs = frame.lanes[lane].inputs;
-    if (!given.empty()) inputs = given[lane];
-    for (std::size_t other = 0; other < lane && !inputs; ++other)
-      if (sameInputs(state.lanes[other], state.lanes[lane])) inputs = frame.lanes[other].inputs;
-    if (inputs) continue;
-    inputs = taken < free.size() ? free[taken++] : std::make_shared<LazyInputs>();
-    inputs->areDrawn = false;
-  }
-}
-
 void fitExposed(ExposedRows& exposedRows, const ExposedLayout& layout, const gl::Rect& picture) {
   if (exposedRows.region() == picture && exposedRows.layout().hasSamePlaces(layout)) {
     exposedRows.take(layout);
@@ -170,6 +149,7 @@ void FrameMaker::recycle(ShownFrame&& frame) {
 
 void FrameMaker::freeTextures() {
   spare_.reset();
+  keptInputs.clear();
   pool_.clear();
 }
 
@@ -181,7 +161,31 @@ const FrameInputs& FrameMaker::inputs(const ShotState& state, ShownFrame& shown,
   gl::finish();
   shown.sceneMs += millisecondsSince(start);
   inputs.areDrawn = true;
+  keptInputs.keep(state.frames, state.request(lane), shown.frame, shown.lanes[lane].inputs,
+                  inputBytes(state.lanes[lane].inputs, {state.width, state.height}, state.scene.get()));
   return inputs.textures;
+}
+
+// Gives every lane its inputs: those of the step, else those of the first lane that draws the same, else kept
+// ones, else new ones, not drawn, whose textures are used again unless another frame has them too.
+void FrameMaker::arrange(const ShotState& state, const FrameStep& step, ShownFrame& frame) {
+  std::vector<InputsHandle> free;
+  for (ShownLane& lane : frame.lanes) {
+    InputsHandle inputs = std::exchange(lane.inputs, nullptr);
+    if (inputs.use_count() == 1) free.push_back(std::move(inputs)); // its last lane
+  }
+  frame.lanes.resize(state.lanes.size());
+  std::size_t taken = 0;
+  for (std::size_t lane = 0; lane < state.lanes.size(); ++lane) {
+    InputsHandle& inputs = frame.lanes[lane].inputs;
+    if (!step.inputs.empty()) inputs = step.inputs[lane];
+    for (std::size_t other = 0; other < lane && !inputs; ++other)
+      if (sameInputs(state.lanes[other], state.lanes[lane])) inputs = frame.lanes[other].inputs;
+    if (!inputs) inputs = keptInputs.find(state.frames, state.request(lane), step.frame);
+    if (inputs) continue;
+    inputs = taken < free.size() ? free[taken++] : keptInputs.takeFree();
+    inputs->areDrawn = false;
+  }
 }
 
 std::vector<IntermediateId> FrameMaker::rowsToExpose(const Settings& settings) const {
@@ -190,7 +194,7 @@ std::vector<IntermediateId> FrameMaker::rowsToExpose(const Settings& settings) c
 
 void FrameMaker::make(const ShotState& state, const FrameStep& step, ShownFrame& next) {
   gl::PassTimer::startFrame();
-  arrange(state, step.inputs, next);
+  arrange(state, step, next);
   next.frame = step.frame;
   next.sceneMs = 0.0;
   for (std::size_t lane = 0; lane < next.lanes.size(); ++lane)
@@ -229,7 +233,8 @@ ShownFrame FrameMaker::replay(const ShotState& state, std::vector<Checkpoints>& 
   ShownFrame next = take();
   next.frame = frame;
   next.sceneMs = next.resolveMs = 0.0;
-  arrange(state, {}, next);
+  step.frame = frame;
+  arrange(state, step, next);
   for (step.frame = begin; step.frame <= frame; ++step.frame) {
     report(progress, say<"Replaying frames">(), step.frame - begin, frame - begin + 1);
     step.exposes = step.frame == frame;

@@ -7,6 +7,7 @@
 #include "core/render/FrameRequest.h"
 #include "core/render/FrameSource.h"
 #include "core/replay/Checkpoints.h"
+#include "core/replay/KeptInputs.h"
 #include "core/scene/Pose.h"
 #include "core/settings/Settings.h"
 #include "core/taa/TaaPass.h"
@@ -48,13 +49,6 @@ struct ShotState {
   FrameCameraPair cameras(std::size_t lane, int frame) const;
 };
 
-/// Inputs that are drawn when somebody first wants them. Shared by frames on show that want the same.
-struct LazyInputs {
-  FrameInputs textures; ///< nothing of use before they are drawn
-  bool areDrawn = false;
-};
-using InputsHandle = std::shared_ptr<LazyInputs>;
-
 /// One lane of the frame on show.
 struct ShownLane {
   InputsHandle inputs;    ///< one for lanes whose inputs are the same
@@ -87,6 +81,7 @@ class FrameMaker {
  public:
   TaaPass pass;
   std::vector<IntermediateId> watched;
+  KeptInputs keptInputs;
 
   /// A frame to make the next one in, with the textures of one that is not on show any more.
   ShownFrame take();
@@ -118,6 +113,7 @@ class FrameMaker {
   const FrameInputs& inputs(const ShotState& state, ShownFrame& shown, std::size_t lane);
 
  private:
+  void arrange(const ShotState& state, const FrameStep& step, ShownFrame& frame);
   void fill(const ShotState& state, ShownFrame& shown, std::size_t lane, ExposedRows& exposedRows);
   HistoryPool pool_;
   std::optional<ShownFrame> spare_;

@@ -328,6 +328,7 @@ void ShotPlayer::reloadShaders() {
   for (const Settings& settings : state_.lanes) pass.prepare(settings, maker_.rowsToExpose(settings));
   if (isOpen()) state_.frames->reloadShaders();
   maker_.pass = std::move(pass);
+  maker_.keptInputs.clear();
   for (ShownLane& lane : shown_.lanes) lane.inputs->areDrawn = false; // with the old ones
   redrawAll(state_, true);
 }

@@ -47,13 +47,16 @@ std::vector<LaneMetrics> measureFrames(Inspector& inspector, const MetricsReques
   std::vector<OverTime> kinds;
   for (const OverTime kind : {OverTime::Flicker, OverTime::Parts})
     if (std::ranges::count(request.wanted, kind, overTimeOf) > 0) kinds.push_back(kind);
+  const bool isCompared = std::ranges::any_of(request.wanted, [](Metric metric) {
+    return metricInfo(metric).needsReference && !metricInfo(metric).isOverTime;
+  });
   std::vector<LaneMetrics> lanes(static_cast<std::size_t>(inspector.shot().laneCount()));
   for (int frame = request.first; frame <= request.last; ++frame) {
     if (begun) begun(frame);
     report(progress, say<"Measuring frames">(), frame - request.first, request.last - request.first + 1);
     inspector.shot().seek(frame, frame == request.first ? progress : Progress());
     for (int lane = 0; lane < inspector.shot().laneCount(); ++lane) {
-      if (samples > 0) inspector.reference().refine(samples, progress, lane);
+      if (samples > 0 && isCompared) inspector.reference().refine(samples, progress, lane);
       inspector.overTime().refine(kinds, samples, progress, lane);
       lanes[static_cast<std::size_t>(lane)].push_back(inspector.metrics().measure(request.wanted, lane));
     }

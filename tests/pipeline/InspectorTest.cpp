@@ -310,6 +310,7 @@ TEST_F(InspectorTest, ShowsWhatItHolds) {
 
 TEST_F(InspectorTest, CompilesItsShadersAgainWithoutLosingItsPlace) {
   const auto inspector = opened();
+  inspector->shot().setInputsBudget(64u << 20); // what is kept was drawn with the old ones
   inspector->shot().seek(3);
   inspector->shot().reloadShaders();
   EXPECT_EQ(inspector->shot().frame(), 3);
