@@ -34,7 +34,7 @@ makeBare() {
   # Packages stay in the archive for the next run; names resolve as they do here.
   echo 'APT::Keep-Downloaded-Packages "true"; Binary::apt::APT::Keep-Downloaded-Packages "true";' >"$root/etc/apt/apt.conf.d/99keep"
   cp /etc/resolv.conf "$root/etc/resolv.conf"
-  chroot "$root" env DEBIAN_FRONTEND=noninteractive sh -c \
+  chroot "$root" env -u TMPDIR DEBIAN_FRONTEND=noninteractive sh -c \
     'apt-get update -q && apt-get install -y -q --no-install-recommends git ca-certificates' </dev/null >>"$root.log" 2>&1 ||
     { tail -n 5 "$root.log" >&2; return 1; }
   git clone -q --no-hardlinks "file://$source" "$root/root/taa-inspector" || return 1
