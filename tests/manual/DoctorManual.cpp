@@ -88,6 +88,8 @@ What is wrong makes other things look wrong. So depth that clearly is another on
 A region that is still, plain or small, or whose light changes, is not decided; the doctor says which and what to capture instead. A finding whose own explanations these frames do not tell apart is told as likely, with the others beside it.
 
 A part that was examined is right or not decided. Where it is both, one sentence says what is right about it and what is not decided. Where something that was measured does not fit what is stated, and nothing that is known explains it, the doctor names that instead of saying that nothing wrong was found; in `--json`, `healthy` is then false, and that part has `misfit`.
+
+What holds of a region as a whole need not hold of all that is in it. So each pixel is asked whether its light lies outside of that of the 5 × 5 pixels around the place that its motion leads to in the frame before, and likewise of those around the one that it goes on to in the frame after, by 0.03 of light that is compared and in the same direction. Connected pixels of that kind count as a place where they are at most three times as long as wide, four of them in a square lie inside one region, two pixels from its rim, and nothing hid them in the frame before: lines thinner than a pixel blink, and are long. Where a region has four such places in three frames or more, and no finding is of it, motion is not called right: particles that are drawn in color alone, limbs that have their body's motion, pictures that move over a surface and lights that flicker look like that.
 )") + doctorConfusions(judgedCases());
 }
 

@@ -29,6 +29,7 @@ void ColorEvidence::add(const FrameNeighbors& frames, const std::vector<RegionIn
   brightness.add(frames);
   coplanar.add(frames);
   blended.add(frames);
+  stray.add(frames, labels);
   light.add(frames.now);
 }
 

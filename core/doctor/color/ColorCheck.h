@@ -9,6 +9,7 @@
 #include "core/doctor/color/CoplanarFlips.h"
 #include "core/doctor/color/ScreenEncoding.h"
 #include "core/doctor/color/ScreenTiles.h"
+#include "core/doctor/color/StrayPixels.h"
 #include "core/doctor/frames/DoctorFrame.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/motion/MotionTrials.h"
@@ -24,6 +25,7 @@ struct ColorEvidence {
   BrightnessEvidence brightness;
   CoplanarEvidence coplanar;
   BlendedEvidence blended;
+  StrayPixels stray;
   BrightLight light;
 
   /// `labels`: of `frames.now`.

@@ -43,6 +43,9 @@ class Examiner {
   void tellColor(const BrightnessEvidence& brightness, Diagnosis& out) const {
     doctor::tellColor(color_, brightness, patient_, examination_.known.maskUsed, out);
   }
+  void tellStray(Diagnosis& out) const {
+    doctor::tellStray(color_.stray, tracker_.regions(), patient_, out);
+  }
   const JitterEvidence& jitter() const { return jitter_; }
   JitterOutcome tellJitter(bool hasCamera, Diagnosis& out) const;
   const DepthEvidence& depth() const { return depth_; }

@@ -49,6 +49,13 @@ class DoctorScenes : public test::GlTest {
     return text;
   }
 
+  /// What is said of places that no motion leads to.
+  static std::string straysOf(const Diagnosis& diagnosis) {
+    const std::vector<Undecided>& undecided = diagnosis.parts.undecided();
+    const auto motion = std::ranges::find(undecided, "Motion", &Undecided::question);
+    return motion != undecided.end() && motion->isMisfit ? motion->reason : std::string();
+  }
+
   /// Names of findings and of parts, that are right, or undecided, which stand there more than once.
   static std::string toldTwice(const Diagnosis& diagnosis) {
     std::set<std::string> names;
@@ -75,6 +82,7 @@ TEST_F(DoctorScenes, OfThisProgramAreHealthy) {
       const Diagnosis diagnosis = diagnosisOf(sourceOf("builtin:" + scene.id, camera));
       EXPECT_EQ(told(diagnosis), "") << scene.id << " " << camera;
       EXPECT_EQ(toldTwice(diagnosis), "") << scene.id << " " << camera;
+      EXPECT_EQ(straysOf(diagnosis), "") << scene.id << " " << camera;
     }
 }
 

@@ -1,0 +1,190 @@
+#include "core/doctor/color/StrayPixels.h"
+
+#include "core/base/Say.h"
+#include "core/doctor/motion/MotionFindings.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <set>
+#include <string>
+
+namespace taa::doctor {
+
+namespace {
+
+/// Of light that is compared, 0 to 1. Of 26 healthy sequences (13 scenes, 7 models, 5 painted ones, an
+/// engine's) 25 have at most one place as far from all that is around, and one sparks that light a floor.
+/// DoctorScenes.OfThisProgramAreHealthy asks the scenes again, with three cameras each.
+constexpr float kStrayLuma = 0.03f;
+/// px around a place: jitter moves what is seen by a pixel at most, and what goes on by another motion in the
+/// frame after is not found to a pixel.
+constexpr int kReachPx = 2;
+/// Length over width. Light that is compared is that of 3×3 pixels: a line that is thinner than a pixel and
+/// seen in one frame alone is long and three pixels wide; what moves by itself need not be.
+constexpr int kLongestOfWide = 3;
+constexpr std::size_t kEnoughPlaces = 4;   ///< of a region …
+constexpr std::size_t kEnoughFrames = 3;   ///< … and frames with some
+constexpr std::size_t kMostStrayNamed = 4; ///< regions
+
+enum class Stray : std::uint8_t { None, Brighter, Darker };
+
+/// Against all that is around a place, if the pixel there is not like it.
+Stray strayFrom(const Image& luma, const glm::vec2& place, float value) {
+  const glm::ivec2 at(glm::floor(place));
+  if (std::abs(*luma.nearest(at.x, at.y) - value) <= kStrayLuma) return Stray::None;
+  float low = value, high = value;
+  bool isFirst = true;
+  for (int y = at.y - kReachPx; y <= at.y + kReachPx; ++y)
+    for (int x = at.x - kReachPx; x <= at.x + kReachPx; ++x) {
+      const float near = *luma.nearest(x, y);
+      low = isFirst ? near : std::min(low, near);
+      high = isFirst ? near : std::max(high, near);
+      isFirst = false;
+    }
+  if (value > high + kStrayLuma) return Stray::Brighter;
+  return value < low - kStrayLuma ? Stray::Darker : Stray::None;
+}
+
+/// One frame and those beside it.
+class StrayFrame {
+ public:
+  StrayFrame(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels)
+      : frames_(frames), labels_(labels), sizePx_(frames.now.sizePx()), strays_(labels.size(), Stray::None) {
+    for (int y = 0; y < sizePx_.y; ++y)
+      for (int x = 0; x < sizePx_.x; ++x) strays_[indexOf({x, y})] = strayOf({x, y});
+  }
+
+  void addTo(std::map<RegionIndex, StrayPlaces>& regions) {
+    for (int y = 0; y < sizePx_.y; ++y)
+      for (int x = 0; x < sizePx_.x; ++x)
+        if (const Stray kind = strays_[indexOf({x, y})]; kind != Stray::None) addPlace({x, y}, kind, regions);
+  }
+
+ private:
+  std::size_t indexOf(const glm::ivec2& pixel) const {
+    return static_cast<std::size_t>(pixel.y) * sizePx_.x + pixel.x;
+  }
+  bool isInside(const glm::ivec2& pixel, int margin = 0) const {
+    return pixel.x >= margin && pixel.y >= margin && pixel.x + margin < sizePx_.x &&
+           pixel.y + margin < sizePx_.y;
+  }
+
+  Stray strayOf(const glm::ivec2& pixel) const {
+    const glm::vec2 motion = frames_.now.motionAt(pixel.x, pixel.y);
+    if (labels_[indexOf(pixel)] == kNoRegion || !isMotion(motion) || isMasked(frames_.now, pixel))
+      return Stray::None;
+    const glm::vec2 place = glm::vec2(pixel) + 0.5f, before = place - motion + frames_.jitterStep(),
+                    after = place + motion + frames_.after->jitterPx - frames_.now.jitterPx;
+    if (!isInPicture(before, sizePx_) || !isInPicture(after, sizePx_)) return Stray::None;
+    const float luma = *frames_.now.luma.at(pixel.x, pixel.y);
+    const Stray kind = strayFrom(frames_.before.luma, before, luma);
+    if (kind == Stray::None || strayFrom(frames_.after->luma, after, luma) != kind) return Stray::None;
+    return wasHidden(frames_, pixel, glm::ivec2(before)) ? Stray::None : kind;
+  }
+
+  /// Whether four pixels in a square from this one on are such, and all around them are of one region.
+  bool isWideInside(const glm::ivec2& pixel, Stray kind) const {
+    if (!isInside(pixel, kReachPx)) return false;
+    for (const glm::ivec2& step : {glm::ivec2(1, 0), glm::ivec2(0, 1), glm::ivec2(1, 1)})
+      if (strays_[indexOf(pixel + step)] != kind) return false;
+    for (int y = -kReachPx; y <= kReachPx; ++y)
+      for (int x = -kReachPx; x <= kReachPx; ++x)
+        if (labels_[indexOf(pixel + glm::ivec2(x, y))] != labels_[indexOf(pixel)]) return false;
+    return true;
+  }
+
+  /// Takes the connected pixels of a kind, so that they are added once.
+  std::vector<glm::ivec2> connectedTo(const glm::ivec2& start, Stray kind,
+                                      std::vector<std::uint8_t>& taken) const {
+    std::vector<glm::ivec2> out{start};
+    taken[indexOf(start)] = 1;
+    for (std::size_t next = 0; next < out.size(); ++next)
+      for (const glm::ivec2& step :
+           {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)}) {
+        const glm::ivec2 pixel = out[next] + step;
+        if (!isInside(pixel) || strays_[indexOf(pixel)] != kind || taken[indexOf(pixel)] != 0) continue;
+        taken[indexOf(pixel)] = 1;
+        out.push_back(pixel);
+      }
+    return out;
+  }
+
+  void addPlace(const glm::ivec2& start, Stray kind, std::map<RegionIndex, StrayPlaces>& regions) {
+    if (taken_.empty()) taken_.resize(labels_.size(), 0);
+    if (taken_[indexOf(start)] != 0) return;
+    const std::vector<glm::ivec2> pixels = connectedTo(start, kind, taken_);
+    glm::ivec2 low = start, high = start;
+    for (const glm::ivec2& pixel : pixels) {
+      low = glm::min(low, pixel);
+      high = glm::max(high, pixel);
+    }
+    const glm::ivec2 extent = high - low + 1;
+    if (std::max(extent.x, extent.y) > kLongestOfWide * std::min(extent.x, extent.y)) return;
+    const auto wide =
+        std::ranges::find_if(pixels, [&](const glm::ivec2& pixel) { return isWideInside(pixel, kind); });
+    if (wide == pixels.end()) return;
+    StrayPlaces& region = regions[labels_[indexOf(*wide)]];
+    ++region.places;
+    if (region.frames.empty() || region.frames.back() != frames_.now.frame)
+      region.frames.push_back(frames_.now.frame);
+    if (pixels.size() <= region.most) return;
+    region.most = pixels.size();
+    region.frame = frames_.now.frame;
+    region.pixel = *wide;
+  }
+
+  const FrameNeighbors& frames_;
+  const std::vector<RegionIndex>& labels_;
+  glm::ivec2 sizePx_;
+  std::vector<Stray> strays_;
+  std::vector<std::uint8_t> taken_;
+};
+
+/// By the name of the place or, where it has none, the objects' number.
+bool isTold(const RegionPlace& place, const Diagnosis& out) {
+  return std::ranges::any_of(out.findings, [&](const Finding& finding) {
+    return finding.isWholePicture || std::ranges::any_of(finding.regions, [&](const RegionPlace& told) {
+             return told.isWholeFrame || told.name == place.name;
+           });
+  });
+}
+
+} // namespace
+
+void StrayPixels::add(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels) {
+  if (!frames.after || frames.after->startsHistory || frames.now.motionPx.empty()) return;
+  ++asked_;
+  StrayFrame(frames, labels).addTo(regions_);
+}
+
+void tellStray(const StrayPixels& stray, const std::vector<Region>& regions, const Patient& patient,
+               Diagnosis& out) {
+  std::string names;
+  std::size_t places = 0, named = 0;
+  std::set<int> frames;
+  const StrayPlaces* largest = nullptr;
+  for (const auto& [index, found] : stray.regions()) {
+    const RegionPlace place = placeOf(regions[static_cast<std::size_t>(index)], patient, 1.0);
+    if (found.places < kEnoughPlaces || found.frames.size() < kEnoughFrames || isTold(place, out)) continue;
+    places += found.places;
+    frames.insert(found.frames.begin(), found.frames.end());
+    if (++named <= kMostStrayNamed) names += (names.empty() ? "" : ", ") + place.name;
+    if (!largest || found.most > largest->most) largest = &found;
+  }
+  if (!largest) return;
+  if (named > kMostStrayNamed) names = say<"%1 and %2 more">(names, named - kMostStrayNamed);
+  out.parts.leaveOpen(
+      {say<"Motion">(),
+       say<"at %1 places on %2, in %3 of %4 frames, something shows that motion leads to neither from the "
+           "frame before nor to the frame after, the largest in frame %5 at %6, %7">(
+           places, names, frames.size(), stray.asked(), largest->frame, largest->pixel.x, largest->pixel.y),
+       say<"Particles do that, limbs, pictures on a surface and lights that flicker, where they write no "
+           "motion of their own: let them write it, or give the resolve a mask of them.">(),
+       {},
+       true});
+}
+
+} // namespace taa::doctor
