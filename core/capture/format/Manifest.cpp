@@ -145,16 +145,16 @@ std::size_t Manifest::framesWith(PlaneKind kind) const {
       frames, [&](const CapturedFrame& frame) { return plane(frame, kind) != nullptr; }));
 }
 
-Manifest readManifest(const fs::path& folder) {
+Manifest readManifest(const fs::path& folder, const std::string& name) {
   std::string text;
   try {
-    const UntrustedFile file = openUntrusted(folder, kManifestName, kMaxJsonBytes);
+    const UntrustedFile file = openUntrusted(folder, name, kMaxJsonBytes);
     text.resize(static_cast<std::size_t>(file.size()));
     file.read(0, {reinterpret_cast<std::byte*>(text.data()), text.size()});
   } catch (const Error& error) {
     throw Error(say<"cannot open the capture %1: %2">(folder.string(), error.what()));
   }
-  return parseManifest(text, (folder / kManifestName).string());
+  return parseManifest(text, (folder / name).string());
 }
 
 } // namespace taa::capture

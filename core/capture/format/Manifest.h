@@ -145,7 +145,8 @@ inline constexpr int kMaxCaptureSide = 16384; ///< px
 
 /// Reads and checks FOLDER/capture.json, strictly: unknown, contradicting or missing keys are an Error that
 /// names them, paths lead below the folder. In time and memory that its size bounds.
-Manifest readManifest(const std::filesystem::path& folder);
+/// `name`: the file, where it is called otherwise.
+Manifest readManifest(const std::filesystem::path& folder, const std::string& name = kManifestName);
 /// As above, of text; `where` is named in messages.
 Manifest parseManifest(std::string_view json, const std::string& where);
 /// What parseManifest refuses whatever text it came from. Throws Error that begins with `where`.

@@ -218,6 +218,16 @@ bool Capture::isReady(int index) const {
   return impl_->cache.contains(index);
 }
 
+namespace {
+
+/// A folder may have an ending, too.
+bool isManifest(const fs::path& path) {
+  std::error_code ignored;
+  return path.extension() == ".json" && !fs::is_directory(path, ignored);
+}
+
+} // namespace
+
 std::string nameOf(const fs::path& folder) {
   const fs::path whole = fs::absolute(folder).lexically_normal();
   return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
@@ -225,22 +235,21 @@ std::string nameOf(const fs::path& folder) {
 
 bool isCapture(const std::string& source) {
   std::error_code ignored;
-  const fs::path path(source);
-  return fs::is_directory(path, ignored) || path.filename() == kManifestName;
+  return fs::is_directory(source, ignored) || isManifest(source);
 }
 
 fs::path folderOf(const std::string& source) {
   const fs::path path(source);
-  if (path.filename() != kManifestName) return path;
+  if (!isManifest(path)) return path;
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
 std::shared_ptr<const Capture> openCapture(const std::string& source, const Progress& progress) {
   const fs::path folder = folderOf(source);
   std::error_code ignored;
-  const bool isStated =
-      fs::path(source).filename() == kManifestName || fs::exists(folder / kManifestName, ignored);
-  Manifest manifest = isStated ? readManifest(folder) : guessCapture(folder, "", {}, progress).manifest;
+  const std::string name = isManifest(source) ? fs::path(source).filename().string() : kManifestName;
+  const bool isStated = isManifest(source) || fs::exists(folder / name, ignored);
+  Manifest manifest = isStated ? readManifest(folder, name) : guessCapture(folder, "", {}, progress).manifest;
   const auto capture = std::make_shared<const Capture>(folder, std::move(manifest));
   static_cast<void>(capture->frame(0));
   return capture;

@@ -38,11 +38,11 @@ class Capture {
 
 /// What a folder is called, however its path is written: "a" of "a", "a/", "b/../a" and, within it, ".".
 std::string nameOf(const std::filesystem::path& folder);
-/// Whether `source` names a capture: a folder, or a file called capture.json.
+/// Whether `source` names a capture: a folder, or a .json file, whatever it is called.
 bool isCapture(const std::string& source);
 /// The folder of a capture, whichever of both names it.
 std::filesystem::path folderOf(const std::string& source);
-/// Opens a folder with capture.json, or one without that import/ understands: its notes say what was guessed.
+/// Opens a manifest, a folder with capture.json, or one without that import/ understands: its notes say what was guessed.
 /// Checks that the first frame can be read. Throws Error, Cancelled.
 std::shared_ptr<const Capture> openCapture(const std::string& source, const Progress& progress = {});
 

@@ -151,6 +151,13 @@ TEST_F(CaptureTest, IsOpenedByItsFolderOrItsManifest) {
     EXPECT_TRUE(isCapture(source.string()));
     EXPECT_EQ(redOf(openCapture(source.string())->frame(1)), 1.0f);
   }
+  fs::create_directory(folder_ / "folder.json");
+  EXPECT_EQ(folderOf((folder_ / "folder.json").string()), folder_ / "folder.json");
+  fs::copy_file(folder_ / kManifestName, folder_ / "night.json");
+  fs::rename(folder_ / kManifestName, folder_ / "capture.old");
+  EXPECT_TRUE(isCapture((folder_ / "night.json").string()));
+  EXPECT_EQ(redOf(openCapture((folder_ / "night.json").string())->frame(1)), 1.0f);
+  fs::rename(folder_ / "capture.old", folder_ / kManifestName);
   // Within the folder its file has a name and no path.
   const fs::path before = fs::current_path();
   fs::current_path(folder_);
