@@ -22,11 +22,15 @@ constexpr float kStrayLuma = 0.03f;
 /// px around a place: jitter moves what is seen by a pixel at most, and what goes on by another motion in the
 /// frame after is not found to a pixel.
 constexpr int kReachPx = 2;
+/// In which the place in the frame after is looked for, each from where the last one has led.
+constexpr int kSteps = 3;
 /// Length over width. Light that is compared is that of 3×3 pixels: a line that is thinner than a pixel and
 /// seen in one frame alone is long and three pixels wide; what moves by itself need not be.
 constexpr int kLongestOfWide = 3;
-constexpr std::size_t kEnoughPlaces = 4;   ///< of a region …
-constexpr std::size_t kEnoughFrames = 3;   ///< … and frames with some
+constexpr std::size_t kEnoughPlaces = 8; ///< of a region …
+constexpr std::size_t kEnoughFrames = 3; ///< … and frames with some …
+/// … of all that were asked: thin posts blink while a camera stops.
+constexpr double kEnoughFramesOf = 1.0 / 3.0;
 constexpr std::size_t kMostStrayNamed = 4; ///< regions
 
 enum class Stray : std::uint8_t { None, Brighter, Darker };
@@ -72,12 +76,25 @@ class StrayFrame {
            pixel.y + margin < sizePx_.y;
   }
 
+  /// By the motion of the frame after where that is another one, as where a camera stops.
+  glm::vec2 placeAfter(const glm::ivec2& pixel, const glm::vec2& motionPx) const {
+    const DoctorFrame& after = *frames_.after;
+    const glm::vec2 place = glm::vec2(pixel) + 0.5f + after.jitterPx - frames_.now.jitterPx;
+    glm::vec2 found = place + motionPx;
+    for (int step = 0; step < kSteps && isInPicture(found, sizePx_) && !after.motionPx.empty(); ++step) {
+      const glm::ivec2 at(glm::floor(found));
+      const glm::vec2 next = after.motionAt(at.x, at.y);
+      if (isMotion(next)) found = place + next;
+    }
+    return found;
+  }
+
   Stray strayOf(const glm::ivec2& pixel) const {
     const glm::vec2 motion = frames_.now.motionAt(pixel.x, pixel.y);
     if (labels_[indexOf(pixel)] == kNoRegion || !isMotion(motion) || isMasked(frames_.now, pixel))
       return Stray::None;
-    const glm::vec2 place = glm::vec2(pixel) + 0.5f, before = place - motion + frames_.jitterStep(),
-                    after = place + motion + frames_.after->jitterPx - frames_.now.jitterPx;
+    const glm::vec2 before = glm::vec2(pixel) + 0.5f - motion + frames_.jitterStep(),
+                    after = placeAfter(pixel, motion);
     if (!isInPicture(before, sizePx_) || !isInPicture(after, sizePx_)) return Stray::None;
     const float luma = *frames_.now.luma.at(pixel.x, pixel.y);
     const Stray kind = strayFrom(frames_.before.luma, before, luma);
@@ -164,13 +181,16 @@ void tellStray(const StrayPixels& stray, const std::vector<Region>& regions, con
                Diagnosis& out) {
   std::string names;
   std::size_t places = 0, named = 0;
-  std::set<int> frames;
+  std::set<int> withPlaces;
   const StrayPlaces* largest = nullptr;
   for (const auto& [index, found] : stray.regions()) {
     const RegionPlace place = placeOf(regions[static_cast<std::size_t>(index)], patient, 1.0);
-    if (found.places < kEnoughPlaces || found.frames.size() < kEnoughFrames || isTold(place, out)) continue;
+    const std::size_t frames = found.frames.size();
+    if (found.places < kEnoughPlaces || frames < kEnoughFrames ||
+        static_cast<double>(frames) < kEnoughFramesOf * stray.asked() || isTold(place, out))
+      continue;
     places += found.places;
-    frames.insert(found.frames.begin(), found.frames.end());
+    withPlaces.insert(found.frames.begin(), found.frames.end());
     if (++named <= kMostStrayNamed) names += (names.empty() ? "" : ", ") + place.name;
     if (!largest || found.most > largest->most) largest = &found;
   }
@@ -180,7 +200,8 @@ void tellStray(const StrayPixels& stray, const std::vector<Region>& regions, con
       {say<"Motion">(),
        say<"at %1 places on %2, in %3 of %4 frames, something shows that motion leads to neither from the "
            "frame before nor to the frame after, the largest in frame %5 at %6, %7">(
-           places, names, frames.size(), stray.asked(), largest->frame, largest->pixel.x, largest->pixel.y),
+           places, names, withPlaces.size(), stray.asked(), largest->frame, largest->pixel.x,
+           largest->pixel.y),
        say<"Particles do that, limbs, pictures that move over a surface, shadows and lights that move: let them "
            "write motion of their own, or give the resolve a mask of them.">(),
        {},

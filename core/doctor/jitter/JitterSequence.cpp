@@ -25,6 +25,9 @@ constexpr int kEnoughForMean = 16;
 constexpr int kEnoughForRange = 8; ///< frames after which the extremes are near those of the sequence
 // px: of a mean that is clearly not 0, and of one that few frames do not have by chance.
 constexpr double kOffMeanPx = 0.12, kFarMeanPx = 0.2;
+constexpr double kMeanErrors = 3.0; ///< standard errors of a mean that are no chance
+/// Frames that are the same again to 10⁻⁴ px are a period's, also where it is not there twice.
+constexpr std::size_t kEnoughRepeated = 4;
 /// A normal distribution that suits a wide filter goes beyond half a pixel in half of all frames.
 constexpr double kBeyondShare = 0.65;
 constexpr int kTooShort = 2, kShort = 4; ///< frames of a period
@@ -50,8 +53,16 @@ bool isRangeAround(const SequenceFacts& facts) {
          glm::length(facts.middlePx - facts.meanPx) <= 0.5 * glm::length(facts.meanPx);
 }
 
+/// px: a mean that is shorter may be one of these frames alone.
+double leastMeanPx(const SequenceFacts& facts) {
+  if (facts.period) return kOffMeanPx;
+  return std::max(kOffMeanPx, kMeanErrors * facts.spreadPx / std::sqrt(static_cast<double>(facts.frames)));
+}
+
 void tellMean(const SequenceFacts& facts, Diagnosis& out) {
-  const bool isKnown = facts.period || facts.frames >= kEnoughForMean;
+  const double off = glm::length(facts.meanPx);
+  const bool isNoChance = off < kOffMeanPx || off >= leastMeanPx(facts);
+  const bool isKnown = facts.period || (facts.frames >= kEnoughForMean && isNoChance);
   if (!isKnown && !isRangeAround(facts)) {
     out.parts.leaveOpen(
         {say<"Jitter's mean">(),
@@ -63,7 +74,7 @@ void tellMean(const SequenceFacts& facts, Diagnosis& out) {
   }
   // A mean that a sequence of two has is that of its two places, which is what is wrong with it.
   const bool isOfShort = facts.period && *facts.period <= kTooShort;
-  if (glm::length(facts.meanPx) < (isOfShort ? kFarMeanPx : kOffMeanPx)) return;
+  if (off < (isOfShort ? kFarMeanPx : kOffMeanPx)) return;
   out.findings.push_back(sequenceFinding(
       Fault::JitterMean,
       say<"The mean of the jitter of %1 frames is %2 px, and 0 leaves the picture where it is.">(
@@ -115,7 +126,8 @@ SequenceFacts sequenceFacts(const std::map<int, glm::vec2>& jitterPx) {
   std::vector<glm::vec2> jitters;
   for (const auto& [frame, jitter] : jitterPx) jitters.push_back(jitter);
   out.frames = static_cast<int>(jitters.size());
-  for (std::size_t period = 1; 2 * period <= jitters.size() && !out.period; ++period)
+  for (std::size_t period = 1; !out.period && period + std::min(period, kEnoughRepeated) <= jitters.size();
+       ++period)
     if (repeatsAfter(jitters, period)) out.period = static_cast<int>(period);
   const std::size_t whole = out.period ? static_cast<std::size_t>(*out.period) : 1;
   const std::size_t counted = jitters.size() / whole * whole;
@@ -130,6 +142,11 @@ SequenceFacts sequenceFacts(const std::map<int, glm::vec2>& jitterPx) {
     out.longestPx = std::max(out.longestPx, longest);
   }
   out.middlePx = 0.5 * (least + most);
+  for (const glm::vec2& jitter : jitters) {
+    const glm::dvec2 off = glm::dvec2(jitter) - out.meanPx;
+    out.spreadPx += glm::dot(off, off) / (2.0 * static_cast<double>(jitters.size()));
+  }
+  out.spreadPx = std::sqrt(out.spreadPx);
   if (!jitters.empty()) out.beyondShare = static_cast<double>(beyond) / static_cast<double>(jitters.size());
   return out;
 }

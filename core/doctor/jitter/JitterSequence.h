@@ -12,9 +12,11 @@ namespace taa::doctor {
 
 struct SequenceFacts {
   int frames = 0;
-  /// Frames after which all of it repeats, of which it shows two whole ones at least; none: it does not.
+  /// Frames after which all of it repeats, of which it shows one and four frames, or two, at least; none: it
+  /// does not.
   std::optional<int> period;
   glm::dvec2 meanPx{0.0};   ///< over whole periods
+  double spreadPx = 0.0;    ///< standard deviation, that of both axes
   glm::dvec2 middlePx{0.0}; ///< between the least and the most of all
   double beyondShare = 0.0; ///< of frames in which x or y is more than half a pixel
   double longestPx = 0.0;   ///< of |x| and |y|
