@@ -82,6 +82,7 @@ void Examiner::add(const DoctorFrame* before, const DoctorFrame& now, const Doct
   auto pictures = std::async(std::launch::async, [&] {
     color_.add(frames, labels);
     jitter_.add(frames);
+    regionJitter_.add(frames, labels);
     flow_.push_back(measureFlow(frames, labels, motion_.trials()));
   });
   depth_.add(now);

@@ -8,6 +8,7 @@
 #include "core/doctor/depth/MissingDepth.h"
 #include "core/doctor/examination/Examination.h"
 #include "core/doctor/flow/FlowCheck.h"
+#include "core/doctor/flow/RegionJitter.h"
 #include "core/doctor/flow/FlowLength.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/jitter/JitterCheck.h"
@@ -42,6 +43,9 @@ class Examiner {
   /// `brightness`: of the frames as they are.
   void tellColor(const BrightnessEvidence& brightness, Diagnosis& out) const {
     doctor::tellColor(color_, brightness, patient_, examination_.known.maskUsed, out);
+  }
+  void tellRegionJitter(Diagnosis& out) const {
+    doctor::tellRegionJitter(regionJitter_, tracker_.regions(), patient_, out);
   }
   void tellStray(Diagnosis& out) const {
     doctor::tellStray(color_.stray, tracker_.regions(), patient_, out);
@@ -81,6 +85,7 @@ class Examiner {
   ColorEvidence color_;
   MotionEvidence motion_{patient_.sizePx};
   std::vector<FlowPair> flow_;
+  RegionJitter regionJitter_;
   JitterEvidence jitter_;
   DepthEvidence depth_;
   MissingDepth missingDepth_;
