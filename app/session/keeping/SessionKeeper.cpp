@@ -137,10 +137,10 @@ void SessionKeeper::openSource(const QString& source) {
 }
 
 void SessionKeeper::askWhatToOpen() {
-  auto* dialog = new QFileDialog(
-      window_, tr("Open a scene or a session"), {},
-      tr("Scenes, captures and sessions (*.gltf *.glb *.json);;glTF 2.0 scenes (*.gltf "
-         "*.glb);;Captures (*.json);;Sessions (*.taa.json);;All files (*)"));
+  auto* dialog =
+      new QFileDialog(window_, tr("Open a scene or a session"), {},
+                      tr("Scenes, captures and sessions (*.gltf *.glb *.json);;glTF 2.0 scenes (*.gltf "
+                         "*.glb);;Captures (*.json);;Sessions (*.taa.json);;All files (*)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, &SessionKeeper::openSource);
