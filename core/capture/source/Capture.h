@@ -42,8 +42,8 @@ std::string nameOf(const std::filesystem::path& folder);
 bool isCapture(const std::string& source);
 /// The folder of a capture, whichever of both names it.
 std::filesystem::path folderOf(const std::string& source);
-/// Opens a manifest, a folder with capture.json, or one without that import/ understands: its notes say what was guessed.
-/// Checks that the first frame can be read. Throws Error, Cancelled.
+/// Opens a manifest, a folder with capture.json, or one without that import/ understands: its notes say what
+/// was guessed. Checks that the first frame can be read. Throws Error, Cancelled.
 std::shared_ptr<const Capture> openCapture(const std::string& source, const Progress& progress = {});
 
 } // namespace taa::capture
