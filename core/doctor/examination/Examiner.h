@@ -8,8 +8,8 @@
 #include "core/doctor/depth/MissingDepth.h"
 #include "core/doctor/examination/Examination.h"
 #include "core/doctor/flow/FlowCheck.h"
-#include "core/doctor/flow/RegionJitter.h"
 #include "core/doctor/flow/FlowLength.h"
+#include "core/doctor/flow/RegionJitter.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/jitter/JitterCheck.h"
 #include "core/doctor/motion/MotionEvidence.h"
@@ -47,9 +47,7 @@ class Examiner {
   void tellRegionJitter(Diagnosis& out) const {
     doctor::tellRegionJitter(regionJitter_, tracker_.regions(), patient_, out);
   }
-  void tellStray(Diagnosis& out) const {
-    doctor::tellStray(color_.stray, tracker_.regions(), patient_, out);
-  }
+  void tellStray(Diagnosis& out) const { doctor::tellStray(color_.stray, tracker_.regions(), patient_, out); }
   const JitterEvidence& jitter() const { return jitter_; }
   JitterOutcome tellJitter(bool hasCamera, Diagnosis& out) const;
   const DepthEvidence& depth() const { return depth_; }
