@@ -83,7 +83,7 @@ bool leavesOpenWhatToShow(const CLI::App& app) {
 void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
   app.add_option(
       "SOURCE", arguments.source,
-      "A glTF file (.gltf, .glb), builtin:NAME, the folder or capture.json of a captured sequence, "
+      "A glTF file (.gltf, .glb), builtin:NAME, the folder or the .json of a captured sequence, "
       "or a session (.taa.json); without one, and without options that say what to show, what was open when "
       "the program was closed, or builtin:fan");
   app.add_flag("--fresh", texts.fresh, "Do not go on from what was open when the program was closed");

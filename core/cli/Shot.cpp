@@ -191,7 +191,7 @@ void checkForCapture(const CaptureFacts& captured, const ShotPlan& plan) {
 void addShotOptions(CLI::App& command, ShotOptions& shot) {
   CLI::Option* source =
       command.add_option("SOURCE", shot.source,
-                         "A glTF file (.gltf, .glb), the folder or capture.json of a captured sequence, or "
+                         "A glTF file (.gltf, .glb), the folder or the .json of a captured sequence, or "
                          "builtin:NAME (see list scenes)");
   CLI::Option* size =
       command.add_option("--size", shot.size,

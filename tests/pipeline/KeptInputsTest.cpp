@@ -3,13 +3,11 @@
 
 #include "tests/support/frames/Variants.h"
 
-#include <memory>
-#include <vector>
+#include <cstddef>
 
 namespace {
 
 using taa::allRows;
-using taa::Image;
 using taa::Inspector;
 using taa::Settings;
 using taa::test::otherJitter;
@@ -59,7 +57,7 @@ TEST_F(KeptInputsTest, AreNotThoseOfAnotherSizeOrSceneThatIsOpenedAnew) {
   EXPECT_TRUE(inspector->shot().times().scene > 0.0);
 }
 
-// Least lately wanted ones go: of three frames made one after the other, two never are there the next time.
+// Where there is room for two, three frames that are made in turn never find what they need.
 TEST_F(KeptInputsTest, AreAsManyAsThereIsRoomFor) {
   const auto inspector = opened();
   inspector->shot().seek(2);

@@ -4,6 +4,7 @@
 #include "core/base/Say.h"
 #include "core/capture/import/FrameSamples.h"
 #include "core/doctor/Outline.h"
+#include "core/doctor/frames/Connected.h"
 #include "core/doctor/frames/Detail.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/motion/MotionEvidence.h"
@@ -53,30 +54,14 @@ bool isInPictureAt(const glm::vec2& place, const glm::ivec2& sizePx) {
 /// Connected pixels in which something is blended.
 using Shape = std::vector<glm::ivec2>;
 
-Shape takeShape(const Image& shapes, const glm::ivec2& start, std::vector<std::uint8_t>& taken) {
-  Shape out{start};
-  const auto take = [&](const glm::ivec2& at) {
-    if (at.x < 0 || at.y < 0 || at.x >= shapes.width || at.y >= shapes.height) return;
-    std::uint8_t& isTaken = taken[static_cast<std::size_t>(at.y) * shapes.width + at.x];
-    if (isTaken != 0 || !(*shapes.at(at.x, at.y) >= kBlended)) return;
-    isTaken = 1;
-    out.push_back(at);
-  };
-  taken[static_cast<std::size_t>(start.y) * shapes.width + start.x] = 1;
-  for (std::size_t next = 0; next < out.size(); ++next)
-    for (const glm::ivec2& step : {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)})
-      take(out[next] + step);
-  return out;
-}
-
 std::vector<Shape> shapesIn(const Image& shapes) {
   std::vector<std::uint8_t> taken(shapes.pixels.size(), 0);
+  const auto isBlendedAt = [&](const glm::ivec2& at) { return *shapes.at(at.x, at.y) >= kBlended; };
   std::vector<Shape> out;
   for (int y = 0; y < shapes.height; ++y)
     for (int x = 0; x < shapes.width; ++x) {
-      if (taken[static_cast<std::size_t>(y) * shapes.width + x] != 0 || !(*shapes.at(x, y) >= kBlended))
-        continue;
-      Shape shape = takeShape(shapes, {x, y}, taken);
+      if (taken[static_cast<std::size_t>(y) * shapes.width + x] != 0 || !isBlendedAt({x, y})) continue;
+      Shape shape = takeConnected({x, y}, {shapes.width, shapes.height}, isBlendedAt, taken);
       if (shape.size() >= kLeastPart) out.push_back(std::move(shape));
     }
   return out;
@@ -88,10 +73,7 @@ void takePlace(BlendedTrial& out, const Shape& pixels, int frame) {
   out.place.frame = frame;
   out.place.pixel = pixels[pixels.size() / 2];
   out.place.pixels = runsOf(pixels);
-  out.place.box = {pixels.front(), pixels.front() + 1};
-  for (const glm::ivec2& pixel : pixels)
-    out.place.box = glm::ivec4(glm::min(glm::ivec2(out.place.box), pixel),
-                               glm::max(glm::ivec2(out.place.box.z, out.place.box.w), pixel + 1));
+  out.place.box = boxAround(pixels);
 }
 
 /// What both leave of a pair of frames.

@@ -1,9 +1,8 @@
 #include "core/doctor/color/StrayPixels.h"
 
 #include "core/base/Say.h"
+#include "core/doctor/frames/Connected.h"
 #include "core/doctor/motion/MotionFindings.h"
-
-#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +14,8 @@ namespace taa::doctor {
 
 namespace {
 
-/// Of light that is compared, 0 to 1. Of 26 healthy sequences (13 scenes, 7 models, 5 painted ones, an
-/// engine's) 25 have at most one place as far from all that is around, and one sparks that light a floor.
-/// DoctorScenes.OfThisProgramAreHealthy asks the scenes again, with three cameras each.
+/// Of light that is compared, 0 to 1: less is noise, and what is read between pixels. That no scene of this
+/// program has kEnoughPlaces, under three cameras, is asked by DoctorScenes.OfThisProgramAreHealthy.
 constexpr float kStrayLuma = 0.03f;
 /// px around a place: jitter moves what is seen by a pixel at most, and what goes on by another motion in the
 /// frame after is not found to a pixel.
@@ -39,14 +37,11 @@ enum class Stray : std::uint8_t { None, Brighter, Darker };
 Stray strayFrom(const Image& luma, const glm::vec2& place, float value) {
   const glm::ivec2 at(glm::floor(place));
   if (std::abs(*luma.nearest(at.x, at.y) - value) <= kStrayLuma) return Stray::None;
-  float low = value, high = value;
-  bool isFirst = true;
+  float low = *luma.nearest(at.x, at.y), high = low;
   for (int y = at.y - kReachPx; y <= at.y + kReachPx; ++y)
     for (int x = at.x - kReachPx; x <= at.x + kReachPx; ++x) {
-      const float near = *luma.nearest(x, y);
-      low = isFirst ? near : std::min(low, near);
-      high = isFirst ? near : std::max(high, near);
-      isFirst = false;
+      low = std::min(low, *luma.nearest(x, y));
+      high = std::max(high, *luma.nearest(x, y));
     }
   if (value > high + kStrayLuma) return Stray::Brighter;
   return value < low - kStrayLuma ? Stray::Darker : Stray::None;
@@ -56,7 +51,8 @@ Stray strayFrom(const Image& luma, const glm::vec2& place, float value) {
 class StrayFrame {
  public:
   StrayFrame(const FrameNeighbors& frames, const std::vector<RegionIndex>& labels)
-      : frames_(frames), labels_(labels), sizePx_(frames.now.sizePx()), strays_(labels.size(), Stray::None) {
+      : frames_(frames), labels_(labels), sizePx_(frames.now.sizePx()), strays_(labels.size(), Stray::None),
+        taken_(labels.size(), 0) {
     for (int y = 0; y < sizePx_.y; ++y)
       for (int x = 0; x < sizePx_.x; ++x) strays_[indexOf({x, y})] = strayOf({x, y});
   }
@@ -71,11 +67,6 @@ class StrayFrame {
   std::size_t indexOf(const glm::ivec2& pixel) const {
     return static_cast<std::size_t>(pixel.y) * sizePx_.x + pixel.x;
   }
-  bool isInside(const glm::ivec2& pixel, int margin = 0) const {
-    return pixel.x >= margin && pixel.y >= margin && pixel.x + margin < sizePx_.x &&
-           pixel.y + margin < sizePx_.y;
-  }
-
   /// By the motion of the frame after where that is another one, as where a camera stops.
   glm::vec2 placeAfter(const glm::ivec2& pixel, const glm::vec2& motionPx) const {
     const DoctorFrame& after = *frames_.after;
@@ -104,7 +95,8 @@ class StrayFrame {
 
   /// Whether four pixels in a square from this one on are such, and all around them are of one region.
   bool isWideInside(const glm::ivec2& pixel, Stray kind) const {
-    if (!isInside(pixel, kReachPx)) return false;
+    const glm::ivec2 beyond = sizePx_ - kReachPx;
+    if (pixel.x < kReachPx || pixel.y < kReachPx || pixel.x >= beyond.x || pixel.y >= beyond.y) return false;
     for (const glm::ivec2& step : {glm::ivec2(1, 0), glm::ivec2(0, 1), glm::ivec2(1, 1)})
       if (strays_[indexOf(pixel + step)] != kind) return false;
     for (int y = -kReachPx; y <= kReachPx; ++y)
@@ -113,33 +105,13 @@ class StrayFrame {
     return true;
   }
 
-  /// Takes the connected pixels of a kind, so that they are added once.
-  std::vector<glm::ivec2> connectedTo(const glm::ivec2& start, Stray kind,
-                                      std::vector<std::uint8_t>& taken) const {
-    std::vector<glm::ivec2> out{start};
-    taken[indexOf(start)] = 1;
-    for (std::size_t next = 0; next < out.size(); ++next)
-      for (const glm::ivec2& step :
-           {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)}) {
-        const glm::ivec2 pixel = out[next] + step;
-        if (!isInside(pixel) || strays_[indexOf(pixel)] != kind || taken[indexOf(pixel)] != 0) continue;
-        taken[indexOf(pixel)] = 1;
-        out.push_back(pixel);
-      }
-    return out;
-  }
-
   void addPlace(const glm::ivec2& start, Stray kind, std::map<RegionIndex, StrayPlaces>& regions) {
-    if (taken_.empty()) taken_.resize(labels_.size(), 0);
     if (taken_[indexOf(start)] != 0) return;
-    const std::vector<glm::ivec2> pixels = connectedTo(start, kind, taken_);
-    glm::ivec2 low = start, high = start;
-    for (const glm::ivec2& pixel : pixels) {
-      low = glm::min(low, pixel);
-      high = glm::max(high, pixel);
-    }
-    const glm::ivec2 extent = high - low + 1;
-    if (std::max(extent.x, extent.y) > kLongestOfWide * std::min(extent.x, extent.y)) return;
+    const auto isOfKind = [&](const glm::ivec2& pixel) { return strays_[indexOf(pixel)] == kind; };
+    const std::vector<glm::ivec2> pixels = takeConnected(start, sizePx_, isOfKind, taken_);
+    const glm::ivec4 box = boxAround(pixels);
+    const int width = box.z - box.x, height = box.w - box.y;
+    if (std::max(width, height) > kLongestOfWide * std::min(width, height)) return;
     const auto wide =
         std::ranges::find_if(pixels, [&](const glm::ivec2& pixel) { return isWideInside(pixel, kind); });
     if (wide == pixels.end()) return;
@@ -157,10 +129,10 @@ class StrayFrame {
   const std::vector<RegionIndex>& labels_;
   glm::ivec2 sizePx_;
   std::vector<Stray> strays_;
-  std::vector<std::uint8_t> taken_;
+  std::vector<std::uint8_t> taken_; ///< 1: it was added
 };
 
-/// By the name of the place or, where it has none, the objects' number.
+/// Whether a finding is of it, by its name, or of all there is.
 bool isTold(const RegionPlace& place, const Diagnosis& out) {
   return std::ranges::any_of(out.findings, [&](const Finding& finding) {
     return finding.isWholePicture || std::ranges::any_of(finding.regions, [&](const RegionPlace& told) {

@@ -279,8 +279,10 @@ void tellAll(const Examination& examination, const Examiner& first, const Bright
   }
   tellFlow(first.flow(), last->flow(), {first.patient(), told.motion || told.unit, told.isJitterOpen}, out);
   if (examination.known.camera && !told.allDepth && !told.depth) last->tellMissingDepth(out);
-  if (!told.isJitterOpen) last->tellRegionJitter(out);
-  if (!told.isJitterOpen) last->tellStray(out);
+  if (!told.isJitterOpen) {
+    last->tellRegionJitter(out);
+    last->tellStray(out);
+  }
   tellInterfaceLeft(last->color(), told.interface, told.isJitterOpen, out);
   last->tellColor(brightness, out);
 }

@@ -54,21 +54,20 @@ bool isRangeAround(const SequenceFacts& facts) {
 }
 
 /// px: a mean that is shorter may be one of these frames alone.
-double leastMeanPx(const SequenceFacts& facts) {
-  if (facts.period) return kOffMeanPx;
-  return std::max(kOffMeanPx, kMeanErrors * facts.spreadPx / std::sqrt(static_cast<double>(facts.frames)));
+double chanceMeanPx(const SequenceFacts& facts) {
+  return kMeanErrors * facts.spreadPx / std::sqrt(static_cast<double>(facts.frames));
 }
 
 void tellMean(const SequenceFacts& facts, Diagnosis& out) {
   const double off = glm::length(facts.meanPx);
-  const bool isNoChance = off < kOffMeanPx || off >= leastMeanPx(facts);
+  const bool isNoChance = off < kOffMeanPx || off >= chanceMeanPx(facts);
   const bool isKnown = facts.period || (facts.frames >= kEnoughForMean && isNoChance);
   if (!isKnown && !isRangeAround(facts)) {
     out.parts.leaveOpen(
         {say<"Jitter's mean">(),
          say<"the jitter of %1 frames does not repeat: the whole sequence may have another mean "
              "than theirs, %2 px">(facts.frames, shortVector(facts.meanPx)),
-         say<"Capture 32 frames or more.">(),
+         say<"Capture a whole period, or twice as many frames.">(),
          {Fault::JitterMean}});
     return;
   }

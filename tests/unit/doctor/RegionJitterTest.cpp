@@ -1,5 +1,5 @@
 // A thing that is drawn without the jitter of all else is told by its pixels, and what has it is not.
-#include "core/doctor/flow/RegionJitter.h"
+#include "core/doctor/jitter/RegionJitter.h"
 
 #include "tests/support/doctor/PaintedFrames.h"
 
