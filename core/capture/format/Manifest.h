@@ -89,6 +89,9 @@ struct PlaneSource {
   glm::ivec2 sizePx{0};              ///< raw only
   std::size_t rowPitch = 0;          ///< bytes, raw only; 0: rows lie one after another
   std::optional<RowOrder> rows;      ///< none: as the conventions say
+  /// Where in the file the picture begins that is the frame's, px from the upper left corner: what lies
+  /// around it is not read. None: the file holds that picture alone.
+  std::optional<glm::ivec2> atPx = {};
   bool operator==(const PlaneSource&) const = default;
 };
 
@@ -124,6 +127,10 @@ struct Manifest {
   bool operator==(const Manifest&) const = default;
 
   glm::ivec2 outputSize() const { return outputPx.x > 0 ? outputPx : sizePx; }
+  /// That a plane has where it is not coarser.
+  glm::ivec2 sizeOf(PlaneKind kind) const {
+    return kind == PlaneKind::Output || kind == PlaneKind::Reference ? outputSize() : sizePx;
+  }
   /// Null: the frame has no such plane.
   const PlaneSource* plane(const CapturedFrame& frame, PlaneKind kind) const;
   /// How many frames have such a plane.

@@ -135,9 +135,11 @@ void requirePlanes(const std::map<PlaneKind, PlaneSource>& planes, const Manifes
   for (const auto& [kind, source] : planes) {
     const std::string path = pathOf(place, planeName(kind));
     requireFile(source.file, pathOf(path, "file"));
-    const bool isShown = kind == PlaneKind::Output || kind == PlaneKind::Reference;
+    if (source.atPx)
+      for (const int at : {source.atPx->x, source.atPx->y})
+        requireWithin(at, 0.0, kMaxCaptureSide, pathOf(path, "at"));
     if (source.raw)
-      requireRaw(source, kind, isShown ? manifest.outputSize() : manifest.sizePx, path);
+      requireRaw(source, kind, manifest.sizeOf(kind), path);
     else
       requirePicture(source, kind, path);
   }

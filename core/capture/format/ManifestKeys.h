@@ -17,7 +17,7 @@ inline constexpr std::string_view kFrameKeys[] = {
 };
 
 inline constexpr std::string_view kPlaneKeys[] = {
-    "file", "part", "channels", "raw", "size", "rowPitch", "rows",
+    "file", "part", "channels", "raw", "size", "rowPitch", "at", "rows",
 };
 
 /// "R11G11B10F, RGBA16F, …"

@@ -124,6 +124,13 @@ glm::ivec2 readSize(const json& value, const std::string& path) {
           static_cast<int>(integerOf(value[1], path, 1, kMaxCaptureSide))};
 }
 
+glm::ivec2 readPlace(const json& value, const std::string& path) {
+  requireList(value, path, 2);
+  if (value.size() != 2) throw Error(say<"\"%1\" wants [x, y]">(path));
+  return {static_cast<int>(integerOf(value[0], path, 0, kMaxCaptureSide)),
+          static_cast<int>(integerOf(value[1], path, 0, kMaxCaptureSide))};
+}
+
 template <std::size_t kCount>
 std::array<double, kCount> readNumbers(const json& value, const std::string& path) {
   requireList(value, path, kCount);
@@ -160,6 +167,7 @@ PlaneSource readPlaneSource(const json& object, const std::string& path) {
   if (const json* size = findField(object, "size")) source.sizePx = readSize(*size, pathOf(path, "size"));
   if (const json* pitch = findField(object, "rowPitch"))
     source.rowPitch = static_cast<std::size_t>(integerOf(*pitch, pathOf(path, "rowPitch"), 0, 1 << 30));
+  if (const json* at = findField(object, "at")) source.atPx = readPlace(*at, pathOf(path, "at"));
   if (const json* rows = findField(object, "rows")) source.rows = readRows(*rows, pathOf(path, "rows"));
   return source;
 }

@@ -59,6 +59,7 @@ ordered_json planeJson(const PlaneSource& source) {
   if (source.raw) object["raw"] = rawFormatName(*source.raw);
   if (source.sizePx.x > 0) object["size"] = {source.sizePx.x, source.sizePx.y};
   if (source.rowPitch > 0) object["rowPitch"] = source.rowPitch;
+  if (source.atPx) object["at"] = {source.atPx->x, source.atPx->y};
   if (source.rows) object["rows"] = valueText(convention("rows"), *source.rows);
   return object;
 }

@@ -141,6 +141,8 @@ ordered_json planeSchema() {
   file["pattern"] = R"(^(?!$|/|.:|.*/$)(?!(.*/)?\.\.(/|$))([^\\{}]|\{frame(:[1-9])?\})*$)";
   ordered_json channels = {
       {"type", "array"}, {"items", textSchema("The name of a channel.")}, {"maxItems", 4}};
+  ordered_json place = sizeSchema();
+  place["items"]["minimum"] = 0;
   ordered_json pitch = {{"type", "integer"}, {"minimum", 0}, {"maximum", 1 << 30}};
   schema["properties"] = {
       {"file", file},
@@ -151,6 +153,9 @@ ordered_json planeSchema() {
       {"size", reference("size", "Width and height of a raw plane; without, the capture's.")},
       {"rowPitch", withDescription(pitch, "Bytes from row to row of a raw plane; 0: rows lie one after "
                                           "another.")},
+      {"at", withDescription(place, "Where in the file the frame's picture begins, px from the upper left "
+                                    "corner; what lies around it is not read. Without, the file holds that "
+                                    "picture alone.")},
       {"rows", conventionSchema(convention("rows"))},
   };
   return schema;

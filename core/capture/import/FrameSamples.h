@@ -80,5 +80,7 @@ Image comparedLuma(const Image& color);
 /// Of one channel, between pixels; `place` counts from the corner of the picture, outside is the nearest
 /// pixel.
 float betweenPixels(const Image& plane, const glm::vec2& place);
+/// By so much of itself reading between pixels pulls a length that is fitted so, in all pairs alike.
+inline constexpr double kReadingError = 0.004;
 
 } // namespace taa::capture

@@ -7,13 +7,18 @@
 #include "core/capture/decode/DecodedFrame.h"
 #include "core/capture/decode/PlaneShapes.h"
 #include "core/capture/format/ConventionText.h"
+#include "core/capture/import/Comparison.h"
 #include "core/capture/import/DepthJitter.h"
 #include "core/capture/import/DepthValues.h"
+#include "core/capture/import/DrawnRectangle.h"
 #include "core/capture/import/FolderPlan.h"
 #include "core/capture/import/FrameSamples.h"
 #include "core/capture/import/Questions.h"
 #include "core/capture/import/StatedPlanes.h"
 #include "core/capture/planes/Planes.h"
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +75,10 @@ void replaceUnsure(std::vector<Finding>& findings, std::optional<Finding> findin
     *found = std::move(*finding);
 }
 
+double areaOf(const glm::ivec2& size) {
+  return static_cast<double>(size.x) * size.y;
+}
+
 /// The engine whose conventions are exactly these; null: none.
 const StartingPoint* engineOf(const Conventions& stated) {
   const Conventions wanted = normalized(stated);
@@ -106,7 +115,9 @@ class Guesser {
   void takeMotionValues();
   void takeMark(const MotionValues& values);
   void takePlanes();
+  Image takeDepthValues();
   void takeValues();
+  FrameSamples askMotion(const QuestionRules& rules);
   void askAll();
   void finish();
   void nameEngine();
@@ -233,10 +244,15 @@ void Guesser::takePlanes() {
   stated().depth.farPlane = plan_.farPlane > plan_.nearPlane ? plan_.farPlane : 0.0;
 }
 
-void Guesser::takeValues() {
+Image Guesser::takeDepthValues() {
   Image depth = middlePlane(folder_, plan_.manifest, PlaneKind::Depth);
   if (!depth.empty()) depth_ = depthValuesOf(depth);
   if (!depth.empty() && like_.empty()) stated().depth = depthFrom(depth_);
+  return depth;
+}
+
+void Guesser::takeValues() {
+  const Image depth = takeDepthValues();
   takePlanes();
   if (!depth_.isKnown && !depth.empty())
     out_.unsure.push_back(say<"depth is the same at all pixels of frame %1: nothing can be told of it">(
@@ -245,15 +261,57 @@ void Guesser::takeValues() {
   for (const std::string& assignment : assignments_) applyAssignment(stated(), assignment);
 }
 
+/// Asks of the whole pictures and, where these lie in a part of the files, of that part, in which motion in
+/// shares of the picture has a plain length: it has none in the whole, or leaves much more.
+FrameSamples Guesser::askMotion(const QuestionRules& rules) {
+  FrameSamples samples(folder_, plan_.manifest, kPairs, progress_);
+  const TestState begun = state_;
+  out_.findings = askPixels(samples, state_, rules, progress_);
+  if (samples.pairs().empty() || plan_.manifest.outputSize() != plan_.manifest.sizePx) return samples;
+  const auto rectangle = drawnRectangle(folder_, plan_.manifest, progress_);
+  if (!rectangle) return samples;
+  const auto isPlain = [&](const TestState& state) {
+    const glm::dvec2 octaves =
+        glm::log2(glm::abs(state.conventions.motion.scale / begun.conventions.motion.scale));
+    return octaves == glm::round(octaves);
+  };
+  const Manifest whole = std::exchange(plan_.manifest, croppedTo(*rectangle, plan_.manifest));
+  const TestState ofWhole = std::exchange(state_, begun);
+  const DepthValues depthOfWhole = depth_;
+  try {
+    takeDepthValues();
+    for (const std::string& assignment : assignments_) applyAssignment(stated(), assignment);
+    FrameSamples inside(folder_, plan_.manifest, kPairs, progress_);
+    std::vector<Finding> findings = askPixels(inside, state_, rules, progress_);
+    // Around the part nothing is left; it counts among the pixels of the whole.
+    const double left = roughResidual(samples, ofWhole) * areaOf(whole.sizePx) / areaOf(rectangle->sizePx);
+    const double leftInside = roughResidual(inside, state_);
+    constexpr double kAlike = 1.02, kMuchLess = 0.8;
+    const double most = isPlain(ofWhole) ? kMuchLess : kAlike;
+    if (isPlain(state_) && leftInside <= most * left) {
+      out_.findings = std::move(findings);
+      out_.sure.push_back(
+          say<"pictures lie at %1, %2 of the files and have %3 × %4 px: around that color is the same in all "
+              "frames, and motion fits a picture of that size">(rectangle->atPx.x, rectangle->atPx.y,
+                                                                rectangle->sizePx.x, rectangle->sizePx.y));
+      return inside;
+    }
+  } catch (const Error&) { // planes of other sizes: what lies in a part of them is not known
+  }
+  plan_.manifest = whole;
+  state_ = ofWhole;
+  depth_ = depthOfWhole;
+  return samples;
+}
+
 void Guesser::askAll() {
   // Rows and color are read as they are stated; all else is asked.
   plan_.manifest.conventions = stated();
   if (!stated().color.preExposed)
     for (CapturedFrame& frame : plan_.manifest.frames) frame.preExposure = 1.0;
-  FrameSamples samples(folder_, plan_.manifest, kPairs, progress_);
   QuestionRules rules{like_.empty() ? Adopt::Best : Adopt::SureOnes, fixed_};
   // Motion by what is not yet known of depth, depth by that motion, and what depth makes of it.
-  out_.findings = askPixels(samples, state_, rules, progress_);
+  FrameSamples samples = askMotion(rules);
   const Conventions before = stated();
   const std::optional<Finding> kind =
       depth_.isKnown ? askDepth(samples, state_, depth_, rules) : std::nullopt;

@@ -5,6 +5,7 @@
 #include "core/base/Say.h"
 #include "core/capture/format/ConventionText.h"
 #include "core/capture/import/Comparison.h"
+#include "core/capture/import/MotionLength.h"
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
@@ -264,101 +265,38 @@ void search(FrameSamples& samples, TestState& state, const QuestionRules& rules,
   }
 }
 
-TestState timesLength(TestState state, double factor) {
-  state.conventions.motion.scale *= factor;
-  return state;
-}
-
-/// What a factor of 2 to the power of `octaves` leaves.
-using LeftBy = std::function<double(double octaves)>;
-
-/// The power of 2 near 0 by which least is left: from below ½ to above 2, then to a thousandth of an octave.
-/// Infinite where ever less is left towards an end: a sign that is wrong has no length.
-double bestOctaves(const LeftBy& left) {
-  constexpr double kFarthest = 1.25, kStep = 0.125, kNarrow = 1e-3, kGolden = 0.6180339887;
-  double least = std::numeric_limits<double>::infinity(), around = 0.0;
-  for (double octaves = -kFarthest; octaves <= kFarthest; octaves += kStep)
-    if (const double residual = left(octaves); residual < least) {
-      least = residual;
-      around = octaves;
-    }
-  if (std::abs(around) == kFarthest) return std::numeric_limits<double>::infinity();
-  double low = around - kStep, high = around + kStep;
-  while (high - low > kNarrow) {
-    const double below = high - kGolden * (high - low), above = low + kGolden * (high - low);
-    if (left(below) <= left(above))
-      high = above;
-    else
-      low = below;
-  }
-  return 0.5 * (low + high);
-}
-
-/// Whether the first and the last pairs are of one length: what is of another frame is longer or shorter by
-/// turns.
-bool isOneLength(FrameSamples& samples, const TestState& state) {
-  constexpr double kSameOctaves = 0.06;
-  const std::span<const FramePair> pairs = samples.pairs();
-  if (pairs.size() < 2) return true;
-  const auto lengthOf = [&](std::span<const FramePair> some) {
-    return bestOctaves(
-        [&](double octaves) { return roughResidual(samples, some, timesLength(state, std::exp2(octaves))); });
-  };
-  const std::size_t half = pairs.size() / 2;
-  return std::abs(lengthOf(pairs.first(half)) - lengthOf(pairs.last(half))) <= kSameOctaves;
-}
-
-/// By what motion has to be multiplied along each axis so that least is left; nothing where no length is
-/// best.
-std::optional<glm::dvec2> measuredLength(FrameSamples& samples, const TestState& state) {
-  glm::dvec2 factor(1.0);
-  const auto residualOf = [&](const glm::dvec2& factors) {
-    TestState tried = state;
-    tried.conventions.motion.scale *= factors;
-    return roughResidual(samples, tried);
-  };
-  const auto lengthen = [&](const glm::dvec2& axes) {
-    const double octaves =
-        bestOctaves([&](double tried) { return residualOf(factor * glm::exp2(axes * tried)); });
-    factor *= glm::exp2(axes * octaves);
-    return std::isfinite(octaves);
-  };
-  if (!lengthen({1.0, 1.0})) return {};
-  for (int round = 0; round < 2; ++round)
-    if (!lengthen({1.0, 0.0}) || !lengthen({0.0, 1.0})) return {};
-  return factor;
-}
-
-/// The length that is measured, where it is none of those that are tried anyway.
-void addMeasuredLength(FrameSamples& samples, const TestState& state, std::vector<Trial>& trials) {
+/// The length that is measured, where it is none of those that are tried anyway; it is kept in `measured`.
+void addMeasuredLength(FrameSamples& samples, const TestState& state, std::vector<Trial>& trials,
+                       std::optional<MotionLength>& measured) {
   constexpr double kSameLength = 0.03;
-  const auto factor = measuredLength(samples, state);
-  if (!factor) return;
+  const auto length = measuredLength(samples, state);
+  if (!length) return;
   for (const double known : {0.5, 1.0, 2.0})
-    if (glm::all(glm::lessThan(glm::abs(*factor / known - 1.0), glm::dvec2(kSameLength)))) return;
-  TestState measured = state;
-  measured.conventions.motion.scale *= *factor;
-  if (!isOneLength(samples, measured)) return;
-  const glm::dvec2 scale = measured.conventions.motion.scale;
-  trials.push_back(trialOf(
-      state,
-      say<"Times %1 and %2, as measured">(significantText(factor->x, 4), significantText(factor->y, 4)),
-      {scaleText("motion.scaleX", scale.x), scaleText("motion.scaleY", scale.y)}));
+    if (glm::all(glm::lessThan(glm::abs(length->scale / state.conventions.motion.scale / known - 1.0),
+                               glm::dvec2(kSameLength))))
+      return;
+  TestState scaled = state;
+  scaled.conventions.motion.scale = length->scale;
+  if (!isOneLength(samples, scaled)) return;
+  measured = length;
+  const glm::dvec2 scale = length->rounded();
+  trials.push_back(trialOf(state, length->text(),
+                           {scaleText("motion.scaleX", scale.x), scaleText("motion.scaleY", scale.y)}));
 }
 
 /// Motion of which no sign and unit makes much of the pictures may be of any length, in shares of the picture
 /// or in pixels: all are tried with each direction.
-void searchLength(FrameSamples& samples, const MotionConventions& begun, TestState& state,
-                  const QuestionRules& rules) {
+std::optional<MotionLength> searchLength(FrameSamples& samples, const MotionConventions& begun,
+                                         TestState& state, const QuestionRules& rules) {
   constexpr double kExplains = 0.15, kClearlyLess = 0.75, kNearlyNone = 1e-6;
   constexpr int kOctaves = 5, kOfOctave = 4;
   // With a part of it stated, the rest could be bent to that.
   const bool isStated = std::ranges::any_of(
       rules.fixedPaths, [](const std::string& path) { return path.starts_with("motion."); });
-  if (!samples.hasMotion() || isStated) return;
+  if (!samples.hasMotion() || isStated) return {};
   const double atRest = roughResidual(samples, timesLength(state, kNearlyNone));
   const double now = roughResidual(samples, state);
-  if (now <= kExplains * atRest) return;
+  if (now <= kExplains * atRest) return {};
   double least = kClearlyLess * std::min(now, atRest);
   TestState best = state, start = state;
   start.conventions.motion = begun;
@@ -376,9 +314,11 @@ void searchLength(FrameSamples& samples, const MotionConventions& begun, TestSta
           least = residual;
           best = tried;
         }
-  if (best.conventions == state.conventions) return;
+  if (best.conventions == state.conventions) return {};
   state = best;
-  if (const auto factor = measuredLength(samples, state)) state.conventions.motion.scale *= *factor;
+  const auto length = measuredLength(samples, state);
+  if (length) state.conventions.motion.scale = length->rounded();
+  return length;
 }
 
 /// Whether something has motion, and nothing as much as a pixel, as stated.
@@ -434,10 +374,11 @@ std::vector<Finding> askPixels(FrameSamples& samples, TestState& state, const Qu
   constexpr int kMaxRounds = 4;
   std::vector<Finding> findings;
   if (samples.pairs().empty()) return findings;
+  std::optional<MotionLength> measured;
   if (rules.adopt == Adopt::Best) {
     const MotionConventions begun = state.conventions.motion;
     search(samples, state, rules, progress);
-    searchLength(samples, begun, state, rules);
+    measured = searchLength(samples, begun, state, rules);
   }
   bool isChanged = true;
   for (int round = 0; round < kMaxRounds && isChanged; ++round) {
@@ -449,7 +390,12 @@ std::vector<Finding> askPixels(FrameSamples& samples, TestState& state, const Qu
       if (!question.isAsked(samples)) continue;
       std::vector<Trial> trials = question.trials(state);
       if (trials.empty()) continue;
-      if (question.trials == lengths) addMeasuredLength(samples, state, trials);
+      if (question.trials == lengths) {
+        if (measured && measured->rounded() == state.conventions.motion.scale)
+          trials.front().text = measured->text();
+        else
+          addMeasuredLength(samples, state, trials, measured);
+      }
       AskedQuestion answer = ask(question, trials, samples, state, rules);
       if (answer.adopted) {
         state.conventions = *answer.adopted;

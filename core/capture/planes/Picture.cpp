@@ -308,7 +308,7 @@ std::vector<Selection> select(OIIO::ImageInput& input, const Manifest& manifest,
       found = std::prev(selections.end());
       requireReadable(*found, request.file);
     }
-    requireSize(manifest, request.kind, {found->spec.full_width, found->spec.full_height});
+    requireSize(manifest, request, {found->spec.full_width, found->spec.full_height});
     found->channels.push_back(channelsFor(found->spec, request));
     found->requests.push_back(request);
   }

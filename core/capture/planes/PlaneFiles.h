@@ -20,16 +20,16 @@ struct PlaneRequest {
   bool bottomFirst = false; ///< order of rows in the file
 };
 
-/// Throws Error unless a plane of `size` can be one of this capture: color is of the render size, output of
-/// the output size, nothing is larger than both.
-void requireSize(const Manifest& manifest, PlaneKind kind, glm::ivec2 size);
+/// Throws Error unless a file of `size` can hold a plane of this capture: color is of the render size, output
+/// of the output size, nothing is larger than both; where the plane is a part of it, that lies inside.
+void requireSize(const Manifest& manifest, const PlaneRequest& request, glm::ivec2 size);
 /// A plane of zeros. Throws Error where there is no memory for it.
 PlaneData makePlane(PlaneKind kind, glm::ivec2 size, int channels);
 
-/// Throws Error.
+/// The whole file. Throws Error.
 PlaneData readRawPlane(const std::filesystem::path& folder, const Manifest& manifest,
                        const PlaneRequest& request);
-/// Planes of one file, each kind once, in the order of `requests`. Throws Error.
+/// Planes of one file, each kind once, in the order of `requests`; the whole of it. Throws Error.
 std::vector<PlaneData> readPicture(const std::filesystem::path& folder, const Manifest& manifest,
                                    const std::vector<PlaneRequest>& requests);
 

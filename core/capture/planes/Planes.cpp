@@ -7,6 +7,7 @@
 
 #include <OpenImageIO/parallel.h>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +65,35 @@ std::vector<ReadingJob> jobsOf(const Manifest& manifest, const CapturedFrame& fr
   return jobs;
 }
 
+std::string sizeText(glm::ivec2 size) {
+  return std::to_string(size.x) + " × " + std::to_string(size.y) + " px";
+}
+
+/// The part of `size` that begins at a place inside.
+template <typename Value>
+std::vector<Value> partOf(const std::vector<Value>& values, int width, const glm::ivec2& at,
+                          const glm::ivec2& size, int channels) {
+  std::vector<Value> out;
+  out.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+              static_cast<std::size_t>(channels));
+  for (int y = at.y; y < at.y + size.y; ++y) {
+    const auto first = values.begin() + (static_cast<std::ptrdiff_t>(y) * width + at.x) * channels;
+    out.insert(out.end(), first, first + static_cast<std::ptrdiff_t>(size.x) * channels);
+  }
+  return out;
+}
+
+void crop(PlaneData& plane, const glm::ivec2& at, const glm::ivec2& size) {
+  if (!plane.integers.empty()) plane.integers = partOf(plane.integers, plane.width, at, size, 1);
+  if (!plane.image.empty()) {
+    plane.image.pixels = partOf(plane.image.pixels, plane.width, at, size, plane.image.channels);
+    plane.image.width = size.x;
+    plane.image.height = size.y;
+  }
+  plane.width = size.x;
+  plane.height = size.y;
+}
+
 void read(const std::filesystem::path& folder, const Manifest& manifest, const CapturedFrame& frame,
           ReadingJob& job) {
   const auto fail = [&](const std::string& reason) {
@@ -74,6 +104,9 @@ void read(const std::filesystem::path& folder, const Manifest& manifest, const C
       job.planes.push_back(readRawPlane(folder, manifest, job.requests.front()));
     else
       job.planes = readPicture(folder, manifest, job.requests);
+    for (std::size_t i = 0; i < job.planes.size(); ++i)
+      if (const auto at = job.requests[i].source->atPx)
+        crop(job.planes[i], *at, manifest.sizeOf(job.requests[i].kind));
   } catch (const Error& error) {
     throw fail(error.what());
   } catch (const std::bad_alloc&) {
@@ -107,19 +140,20 @@ FramePlanes collected(std::vector<ReadingJob> jobs) {
   return planes;
 }
 
-std::string sizeText(glm::ivec2 size) {
-  return std::to_string(size.x) + " × " + std::to_string(size.y) + " px";
-}
-
 } // namespace
 
-void requireSize(const Manifest& manifest, PlaneKind kind, glm::ivec2 size) {
-  const glm::ivec2 render = manifest.sizePx, output = manifest.outputSize();
-  const bool isOfRender = kind == PlaneKind::Color, isOfOutput = kind == PlaneKind::Output;
-  if ((isOfRender && size != render) || (isOfOutput && size != output))
-    throw Error(
-        say<"it has %1; the capture says %2">(sizeText(size), sizeText(isOfRender ? render : output)));
-  const glm::ivec2 most = glm::max(render, output);
+void requireSize(const Manifest& manifest, const PlaneRequest& request, glm::ivec2 size) {
+  const glm::ivec2 wanted = manifest.sizeOf(request.kind);
+  const bool isWhole = request.kind == PlaneKind::Color || request.kind == PlaneKind::Output;
+  if (const auto at = request.source->atPx) {
+    if (glm::any(glm::greaterThan(*at + wanted, size)))
+      throw Error(say<"it has %1; the part of %2 that begins at %3, %4 goes beyond it">(
+          sizeText(size), sizeText(wanted), at->x, at->y));
+  } else if (isWhole && size != wanted) {
+    throw Error(say<"it has %1; the capture says %2">(sizeText(size), sizeText(wanted)));
+  }
+  const glm::ivec2 most =
+      request.source->atPx ? glm::ivec2(kMaxCaptureSide) : glm::max(manifest.sizePx, manifest.outputSize());
   if (size.x < 1 || size.y < 1 || size.x > most.x || size.y > most.y)
     throw Error(say<"it has %1; the capture's pictures have at most %2">(sizeText(size), sizeText(most)));
   if (static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) > kMaxPlanePixels)

@@ -35,15 +35,10 @@ struct RawLayout {
   }
 };
 
-glm::ivec2 sizeOf(const Manifest& manifest, const PlaneRequest& request) {
-  if (request.source->sizePx.x > 0) return request.source->sizePx;
-  const bool isOutput = request.kind == PlaneKind::Output || request.kind == PlaneKind::Reference;
-  return isOutput ? manifest.outputSize() : manifest.sizePx;
-}
-
 RawLayout layoutOf(const Manifest& manifest, const PlaneRequest& request) {
-  RawLayout layout{*request.source->raw, sizeOf(manifest, request), 0, 0};
-  requireSize(manifest, request.kind, layout.sizePx);
+  const glm::ivec2 stated = request.source->sizePx;
+  RawLayout layout{*request.source->raw, stated.x > 0 ? stated : manifest.sizeOf(request.kind), 0, 0};
+  requireSize(manifest, request, layout.sizePx);
   layout.rowBytes = bytesPerPixel(layout.format) * static_cast<std::uintmax_t>(layout.sizePx.x);
   layout.pitch = request.source->rowPitch == 0 ? layout.rowBytes : request.source->rowPitch;
   if (layout.pitch < layout.rowBytes)

@@ -57,6 +57,7 @@ Manifest whole() {
   manifest.planes[PlaneKind::Depth] = {"raw/d.{frame}.raw",  "", {}, RawFormat::D32F, {960, 540}, 4096,
                                        RowOrder::BottomFirst};
   manifest.planes[PlaneKind::Output] = {"o.{frame}.raw", "", {}, RawFormat::RGBA16F, {0, 0}, 0, {}};
+  manifest.planes[PlaneKind::Output].atPx = {40, 22};
   manifest.frames = {wholeFrame(3), wholeFrame(4)};
   manifest.frames[1].planes[PlaneKind::Color] = {"other.exr", "", {}, {}, {0, 0}, 0, RowOrder::TopFirst};
   manifest.notes = {"One.", "Two."};

@@ -174,6 +174,22 @@ TEST(RawPlanes, DecodeIdsToTheirLastBit) {
   EXPECT_NE(fraction.message().find("whole numbers"), std::string::npos) << fraction.message();
 }
 
+// Rows from the bottom: the place is that in the picture, whatever the order in the file.
+TEST(RawPlanes, MayBeAPartOfTheirFile) {
+  Raw raw(PlaneKind::Mask, RawFormat::R8_UNORM, {2, 1});
+  raw.source().sizePx = {4, 3};
+  raw.source().atPx = {1, 2};
+  raw.write(std::string("\x00\x33\x66\x00\x00\x00\x00\x00\x00\x99\xcc\x00", 12));
+  EXPECT_EQ(raw.read().image.pixels, (std::vector<float>{0.6f, 0.8f}));
+  raw.source().rows = RowOrder::BottomFirst;
+  EXPECT_EQ(raw.read().image.pixels, (std::vector<float>{0.2f, 0.4f}));
+  EXPECT_EQ(raw.read().width, 2);
+  raw.source().atPx = {3, 2};
+  EXPECT_NE(raw.message().find("it has 4 × 3 px; the part of 2 × 1 px that begins at 3, 2 goes beyond it"),
+            std::string::npos)
+      << raw.message();
+}
+
 TEST(RawPlanes, FollowRowPitchAndOrder) {
   Raw raw(PlaneKind::Mask, RawFormat::R8_UNORM, {2, 3});
   raw.source().rowPitch = 5;

@@ -163,6 +163,7 @@ TEST(Schema, TakesWhatIsRead) {
       with("/conventions", {{"motion", {{"notWritten", 0}, {"fallback", "zero"}}}, {"rows", "bottomFirst"}}),
       with("/conventions", {"motion.notWritten=0", "motion.fallback=zero", "rows=bottomFirst"}),
       with("/planes/depth", {{"file", "d.raw"}, {"raw", "D32F"}, {"size", {480, 270}}, {"rowPitch", 1920}}),
+      with("/planes/depth", {{"file", "d.exr"}, {"at", {40, 0}}}),
       with("/objects", {{"7", "door"}}),
       with("/planes/color/file", "...a/..b/{frame}.{frame:4}.exr"),
       with("/notes", {"A sentence."}),

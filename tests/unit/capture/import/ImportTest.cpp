@@ -158,6 +158,63 @@ TEST_F(ImportTest, MeasuresTheLengthOfEncodedMotion) {
   EXPECT_EQ(motion.direction, MotionDirection::CurrentMinusPrevious);
 }
 
+namespace {
+
+/// Frames in a larger target, black around them.
+void writeInTarget(const fs::path& folder, const MovingSquare& scene, const Conventions& stated,
+                   const glm::ivec2& at, const glm::ivec2& targetPx) {
+  writeSquare(folder, scene, stated);
+  for (int frame = 0; frame < MovingSquare::kFrames; ++frame) {
+    const std::vector<float> values = squareFrame(scene, stated, frame);
+    std::vector<float> target(static_cast<std::size_t>(5 * targetPx.x * targetPx.y));
+    for (int y = 0; y < MovingSquare::kHeight; ++y)
+      std::copy_n(values.begin() + 5 * y * MovingSquare::kWidth, 5 * MovingSquare::kWidth,
+                  target.begin() + 5 * ((y + at.y) * targetPx.x + at.x));
+    writeExr(folder / ("frame.000" + std::to_string(frame + 1) + ".exr"),
+             {"R", "G", "B", "velocity.X", "velocity.Y"}, target, targetPx);
+  }
+}
+
+} // namespace
+
+// Texture coordinates are those of the viewport: in the target's they would be 0.73 and 0.74 times as long.
+TEST_F(ImportTest, FindsThePictureThatLiesInAPartOfItsFiles) {
+  stated_.motion.unit = ScreenUnit::Uv;
+  const glm::ivec2 sizePx(MovingSquare::kWidth, MovingSquare::kHeight);
+  for (const glm::ivec2 at : {glm::ivec2(24, 16), glm::ivec2(0, 0)}) {
+    SCOPED_TRACE(at.x);
+    writeInTarget(folder_, scene_, stated_, at, {176, 130});
+    const Guess guess = guessCapture(folder_, "", {});
+    EXPECT_EQ(guess.manifest.sizePx, sizePx);
+    EXPECT_EQ(guess.manifest.planes.at(PlaneKind::Motion).atPx, at);
+    EXPECT_EQ(guess.manifest.conventions.motion.scale, glm::dvec2(1.0));
+    EXPECT_EQ(guess.manifest.conventions.motion.unit, ScreenUnit::Uv);
+    EXPECT_TRUE(saysSomeOf(guess.sure, "and have 128 × 96 px"));
+    static_cast<void>(saveImport(folder_, guess.manifest, folder_, false, {}));
+    const Image color = openCapture(folder_.string())->frame(1)->color;
+    const std::vector<float> values = squareFrame(scene_, stated_, 1);
+    EXPECT_EQ(glm::ivec2(color.width, color.height), sizePx);
+    EXPECT_EQ(color.at(127, 95)[0], values[values.size() - 5]);
+  }
+}
+
+// A black sky has no part in it: motion is in shares of the whole picture.
+TEST_F(ImportTest, TakesTheWholeWhereItHasAPlainLength) {
+  stated_.motion.unit = ScreenUnit::Uv;
+  writeSquare(folder_, scene_, stated_);
+  for (int frame = 0; frame < MovingSquare::kFrames; ++frame) {
+    std::vector<float> values = squareFrame(scene_, stated_, frame);
+    for (std::size_t i = 0; i < 5u * MovingSquare::kWidth * MovingSquare::kHeight / 4; ++i)
+      if (i % 5 < 3) values[i] = 0.0f;
+    writeExr(folder_ / ("frame.000" + std::to_string(frame + 1) + ".exr"),
+             {"R", "G", "B", "velocity.X", "velocity.Y"}, values);
+  }
+  const Guess guess = guessCapture(folder_, "", {});
+  EXPECT_EQ(guess.manifest.sizePx, glm::ivec2(MovingSquare::kWidth, MovingSquare::kHeight));
+  EXPECT_FALSE(guess.manifest.planes.at(PlaneKind::Color).atPx.has_value());
+  EXPECT_EQ(guess.manifest.conventions.motion.scale, glm::dvec2(1.0));
+}
+
 TEST_F(ImportTest, TakesAValueThatManyPixelsHoldForAMark) {
   stated_.motion.unit = ScreenUnit::Uv;
   changeStored(folder_, scene_, stated_, [](const glm::vec2& uv, std::size_t pixel) {
