@@ -205,9 +205,22 @@ void tellPreExposure(const BrightnessEvidence& evidence, const Patient& patient,
 
 } // namespace
 
-bool BrightnessPair::isStep() const {
-  return std::abs(stops) >= kStepStops && squares >= kEnoughSquares &&
-         static_cast<double>(even) >= kEvenSquares * static_cast<double>(squares);
+bool BrightnessPair::isChange() const {
+  return std::abs(stops) >= kStepStops && squares >= kEnoughSquares;
+}
+
+bool BrightnessPair::isEven() const {
+  return static_cast<double>(even) >= kEvenSquares * static_cast<double>(squares);
+}
+
+std::vector<const BrightnessPair*> BrightnessEvidence::steps() const {
+  double uneven = 0.0;
+  for (const BrightnessPair& pair : pairs)
+    if (pair.isChange() && !pair.isEven()) uneven = std::max(uneven, std::abs(pair.stops));
+  std::vector<const BrightnessPair*> out;
+  for (const BrightnessPair& pair : pairs)
+    if (pair.isChange() && pair.isEven() && std::abs(pair.stops) > uneven) out.push_back(&pair);
+  return out;
 }
 
 void BrightnessEvidence::add(const FrameNeighbors& frames) {
@@ -232,8 +245,7 @@ void BrightnessEvidence::add(const FrameNeighbors& frames) {
 std::map<int, double> BrightnessEvidence::stepped() const {
   std::map<int, double> out;
   double sum = 0.0;
-  for (const BrightnessPair& pair : pairs)
-    if (pair.isStep()) out[pair.frame] = sum += pair.stops;
+  for (const BrightnessPair* pair : steps()) out[pair->frame] = sum += pair->stops;
   return out;
 }
 
@@ -263,12 +275,9 @@ void tellBrightness(const BrightnessEvidence& evidence, const Patient& patient, 
                          {Fault::ExposureStep}});
     return;
   }
-  std::vector<const BrightnessPair*> steps;
+  const std::vector<const BrightnessPair*> steps = evidence.steps();
   double most = 0.0;
-  for (const BrightnessPair& pair : evidence.pairs) {
-    if (pair.isStep()) steps.push_back(&pair);
-    most = std::max(most, std::abs(pair.stops));
-  }
+  for (const BrightnessPair& pair : evidence.pairs) most = std::max(most, std::abs(pair.stops));
   if (!steps.empty()) {
     out.findings.push_back(stepFinding(steps));
     tellPreExposure(evidence, patient, out.findings.back());
@@ -277,6 +286,13 @@ void tellBrightness(const BrightnessEvidence& evidence, const Patient& patient, 
         say<"Exposure">(),
         say<"Brightness does not step: in the middle of the picture's places light changes by %1 "
             "stops from frame to frame at most.">(shortNumber(most)));
+  } else {
+    out.parts.leaveOpen(
+        {say<"Exposure">(),
+         say<"light changes by up to %1 stops from frame to frame, and not by one factor everywhere: a light "
+             "in the scene makes that, which hides a small step of the exposure">(shortNumber(most)),
+         say<"Capture frames in which lights are steady.">(),
+         {Fault::ExposureStep}});
   }
 }
 

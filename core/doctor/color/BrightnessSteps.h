@@ -21,9 +21,10 @@ struct BrightnessPair {
   /// Medians of |luma − luma of the frame before|: as it is, and with the frame before brighter by `stops`.
   double given = 0.0, stepped = 0.0;
 
-  /// All of the picture has become brighter or darker by one factor: a light that changes leaves what it does
-  /// not shine on.
-  bool isStep() const;
+  /// Whether the picture has become brighter or darker by so much that one sees it.
+  bool isChange() const;
+  /// All of it by one factor: a light that changes leaves what it does not shine on.
+  bool isEven() const;
 };
 
 /// Over all pairs of frames; those in which too few places can be followed are not among them.
@@ -31,6 +32,9 @@ struct BrightnessEvidence {
   std::vector<BrightnessPair> pairs;
 
   void add(const FrameNeighbors& frames);
+  /// Changes of the whole picture. A light that flickers may look like one where it changes little: what is
+  /// less than a change that is not even is none.
+  std::vector<const BrightnessPair*> steps() const;
   /// log2 of the light by frame, against what it would be without the steps; empty: there are none.
   std::map<int, double> stepped() const;
 };

@@ -116,6 +116,17 @@ void takeBackRegions(Diagnosis& out) {
   });
 }
 
+/// What was told of the whole picture, in words: it is refuted.
+std::string takeBackOfAll(Diagnosis& out) {
+  std::string names;
+  std::erase_if(out.findings, [&](const Finding& finding) {
+    if (!finding.isWholePicture || !isOfMotion(finding)) return false;
+    names += (names.empty() ? "" : ", ") + finding.name;
+    return true;
+  });
+  return names;
+}
+
 bool areAllZero(const std::vector<const FlowSquare*>& squares) {
   constexpr double kNearlyAll = 0.98;
   const auto zero = std::ranges::count_if(
@@ -175,22 +186,36 @@ Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, c
   if (fit && followedShare(*fit, squares, tolerancePx) < kMostSquares)
     fit.reset(); // what is right everywhere else
   if (!fit) fit = explaining(squares, tolerancePx);
-  // An encoding is that of all that is stored; what was not written is the camera's by what is stated.
-  std::vector<const FlowSquare*> seenSquares;
-  for (const FlowPair& pair : seen.pairs)
-    for (const FlowSquare& square : pair.squares)
-      if (!square.isOfCamera()) seenSquares.push_back(&square);
-  const auto withoutRoot = explainingWithoutRoot(seenSquares, patient, tolerancePx);
-  // Of motion that hardly changes a line makes nearly what a curve does.
-  if (withoutRoot && (!fit || !isAlongAxes(*fit) || withoutRoot->followed > fit->followed))
-    nameWithoutRoot(*withoutRoot, finding);
-  else if (const auto missing = fitOfMissing(refuted))
+  if (const auto missing = fitOfMissing(refuted))
     nameMissing(framesOf(refuted).first.front(), *missing, finding);
   else if (fit)
     nameByFit(*fit, patient, finding);
   else
     nameUnknown(finding);
   return finding;
+}
+
+/// Motion of which no root was taken, and what is said of it as if one had been: all of it, as an encoding is
+/// that of all that is stored. False: it is not so.
+bool tellWithoutRoot(const FlowSeen& seen, const Patient& patient, double tolerancePx, Diagnosis& out) {
+  std::vector<const FlowSquare*> written; // what was not is the camera's by what is stated
+  for (const FlowPair& pair : seen.pairs)
+    for (const FlowSquare& square : pair.squares)
+      if (!square.isOfCamera()) written.push_back(&square);
+  const auto withoutRoot = explainingWithoutRoot(written, patient, tolerancePx);
+  if (!withoutRoot) return false;
+  // Of motion that hardly changes a line makes nearly what a curve does.
+  const auto line = explaining(written, tolerancePx);
+  if (line && isAlongAxes(*line) && line->followed >= withoutRoot->followed) return false;
+  const std::vector<Refuted> refuted = refutedRegions(seen, tolerancePx);
+  if (refuted.empty()) return false;
+  takeBackOfAll(out);
+  takeBackRegions(out);
+  Finding finding = measuredFinding(refuted, seen, patient, out);
+  finding.sureness = Sureness::Likely;
+  nameWithoutRoot(*withoutRoot, finding);
+  addMotion(std::move(finding), out);
+  return true;
 }
 
 /// Whether a finding tells of a region by its name.
@@ -206,6 +231,13 @@ bool isToldOf(const Region& region, const Patient& patient, const Diagnosis& out
   return isToldAlone(region, patient, out) || std::ranges::any_of(out.findings, [](const Finding& finding) {
            return finding.isWholePicture && isOfMotion(finding);
          });
+}
+
+/// Whether something that is sure explains motion of the whole picture, and with it that of each region.
+bool isAllExplained(const Diagnosis& out) {
+  return std::ranges::any_of(out.findings, [](const Finding& finding) {
+    return finding.isWholePicture && isOfMotion(finding) && finding.sureness == Sureness::Sure;
+  });
 }
 
 /// Whether the motion given is longer or shorter than what pictures move by, by a factor that hardly shows in
@@ -295,17 +327,6 @@ double refutedShare(const FlowSeen& seen, double tolerancePx) {
       if (square.refutesGiven(tolerancePx)) ++refuting;
     }
   return all == 0 ? 0.0 : static_cast<double>(refuting) / static_cast<double>(all);
-}
-
-/// What was told of the whole picture, in words: it is refuted.
-std::string takeBackOfAll(Diagnosis& out) {
-  std::string names;
-  std::erase_if(out.findings, [&](const Finding& finding) {
-    if (!finding.isWholePicture || !isOfMotion(finding)) return false;
-    names += (names.empty() ? "" : ", ") + finding.name;
-    return true;
-  });
-  return names;
 }
 
 /// Says of findings of regions in which frames pictures refute them, where that is not in all.
@@ -402,6 +423,28 @@ void tellOtherObjects(std::vector<Refuted>& refuted, const FlowSeen& seen, const
   }
   std::ranges::stable_sort(finding.regions, std::greater(), &RegionPlace::share);
   addMotion(std::move(finding), out);
+}
+
+/// Frames in which a list of transforms slips.
+void tellSlipped(const FlowSeen& seen, const Patient& patient, Diagnosis& out) {
+  Finding finding;
+  nameBy(otherObjectWords(), finding);
+  finding.sureness = Sureness::Likely;
+  for (const SlippedFrame& slipped : slippedFrames(seen)) {
+    for (const Region* region : slipped.regions) {
+      const RegionPlace place = placeOf(*region, patient, allPixels(patient, out));
+      takeBackUnsure(place.name, out);
+      if (std::ranges::count(finding.regions, place.name, &RegionPlace::name) == 0)
+        finding.regions.push_back(place);
+    }
+    finding.reason +=
+        (finding.reason.empty() ? "" : " ") +
+        say<"In frame %1 the motion given of %2 of %3 objects that do not move so leads to "
+            "where other ones were, to %4 px: of %5 to where %6 was.">(
+            slipped.frame, slipped.told, slipped.regions.size(), shortNumber(slipped.px),
+            placeOf(*slipped.example, patient, 1.0).name, placeOf(*slipped.other, patient, 1.0).name);
+  }
+  if (!finding.regions.empty()) addMotion(std::move(finding), out);
 }
 
 /// What explanations that are no line make of the motion given; takes these regions out of `refuted`.
@@ -509,6 +552,7 @@ bool isDepthConfirmed(const FlowSeen& seen) {
 
 void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient& patient, Diagnosis& out) {
   const double tolerancePx = patient.isJitterOpen ? kOffPxWithOpenJitter : kOffPx;
+  if (tellWithoutRoot(asGiven, patient.patient, tolerancePx, out)) return;
   const bool isAnyTold = std::ranges::any_of(out.findings, isOfMotion);
   const bool isOtherLength =
       isOfOtherLength(mended, patient, tolerancePx, out) || (!isAnyTold && isRestRefuted(mended.pairs));
@@ -535,7 +579,10 @@ void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient
   tellLimited(mended, patient.patient, tolerancePx, out);
   nameNotCameras(mended, patient.patient, tolerancePx, out);
   tellFrames(refuted, patient.patient, out);
-  tellOtherObjects(refuted, mended, patient.patient, out);
+  if (!isAllExplained(out)) {
+    tellOtherObjects(refuted, mended, patient.patient, out);
+    tellSlipped(mended, patient.patient, out);
+  }
   std::erase_if(refuted, [&](const Refuted& one) { return isToldOf(*one.region, patient.patient, out); });
   if (refuted.empty()) {
     if (!patient.isJitterOpen) tellWholeFrames(mended, patient.patient, tolerancePx, out);

@@ -3,9 +3,11 @@
 #include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/capture/decode/Motion.h"
+#include "core/capture/import/FrameSamples.h"
 #include "core/doctor/Mending.h"
 #include "core/doctor/motion/MotionMending.h"
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -99,14 +101,17 @@ void nameByFit(const FlowFit& fit, const Patient& patient, Finding& finding) {
 }
 
 void nameWithoutRoot(const FlowFit& fit, Finding& finding) {
+  constexpr double kWithinErrors = 3.0;
   const double factor = fit.factors[0][0], error = fit.factorErrors[0][0];
+  const bool isAsEncoded = std::abs(factor - 1.0) <= kWithinErrors * std::hypot(error, capture::kReadingError);
   nameMeasured(
       {"motionWithoutRoot", say<"Motion that is linear decoded as a root">(),
        say<"Small motion is lost, and fast things have far too little.">(),
        say<"State that motion is stored with an offset, %1, times %2 in device coordinates: the root that Unreal's "
            "encoding takes is not in what is stored. Or take it before you store.">(
            shortestText(static_cast<float>(capture::kUnrealRest)),
-           withError(factor / capture::kUnrealSlope, error / capture::kUnrealSlope))},
+           isAsEncoded ? significantText(1.0 / capture::kUnrealSlope, 5)
+                       : withError(factor / capture::kUnrealSlope, error / capture::kUnrealSlope))},
       finding);
   finding.reason +=
       " " + say<"By least squares the pictures move by %1 times what is read if its root is not undone: "

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -123,7 +124,68 @@ class ObjectMotions {
   bool areCamerasKnown_ = true;
 };
 
+/// Where whole objects of a frame were in the one before.
+std::map<RegionIndex, glm::dvec2> wholeObjects(const FlowPair& pair, const FlowSeen& seen) {
+  std::map<RegionIndex, glm::dvec2> out;
+  for (const auto& [region, means] : pair.means)
+    if (means.isWhole && seen.regions[static_cast<std::size_t>(region)].objectId != 0)
+      out[region] = means.middle;
+  return out;
+}
+
+/// The object that was at a place, and how far from it: clearly nearer than any other one. The middle of what
+/// is seen of an object in its own place and in another one's is not the same point of it.
+std::optional<std::pair<RegionIndex, double>> objectAt(const glm::dvec2& place,
+                                                       const std::map<RegionIndex, glm::dvec2>& objects) {
+  constexpr double kClearlyNearer = 0.3;
+  std::optional<std::pair<RegionIndex, double>> nearest;
+  double next = std::numeric_limits<double>::infinity();
+  for (const auto& [region, middle] : objects) {
+    const double px = glm::distance(place, middle);
+    if (nearest && px >= nearest->second) {
+      next = std::min(next, px);
+      continue;
+    }
+    if (nearest) next = nearest->second;
+    nearest = {region, px};
+  }
+  return nearest && nearest->second <= kClearlyNearer * next ? nearest : std::nullopt;
+}
+
 } // namespace
+
+std::vector<SlippedFrame> slippedFrames(const FlowSeen& seen) {
+  constexpr std::size_t kEnough = 3;
+  constexpr double kNearlyAll = 0.8, kWrongPx = 2.0;
+  std::vector<SlippedFrame> out;
+  for (std::size_t i = 1; i < seen.pairs.size(); ++i) {
+    const FlowPair &now = seen.pairs[i], &before = seen.pairs[i - 1];
+    if (now.frame != before.frame + 1) continue;
+    const std::map<RegionIndex, glm::dvec2> objects = wholeObjects(now, seen),
+                                            were = wholeObjects(before, seen);
+    SlippedFrame slipped;
+    slipped.frame = now.frame;
+    std::vector<double> off;
+    for (const auto& [region, middle] : objects) {
+      const auto own = were.find(region);
+      const glm::dvec2 given = now.means.at(region).given, from = middle - given;
+      if (own == were.end() || glm::distance(from, own->second) < kWrongPx + alikePx(given)) continue;
+      slipped.regions.push_back(&seen.regions[static_cast<std::size_t>(region)]);
+      const auto other = objectAt(from, were);
+      if (!other || other->first == region) continue;
+      slipped.example = slipped.regions.back();
+      slipped.other = &seen.regions[static_cast<std::size_t>(other->first)];
+      off.push_back(other->second);
+    }
+    slipped.told = off.size();
+    if (slipped.told < kEnough ||
+        static_cast<double>(slipped.told) < kNearlyAll * static_cast<double>(slipped.regions.size()))
+      continue;
+    slipped.px = median(std::move(off));
+    out.push_back(std::move(slipped));
+  }
+  return out;
+}
 
 std::vector<OfOtherObject> ofOtherObjects(const std::vector<Refuted>& refuted, const FlowSeen& seen) {
   const ObjectMotions motions(seen);

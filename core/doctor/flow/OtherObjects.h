@@ -28,4 +28,16 @@ struct OfOtherObject {
 /// what its squares do, else its middle; it is compared without the camera's motion, where that is known.
 std::vector<OfOtherObject> ofOtherObjects(const std::vector<Refuted>& refuted, const FlowSeen& seen);
 
+/// A frame in which objects take each other's transforms, as a list of them slips by one.
+struct SlippedFrame {
+  int frame = 0;
+  std::vector<const Region*> regions;                ///< whose motion is wrong there
+  std::size_t told = 0;                              ///< of these: leads to where another one was
+  const Region *example = nullptr, *other = nullptr; ///< one of them, and that other one
+  double px = 0.0;                                   ///< to that, in the middle
+};
+
+/// By the middles of objects that no border cuts: three or more, and nearly all that do not move as given.
+std::vector<SlippedFrame> slippedFrames(const FlowSeen& seen);
+
 } // namespace taa::doctor

@@ -68,7 +68,7 @@ void tellMarks(const MotionEvidence& evidence, const std::vector<Region>& region
   std::size_t moving = 0;
   for (std::size_t i = 0; i < regions.size() && i < evidence.regions().size(); ++i) {
     const RegionEvidence& region = evidence.regions()[i];
-    rests = rests || (region.pixels >= kEnoughMarks && region.givenPx == 0.0);
+    rests = rests || region.zero >= kEnoughMarks;
     if (isUnwrittenMark(region))
       unwritten.regions.push_back(placeOf(regions[i], patient, allPixels));
     else if (isKeptAsMissing(region))

@@ -64,7 +64,8 @@ TEST(BrightnessSteps, AreMeasuredInStops) {
   ASSERT_EQ(evidence.pairs.size(), static_cast<std::size_t>(kFrames - 1));
   for (const BrightnessPair& pair : evidence.pairs) {
     EXPECT_NEAR(pair.stops, pair.frame == kStep ? 1.0 : 0.0, 1e-5) << pair.frame;
-    EXPECT_EQ(pair.isStep(), pair.frame == kStep);
+    EXPECT_EQ(pair.isChange(), pair.frame == kStep);
+    EXPECT_TRUE(pair.isEven());
     EXPECT_NEAR(pair.stepped, 0.0, 1e-6);
   }
 }
@@ -77,6 +78,28 @@ TEST(BrightnessSteps, AreToldOfTheWholePictureWhileItMoves) {
 
 TEST(BrightnessSteps, AreNotToldOfALightOnAPart) {
   EXPECT_EQ(toldOf({}, 2.0f, test::kPaintedPx.x / 3), "");
+}
+
+// Where it changes little it looks even; where it changes much it does not.
+TEST(BrightnessSteps, AreNotToldOfALightThatFlickers) {
+  const auto flickering = [](int frame, float much) {
+    DoctorFrame out = test::paintedFrame(restingShot(), frame);
+    const float stops = frame == 3 ? 0.15f : frame == kStep ? much : 0.0f;
+    for (int y = 0; y < out.luma.height; ++y)
+      for (int x = 0; x < out.luma.width; ++x) {
+        const float near = 0.7f + 0.6f * static_cast<float>(x) / static_cast<float>(out.luma.width);
+        *out.luma.at(x, y) = brighter(*out.luma.at(x, y), std::exp2(stops * near));
+      }
+    return out;
+  };
+  const auto steps = [&](float much) {
+    BrightnessEvidence out;
+    for (int frame = 1; frame < kFrames; ++frame)
+      out.add({flickering(frame, much), flickering(frame - 1, much)});
+    return out.steps().size();
+  };
+  EXPECT_EQ(steps(0.0f), 2u) << "on and off";
+  EXPECT_EQ(steps(1.0f), 0u);
 }
 
 TEST(BrightnessSteps, SayAtWhichFrame) {

@@ -1,8 +1,11 @@
 // Objects that have each other's motion, or one the place of another: of squares that are made up.
 #include "core/doctor/flow/OtherObjects.h"
 
+#include "core/doctor/flow/FlowCheck.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -86,6 +89,65 @@ TEST_F(OtherObjects, AreFoundByTheirOwnMotion) {
     EXPECT_EQ(exchanged[1].other, &regions_[1]);
     EXPECT_EQ(exchanged[0].kind, OtherObjectKind::Motion);
     EXPECT_EQ(exchanged[0].frames, exchanged[0].asked);
+  }
+}
+
+// One is taken out of a list, and each behind it takes the transform of the one before it, for a frame.
+TEST(SlippedFrames, AreThoseInWhichAListSlips) {
+  constexpr int kObjects = 6, kSlips = 4;
+  const auto placeOf = [](int object, int frame) {
+    return glm::dvec2(30.0 + 25.0 * object, 40.0 + 8.0 * std::sin(object + 0.5 * frame));
+  };
+  std::vector<Region> regions(kObjects);
+  const auto seenWith = [&](std::size_t slipping, std::vector<FlowPair>& pairs) {
+    pairs.clear();
+    for (int frame = 1; frame <= 8; ++frame) {
+      FlowPair& pair = pairs.emplace_back();
+      pair.frame = frame;
+      for (int object = 0; object < kObjects; ++object) {
+        regions[static_cast<std::size_t>(object)].objectId = static_cast<std::uint32_t>(object + 1);
+        RegionMeans& means = pair.means[object];
+        means.middle = placeOf(object, frame);
+        const bool isSlipped = frame == kSlips && object >= kObjects - static_cast<int>(slipping);
+        means.given = means.middle - placeOf(isSlipped ? object - 1 : object, frame - 1);
+      }
+    }
+    return slippedFrames({pairs, regions});
+  };
+  std::vector<FlowPair> pairs;
+  EXPECT_TRUE(seenWith(0, pairs).empty());
+  EXPECT_TRUE(seenWith(2, pairs).empty()) << "two may be chance";
+  const std::vector<SlippedFrame> slipped = seenWith(4, pairs);
+  ASSERT_EQ(slipped.size(), 1u);
+  EXPECT_EQ(slipped[0].frame, kSlips);
+  ASSERT_EQ(slipped[0].regions.size(), 4u);
+  EXPECT_EQ(slipped[0].regions[0], &regions[2]);
+  EXPECT_EQ(slipped[0].told, 4u);
+  EXPECT_EQ(slipped[0].example, &regions[5]);
+  EXPECT_EQ(slipped[0].other, &regions[4]);
+  EXPECT_LT(slipped[0].px, 1e-9);
+  // Wrong by something else: they lead to where nothing was.
+  for (auto& [region, means] : pairs[kSlips - 1].means) means.given += glm::dvec2(11.0, 12.0);
+  EXPECT_TRUE(slippedFrames({pairs, regions}).empty());
+}
+
+// The camera's way missing makes the wall look as if it had the other one's: one cause is told, and no more.
+TEST_F(OtherObjects, AreNotToldWhereSomethingExplainsAll) {
+  fill(exchangedPx);
+  const FlowSeen seen{pairs_, regions_};
+  Patient patient;
+  patient.sizePx = {160, 96};
+  for (const Sureness sureness : {Sureness::Sure, Sureness::Likely}) {
+    Diagnosis diagnosis;
+    diagnosis.sizePx = patient.sizePx;
+    Finding all;
+    all.id = "motionWithoutCamera";
+    all.isWholePicture = true;
+    all.sureness = sureness;
+    diagnosis.findings.push_back(all);
+    tellFlow(seen, seen, {patient}, diagnosis);
+    EXPECT_EQ(std::ranges::count(diagnosis.findings, "motionOfAnotherObject", &Finding::id),
+              sureness == Sureness::Sure ? 0 : 1);
   }
 }
 

@@ -75,16 +75,25 @@ TEST(MotionMarks, OfWhatMovesAreNotOfZero) {
 
 // Whether 0 is taken for none shows where the camera rests, and nowhere else.
 TEST(MotionMarks, OfZeroAreLeftOpenWhereNothingRests) {
-  const auto saysOpen = [](const test::PaintedShot& shot) {
-    const Diagnosis diagnosis = examine(test::paintedExamination(shot, 12));
+  const auto saysOpen = [](const Examination& examination) {
+    const Diagnosis diagnosis = examine(examination);
     return std::ranges::any_of(diagnosis.parts.undecided(), [](const Undecided& open) {
       return open.faults == std::vector<Fault>{Fault::ZeroTakenAsMissing};
     });
   };
-  EXPECT_TRUE(saysOpen({}));
-  test::PaintedShot resting;
-  resting.cameraPx = {0.0, 0.0};
+  Examination moving = test::paintedExamination({}, 12);
+  EXPECT_TRUE(saysOpen(moving));
+  test::PaintedShot rest;
+  rest.cameraPx = {0.0, 0.0};
+  const Examination resting = test::paintedExamination(rest, 12);
   EXPECT_FALSE(saysOpen(resting));
+  moving.read = [=, read = moving.read](int frame) {
+    if (frame < 5) return resting.read(frame);
+    DoctorFrame out = read(frame);
+    out.startsHistory = frame == 5;
+    return out;
+  };
+  EXPECT_FALSE(saysOpen(moving)) << "it rests in some frames";
 }
 
 } // namespace taa::doctor
