@@ -43,7 +43,7 @@ struct DoctorCommand final : Command {
 
   DoctorCommand() : Command("doctor") {
     description("Say what is wrong with jitter, depth and motion vectors of an engine's frames, region by "
-                "region, and what to change; ends with 3 where something is, or does not fit");
+                "region, and what to change; ends with 3 where something is");
     addShotOptions(*this, shot);
     add_option("--frames", frames, "How many frames are examined, from frame 0 on")
         ->check(CLI::Range(doctor::kLeastDoctorFrames, doctor::kMaxDoctorFrames))

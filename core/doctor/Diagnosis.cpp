@@ -2,9 +2,7 @@
 
 #include "core/base/Say.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <string_view>
 #include <utility>
 
@@ -66,16 +64,6 @@ void ExaminedParts::leaveOpen(Undecided part) {
     for (const Fault fault : part.faults)
       if (std::ranges::count(known->faults, fault) == 0) known->faults.push_back(fault);
   known->isMisfit = known->isMisfit || part.isMisfit;
-}
-
-void ExaminedParts::markMisfits(const std::function<bool(const Undecided&)>& isKnown) {
-  for (Undecided& part : undecided_) part.isKnown = part.isMisfit && isKnown(part);
-}
-
-bool Diagnosis::hasNews() const {
-  return !std::ranges::all_of(findings, &Finding::isKnown) ||
-         std::ranges::any_of(parts.undecided(),
-                             [](const Undecided& part) { return part.isMisfit && !part.isKnown; });
 }
 
 bool Diagnosis::isMisfit() const {

@@ -9,9 +9,9 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -83,7 +83,6 @@ struct Undecided {
   std::vector<Fault> faults{}; ///< of the table: those that would not show
   /// Whether what was measured does not fit what is stated; else too little was measured.
   bool isMisfit = false;
-  bool isKnown = false; ///< by a baseline, where it is one
 };
 
 /// Parts that were examined, each under one status: what is right about a part that is also undecided is said
@@ -99,8 +98,6 @@ class ExaminedParts {
   void takeBack(std::string_view part);
   /// Takes back what is right beyond what was right earlier.
   void keepRight(const ExaminedParts& earlier);
-  /// Says of each misfit whether it is known.
-  void markMisfits(const std::function<bool(const Undecided&)>& isKnown);
 
  private:
   std::vector<RightPart> right_;
@@ -121,8 +118,10 @@ struct Diagnosis {
   bool isMisfit() const;
   /// Without findings: that nothing is wrong, as far as it was decided, and what does not fit.
   std::string healthySentence() const;
-  /// Whether a finding, or what does not fit, is not known.
-  bool hasNews() const;
+  /// Whether a finding is not known.
+  bool hasNews() const {
+    return std::any_of(findings.begin(), findings.end(), [](const Finding& found) { return !found.isKnown; });
+  }
 };
 
 } // namespace taa::doctor

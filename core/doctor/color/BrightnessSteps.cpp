@@ -102,9 +102,11 @@ Finding stepFinding(const std::vector<const BrightnessPair*>& steps) {
       **std::ranges::max_element(steps, {}, [](const BrightnessPair* pair) { return std::abs(pair->stops); });
   Finding out = faultFinding(Fault::ExposureStep);
   out.isWholePicture = true;
+  out.sureness = Sureness::Likely;
   out.reason =
       say<"The brightness of the whole picture steps in %1 of the frames, most at frame %2: in %3 of %4 "
-          "squares alike. %5.">(steps.size(), largest.frame, largest.even, largest.squares, stepTexts(steps));
+          "squares alike. %5. The only light of a scene would make the same.">(
+          steps.size(), largest.frame, largest.even, largest.squares, stepTexts(steps));
   out.measure = say<"median difference of luma, × 1000">();
   out.residuals = {{"stepped", say<"the frame before times %1">(shortNumber(std::exp2(largest.stops))),
                     1000.0 * largest.stepped, false, true},
@@ -196,6 +198,7 @@ void tellPreExposure(const BrightnessEvidence& evidence, const Patient& patient,
     const double off = offStops(evidence, reading, patient.preExposure);
     if (off > std::min(kFitsStops, kMuchLess * given)) continue;
     finding.name = reading.name;
+    finding.sureness = Sureness::Sure; // no light follows a number that is stated
     finding.change = reading.change;
     finding.reason += " " + say<"Steps of %1 stops in the mean are those of the pre-exposure that is stated, "
                                 "taken like this, to %2 stops.">(shortNumber(given), shortNumber(off));

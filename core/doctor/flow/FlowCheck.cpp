@@ -3,6 +3,7 @@
 #include "core/base/Median.h"
 #include "core/base/NumberText.h"
 #include "core/base/Say.h"
+#include "core/capture/import/FrameSamples.h"
 #include "core/doctor/Mending.h"
 #include "core/doctor/flow/FlowFit.h"
 #include "core/doctor/flow/FlowLength.h"
@@ -302,6 +303,25 @@ bool isHardlyBetter(const MotionTrial& trial, const Finding& finding) {
   return given != finding.residuals.end() && given->value < kHardly * finding.residuals.front().value;
 }
 
+/// Of a factor that explains a region the number that squares say, where the one told does not lie within its
+/// errors.
+void measureFactor(const MotionTrial& trial, const std::vector<const FlowSquare*>& squares,
+                   const FlowSeen& seen, const Patient& patient, Finding& finding) {
+  constexpr double kOtherErrors = 3.0;
+  if (trial.kind != MotionKind::Scaled || squares.size() < kEnoughRefutingSquares) return;
+  const auto fit = fitFlow(squares, true, kOffPx);
+  if (!fit || !fit->isGood() || !isAlongAxes(*fit)) return;
+  const auto isAsTold = [&](int axis) {
+    const double told = static_cast<double>(trial.factor[axis]);
+    return std::abs(fit->factors[axis][axis] - told) <=
+           kOtherErrors * std::hypot(fit->factorErrors[axis][axis], capture::kReadingError * told);
+  };
+  if (isAsTold(0) && isAsTold(1)) return;
+  finding.change = exampleOf(squares, seen, patient);
+  finding.mending.clear();
+  nameByFit(*fit, patient, finding);
+}
+
 /// Takes back findings of regions whose explanation does not make what is measured there, or where nothing is
 /// wrong; what makes only a part of it is not sure.
 void takeBackRefuted(const FlowSeen& seen, const Patient& patient, Diagnosis& out) {
@@ -314,7 +334,10 @@ void takeBackRefuted(const FlowSeen& seen, const Patient& patient, Diagnosis& ou
     const auto index = static_cast<std::size_t>(trial - trials.begin());
     const BorneOut says = borneOut(squares, index);
     if (says == BorneOut::Partly) finding.sureness = Sureness::Likely;
-    return isRightAsGiven(squares, index) || says == BorneOut::No || isHardlyBetter(*trial, finding);
+    const bool isRefuted =
+        isRightAsGiven(squares, index) || says == BorneOut::No || isHardlyBetter(*trial, finding);
+    if (!isRefuted) measureFactor(*trial, squares, seen, patient, finding);
+    return isRefuted;
   });
 }
 

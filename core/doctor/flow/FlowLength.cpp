@@ -18,7 +18,7 @@ namespace {
 /// Of squares: so few may be longer, as the motion of what has just come into view.
 constexpr double kFewLonger = 1e-3;
 constexpr double kShortestFactor = 3.0; ///< less is no other unit
-constexpr double kMostError = 0.05; ///< of the factor: what is known worse is not told
+constexpr double kMostError = 0.05;     ///< of the factor: what is known worse is not told
 
 /// One factor for each axis, by least squares over the squares that follow it.
 class LengthFit {
@@ -88,7 +88,8 @@ class LengthFit {
       count += 1.0;
     }
     if (!(squares > 0.0) || count < 2.0) return std::numeric_limits<double>::infinity();
-    return std::hypot(std::sqrt(spread * count / (count - 1.0)) / squares, capture::kReadingError * factor_[axis]);
+    return std::hypot(std::sqrt(spread * count / (count - 1.0)) / squares,
+                      capture::kReadingError * factor_[axis]);
   }
 
   /// Adds what is left where squares move, and returns whether nearly all of them follow, and clearly.

@@ -73,6 +73,18 @@ std::map<RegionIndex, MissingJitter> RegionJitter::regions() const {
   return out;
 }
 
+/// What was said of the motion of these regions: along that motion their pixels lack the jitter, and nothing
+/// else.
+static void takeBackMotion(const std::vector<RegionPlace>& regions, Diagnosis& out) {
+  std::erase_if(out.findings, [&](Finding& finding) {
+    if (partOf(finding) != FaultPart::Motion || finding.isWholePicture) return false;
+    const auto taken = std::erase_if(finding.regions, [&](const RegionPlace& place) {
+      return std::ranges::count(regions, place.name, &RegionPlace::name) > 0;
+    });
+    return taken > 0 && finding.regions.empty();
+  });
+}
+
 void tellRegionJitter(const RegionJitter& jitter, const std::vector<Region>& regions, const Patient& patient,
                       Diagnosis& out) {
   Finding found;
@@ -91,6 +103,7 @@ void tellRegionJitter(const RegionJitter& jitter, const std::vector<Region>& reg
         (shares.empty() ? "" : ", ") + say<"%1 ± %2">(shortNumber(missing.share), shortNumber(missing.error));
   }
   if (found.regions.empty() || having < lacking) return;
+  takeBackMotion(found.regions, out);
   found.id = "jitterRegionMissing";
   found.name = say<"Drawn without jitter">();
   found.sureness = worst <= kSureShareError ? Sureness::Sure : Sureness::Likely;

@@ -169,11 +169,8 @@ class PairEvidence {
   /// Rims say when motion was made only where it is not wrong everywhere.
   void finishRims() {
     if (2 * witness_.off > witness_.known) return;
-    for (const auto& [region, rims] : rimWitness_) {
-      WitnessEvidence& out = regions_[static_cast<std::size_t>(region)].witness;
-      out.off += rims.off;
-      out.offLate += rims.offLate;
-    }
+    for (const auto& [region, rims] : rimWitness_)
+      addRims(rims, regions_[static_cast<std::size_t>(region)].witness);
   }
 
   static void addOutside(const glm::vec2& given, RegionEvidence& out) {

@@ -1,5 +1,6 @@
 #include "core/doctor/motion/MotionFindings.h"
 
+#include "core/base/Median.h"
 #include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/doctor/Mending.h"
@@ -58,6 +59,39 @@ bool breaksNothing(std::size_t trial, const std::vector<JudgedRegion>& judged) {
   });
 }
 
+/// Mean of |luma − luma of the frame before| × 1000 where motion is right, the median of its regions; nothing
+/// where there are too few.
+std::optional<double> leftWhereRight(const std::vector<JudgedRegion>& judged) {
+  constexpr std::size_t kEnoughRight = 2;
+  std::vector<double> left;
+  for (const JudgedRegion& region : judged)
+    if (region.decision.verdict == MotionVerdict::Right && region.evidence->textured > 0)
+      left.push_back(1000.0 * region.evidence->texturedError /
+                     static_cast<double>(region.evidence->textured));
+  return left.size() < kEnoughRight ? std::nullopt : std::optional(median(std::move(left)));
+}
+
+/// An explanation by pixels that leaves far more of them than is left where motion is right, and much of what
+/// the motion given leaves, is none: the finding is unknown then, and says so. False: it explains them.
+bool leaveUnknown(const FaultGroup& group, const std::vector<JudgedRegion>& judged, Finding& out) {
+  constexpr double kPoorFit = 4.0, kMuchOfGiven = 0.4;
+  const auto best = std::ranges::find(out.residuals, true, &Residual::isBest);
+  const auto given = std::ranges::find(out.residuals, true, &Residual::isGiven);
+  const auto right = leftWhereRight(judged);
+  if (isWitnessed(group) || isOutlined(group) || isOfMiddles(group) || !right ||
+      best == out.residuals.end() || given == out.residuals.end() || best->value <= kPoorFit * *right ||
+      best->value <= kMuchOfGiven * given->value)
+    return false;
+  nameBy(unknownMotion(), out);
+  out.sureness = Sureness::Likely;
+  out.reason = say<"The motion given leaves %1 thousandths of the pixels' luma, and what comes nearest, %2, "
+                   "leaves %3, where %4 are left in regions whose motion is right.">(
+      shortNumber(given->value), best->text, shortNumber(best->value), shortNumber(*right));
+  out.alike.clear();
+  best->isBest = false;
+  return true;
+}
+
 Finding findingOf(const FaultGroup& group, const std::vector<JudgedRegion>& judged,
                   const MotionEvidence& evidence, const Patient& patient, double allPixels) {
   Finding out;
@@ -69,7 +103,7 @@ Finding findingOf(const FaultGroup& group, const std::vector<JudgedRegion>& judg
   std::ranges::stable_sort(out.regions, std::greater(), &RegionPlace::share);
   tellEvidence(group, evidence.trials(), out);
   out.alike = alikeIds(group, evidence.trials());
-  if (!group.trial) return out;
+  if (!group.trial || leaveUnknown(group, judged, out)) return out;
   const std::vector<std::string> mending = motionMending(evidence.trials()[*group.trial]);
   if (breaksNothing(*group.trial, judged))
     mendEverywhereBy(mending, out);

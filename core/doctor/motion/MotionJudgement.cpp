@@ -172,8 +172,7 @@ bool isLate(const std::vector<JudgedRegion>& judged) {
   WitnessEvidence rims;
   for (const JudgedRegion& region : judged) {
     if (region.witness.verdict != WitnessVerdict::OfCamera) continue;
-    rims.off += region.evidence->witness.off;
-    rims.offLate += region.evidence->witness.offLate;
+    addRims(region.evidence->witness, rims);
   }
   return isLateAtRims(rims);
 }

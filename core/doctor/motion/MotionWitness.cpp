@@ -26,6 +26,7 @@ constexpr double kFollowing = 0.7;
 constexpr double kLogRounding = -11.0; ///< of half floats
 constexpr std::size_t kEnoughAtRims = 60;
 constexpr double kLateShare = 0.8, kRimOffPx = 0.1;
+constexpr std::size_t kEnoughLateFrames = 3; ///< in one what moves may stop, or start
 
 /// px: what does not move shrinks to nothing by any factor.
 constexpr float kLeastScaledPx = 0.01f;
@@ -95,7 +96,15 @@ void addRimWitness(WitnessEvidence& out, const FrameNeighbors& frames, const glm
                   after = frames.after->motionAt(pixel.x, pixel.y);
   if (!isMotion(after) || !(static_cast<double>(glm::distance(given, *camera)) > kRimOffPx)) return;
   ++out.off;
-  if (wasOther && static_cast<double>(glm::distance(after, *camera)) <= kExplainedPx) ++out.offLate;
+  if (!wasOther || static_cast<double>(glm::distance(after, *camera)) > kExplainedPx) return;
+  ++out.offLate;
+  out.lateFrames.insert(frames.now.frame);
+}
+
+void addRims(const WitnessEvidence& of, WitnessEvidence& out) {
+  out.off += of.off;
+  out.offLate += of.offLate;
+  out.lateFrames.insert(of.lateFrames.begin(), of.lateFrames.end());
 }
 
 void addWitness(WitnessEvidence& out, const std::vector<MotionTrial>& trials, const FrameNeighbors& frames,
@@ -219,7 +228,7 @@ WitnessDecision decideWitness(const WitnessEvidence& evidence, const std::vector
 }
 
 bool isLateAtRims(const WitnessEvidence& evidence) {
-  return evidence.off >= kEnoughAtRims &&
+  return evidence.off >= kEnoughAtRims && evidence.lateFrames.size() >= kEnoughLateFrames &&
          static_cast<double>(evidence.offLate) >= kLateShare * static_cast<double>(evidence.off);
 }
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace taa::doctor {
@@ -41,6 +42,7 @@ struct WitnessEvidence {
   /// that showed another region in the frame before, at which the frame after has the motion of the camera of
   /// now.
   std::size_t off = 0, offLate = 0;
+  std::set<int> lateFrames; ///< in which any are `offLate`
 };
 
 /// Of a pair of frames: pixels well inside regions.
@@ -54,6 +56,8 @@ struct PairWitness {
 /// Adds a pixel well inside a region.
 void addWitness(WitnessEvidence& out, const std::vector<MotionTrial>& trials, const FrameNeighbors& frames,
                 const glm::ivec2& pixel);
+/// The counts of rims alone.
+void addRims(const WitnessEvidence& of, WitnessEvidence& out);
 /// Adds any pixel of a region to `off` and `offLate`. `wasOther`: it showed another one in the frame before.
 void addRimWitness(WitnessEvidence& out, const FrameNeighbors& frames, const glm::ivec2& pixel,
                    bool wasOther);

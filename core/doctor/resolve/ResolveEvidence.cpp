@@ -70,6 +70,7 @@ bool ResolveEvidence::isWanted(std::size_t model, PixelSet set) const {
 }
 
 void ResolveEvidence::compare(const ResolveFrames& frames) {
+  pairFrames_.push_back(frames.now.frame);
   ResolveTwin twin(frames);
   const bool isOfAll = pairs_ < kPairsOfAll;
   for (const PixelSet set : {PixelSet::Anywhere, PixelSet::Rims, PixelSet::Border}) {

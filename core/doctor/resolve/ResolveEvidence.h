@@ -50,6 +50,8 @@ class ResolveEvidence {
   /// Pixels of a set, of all frames.
   std::size_t pixels(PixelSet set) const { return pixels_[static_cast<std::size_t>(set)]; }
   int pairs() const { return pairs_; }
+  /// The later frames of pairs that models were compared in, in their order.
+  const std::vector<int>& pairFrames() const { return pairFrames_; }
 
   /// The model of a kind, and its α, whose errors over a set are least. None: nothing was tried.
   std::optional<ResolveFit> best(ResolveKind kind, PixelSet set) const;
@@ -66,6 +68,7 @@ class ResolveEvidence {
   std::vector<ModelEvidence> models_;
   Image outputTwoBefore_, outputBefore_;
   std::array<std::size_t, kPixelSets> pixels_{};
+  std::vector<int> pairFrames_;
   int historyFrames_ = 0, pairs_ = 0;
   bool isOtherSize_ = false, isJittered_ = false;
 };

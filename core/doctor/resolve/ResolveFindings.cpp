@@ -345,15 +345,119 @@ void leaveUndecided(std::string reason, std::string capture, Diagnosis& out, boo
       {say<"The resolve">(), std::move(reason), std::move(capture), resolveFaults(!hasOutput)});
 }
 
+/// A sound fit that is exact up to a pair of frames, and is not from then on.
+struct ResolveTurn {
+  ResolveFit sound;
+  std::size_t pair = 0; ///< the first in which it is not
+  double after = 0.0;   ///< the mean distance from then on
+};
+
+/// Mean distances pair by pair; as many as the evidence has, where the model was tried in all.
+std::vector<double> errorsOf(const ResolveEvidence& evidence, std::size_t model, std::size_t alpha) {
+  std::vector<double> out;
+  for (const AlphaErrors& pair : evidence.models()[model].pairs) out.push_back(pair.mean(alpha));
+  return out.size() == evidence.pairFrames().size() ? out : std::vector<double>();
+}
+
+double meanFrom(const std::vector<double>& values, std::size_t first) {
+  double sum = 0.0;
+  for (std::size_t i = first; i < values.size(); ++i) sum += values[i];
+  return sum / static_cast<double>(values.size() - first);
+}
+
+/// Of the sound models the one that is exact the longest, where it ceases to be for good.
+std::optional<ResolveTurn> turnOf(const ResolveEvidence& evidence) {
+  constexpr std::size_t kEnoughBefore = 4, kEnoughAfter = 3;
+  constexpr double kClearlyOff = 2.0 * kExact;
+  std::optional<ResolveTurn> out;
+  for (std::size_t model = 0; model < resolveModels().size(); ++model) {
+    if (resolveModels()[model].kind != ResolveKind::Sound) continue;
+    for (std::size_t alpha = 0; alpha <= kTriedAlphas.size(); ++alpha) {
+      const std::vector<double> errors = errorsOf(evidence, model, alpha);
+      const auto first = std::ranges::find_if(errors, [](double error) { return error > kExact; });
+      const auto pair = static_cast<std::size_t>(first - errors.begin());
+      if (pair < kEnoughBefore || errors.size() < pair + kEnoughAfter || (out && pair <= out->pair)) continue;
+      const auto off =
+          std::ranges::count_if(first, errors.end(), [](double error) { return error > kExact; });
+      const double after = meanFrom(errors, pair);
+      if (static_cast<double>(off) >= kPairsWon * static_cast<double>(errors.size() - pair) &&
+          after >= kClearlyOff)
+        out = ResolveTurn{{model, alpha, meanFrom(errors, 0)}, pair, after};
+    }
+  }
+  return out;
+}
+
+/// Of the models of sound kind, or of the others, the one that leaves least after a turn.
+std::optional<ResolveFit> bestAfter(const ResolveEvidence& evidence, std::size_t turn, bool isSound) {
+  std::optional<ResolveFit> out;
+  for (std::size_t model = 0; model < resolveModels().size(); ++model) {
+    const ResolveKind kind = resolveModels()[model].kind;
+    if ((kind == ResolveKind::Sound) != isSound || setOf(kind) != PixelSet::Anywhere) continue;
+    for (std::size_t alpha = 0; alpha <= kTriedAlphas.size(); ++alpha) {
+      // Some are tried from the third frame on: the last pairs are the same.
+      const std::vector<AlphaErrors>& pairs = evidence.models()[model].pairs;
+      const std::size_t asked = evidence.pairFrames().size() - turn;
+      if (pairs.size() < asked) continue;
+      double sum = 0.0;
+      for (std::size_t i = pairs.size() - asked; i < pairs.size(); ++i) sum += pairs[i].mean(alpha);
+      const double error = sum / static_cast<double>(asked);
+      if (!out || error < out->error) out = ResolveFit{model, alpha, error};
+    }
+  }
+  return out;
+}
+
+/// The mistake that explains what comes after a turn much better than anything sound.
+std::optional<ResolveFit> mistakeAfter(const ResolveEvidence& evidence, const ResolveTurn& turn) {
+  const auto mistake = bestAfter(evidence, turn.pair, false), sound = bestAfter(evidence, turn.pair, true);
+  return mistake && sound && isMuchBetter(mistake->error, sound->error) ? mistake : std::nullopt;
+}
+
+/// An output that is right up to a frame. False: there is none.
+bool tellTurn(const ResolveEvidence& evidence, Diagnosis& out) {
+  const auto turn = turnOf(evidence);
+  if (!turn) return false;
+  const int last = evidence.pairFrames()[turn->pair - 1], first = evidence.pairFrames()[turn->pair];
+  if (const auto mistake = mistakeAfter(evidence, *turn)) {
+    const ResolveKind kind = modelOf(*mistake).kind;
+    Finding finding = resolveFinding(resolveWordsOf(kind));
+    finding.reason =
+        say<"From frame %1 on the output differs by %2 thousandths from what frames and history make if %3, "
+            "and by %4 if %5; up to frame %6 it is made as it should be.">(
+            first, shortNumber(kPer1000 * mistake->error), resolveKindText(kind),
+            shortNumber(kPer1000 * turn->after), resolveKindText(ResolveKind::Sound), last);
+    finding.measure = measureText();
+    finding.residuals = {{resolveKindId(kind), resolveKindText(kind), kPer1000 * mistake->error, false, true},
+                         {resolveKindId(ResolveKind::Sound), resolveKindText(ResolveKind::Sound),
+                          kPer1000 * turn->after, true, false}};
+    finding.sureness = mistake->error <= kExact ? Sureness::Sure : Sureness::Likely;
+    out.findings.push_back(std::move(finding));
+    return true;
+  }
+  Undecided open{
+      say<"The resolve">(),
+      say<"up to frame %1 the output is made of frames and history as it should be, and from frame %2 "
+          "on it is %3 thousandths from that, and as no mistake that is known here makes it">(
+          last, first, shortNumber(kPer1000 * turn->after)),
+      say<"Look at what changes in the resolve, or in what it reads, in that frame.">(),
+      resolveFaults(false)};
+  open.isMisfit = true;
+  out.parts.leaveOpen(std::move(open));
+  return true;
+}
+
 /// What fits, if all is as it should be, or why nothing is said.
 void tellNearest(const ResolveFit& sound, Diagnosis& out) {
-  if (sound.error <= kAlike)
+  if (sound.error <= kExact)
     out.parts.addRight(say<"The resolve">(),
                        say<"The output is made of frames and history as it should be.">() + " " +
                            nearestText(sound));
   else
-    leaveUndecided(say<"no resolve that is known here makes this output">() + ". " + nearestText(sound),
-                   say<"Capture the output before it is tone-mapped, sharpened or drawn over.">(), out);
+    leaveUndecided(
+        say<"no resolve that is known here makes this output, to a thousandth: the nearest, preset \"%1\", is "
+            "%2 thousandths off">(modelOf(sound).preset->id, shortNumber(kPer1000 * sound.error)),
+        say<"Capture the output before it is tone-mapped, sharpened or drawn over.">(), out);
 }
 
 /// Whether what is sound explains a set clearly better than each mistake that shows there.
@@ -428,6 +532,7 @@ void tellResolve(const ResolveEvidence& evidence, bool areInputsRight, Diagnosis
     return;
   }
   if (tellStuckAlpha(evidence, mistake, out)) return;
+  if (!mistake && sound->error > kExact && tellTurn(evidence, out)) return;
   const bool isMistaken = mistake && pairsWon(evidence, *mistake, *sound) >= kPairsWon;
   if (isMistaken)
     tellMistake(evidence, *mistake, out);

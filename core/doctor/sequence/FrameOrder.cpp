@@ -34,6 +34,8 @@ constexpr double kCutShare = 0.15, kUsualShare = 0.5;
 constexpr std::size_t kEnoughAsked = 12;
 /// A cut leaves so many times as much as the pair in the middle.
 constexpr double kCutFactor = 3.0;
+/// Detail that is alike by so much is of the same picture in another light.
+constexpr double kAlikeDetail = 0.5;
 
 int stepFor(const Image& image) {
   return std::max(
@@ -64,6 +66,43 @@ double leftBetween(const Image& luma, const Image& motionPx, const Image& other,
   for (std::vector<double>& one : left)
     if (one.size() >= kEnoughCompared) least = std::min(least, median(std::move(one)));
   return least;
+}
+
+/// Correlation of squares with the frame before, along the motion given, the median of those with detail:
+/// about 1 of the same picture in any light, about 0 of another one. 0 where too few lead into the picture.
+double alikeDetail(const Image& luma, const Image& motionPx, const Image& before,
+                   const glm::vec2& jitterStep) {
+  constexpr int kSquare = 12;
+  constexpr std::size_t kEnoughInSquare = 72, kEnough = 12;
+  constexpr double kLeastDeviation = 0.01; // of luma
+  const glm::ivec2 size(luma.width, luma.height);
+  std::vector<double> correlations;
+  for (int top = 0; top + kSquare <= size.y; top += kSquare)
+    for (int left = 0; left + kSquare <= size.x; left += kSquare) {
+      double count = 0.0, sums[2] = {}, squares[2] = {}, products = 0.0;
+      for (int y = top; y < top + kSquare; ++y)
+        for (int x = left; x < left + kSquare; ++x) {
+          const glm::vec2 motion(motionPx.at(x, y)[0], motionPx.at(x, y)[1]);
+          const glm::vec2 place = glm::vec2(x, y) + 0.5f - motion + jitterStep;
+          if (!isMotion(motion) || !isInPicture(place, size)) continue;
+          const double values[2] = {static_cast<double>(*luma.at(x, y)),
+                                    static_cast<double>(capture::betweenPixels(before, place))};
+          ++count;
+          products += values[0] * values[1];
+          for (int i = 0; i < 2; ++i) {
+            sums[i] += values[i];
+            squares[i] += values[i] * values[i];
+          }
+        }
+      if (count < static_cast<double>(kEnoughInSquare)) continue;
+      const auto deviation = [&](int i) {
+        return std::sqrt(std::max(0.0, squares[i] / count - sums[i] * sums[i] / (count * count)));
+      };
+      if (deviation(0) < kLeastDeviation || deviation(1) < kLeastDeviation) continue;
+      correlations.push_back((products / count - sums[0] * sums[1] / (count * count)) /
+                             (deviation(0) * deviation(1)));
+    }
+  return correlations.size() < kEnough ? 0.0 : median(std::move(correlations));
 }
 
 bool moves(const Image& motionPx) {
@@ -182,6 +221,7 @@ void OrderEvidence::add(const DoctorFrame& frame) {
   if (kept_.size() < 2) return;
   const Kept& before = kept_[kept_.size() - 2];
   compare(before, now);
+  followed.alike = alikeDetail(now.luma, now.motionPx, before.luma, before.jitterPx - now.jitterPx);
   followed.drawnPx = drawnPart(now.luma, now.motionPx, before.luma);
   followed.isBefore = now.luma.pixels == before.luma.pixels && moves(now.motionPx);
 }
@@ -218,7 +258,8 @@ bool OrderEvidence::isCut(int frame) const {
   const FoundAgain& squares = squares_.at(frame);
   return squares.asked >= kEnoughAsked && !usual.empty() && median(usual) >= kUsualShare &&
          static_cast<double>(squares.found) <= kCutShare * static_cast<double>(squares.asked) &&
-         leftOf(frame, -1) >= kCutFactor * median(left) && leftOf(frame, -1) >= kFollowsLuma;
+         leftOf(frame, -1) >= kCutFactor * median(left) && leftOf(frame, -1) >= kFollowsLuma &&
+         frames_.at(frame).alike < kAlikeDetail;
 }
 
 // What stands in all frames is an interface, or the frame around a picture.

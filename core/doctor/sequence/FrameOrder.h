@@ -59,6 +59,7 @@ class OrderEvidence {
     bool startsHistory = false, isBefore = false; ///< isBefore: all of its luma is that of the frame before
     std::optional<glm::ivec2> drawnPx{};          ///< nothing: all of it
     std::map<int, double> left;
+    double alike = 0.0; ///< how much its detail is that of the frame before, see alikeDetail()
   };
 
   std::vector<OrderFound> swapped() const;

@@ -46,8 +46,6 @@ DoctorBaseline baselineOf(const doctor::Diagnosis& diagnosis) {
     if (finding.isWholePicture) continue;
     for (const doctor::RegionPlace& region : finding.regions) baseline.push_back({finding.id, region.name});
   }
-  for (const doctor::Undecided& part : diagnosis.parts.undecided())
-    if (part.isMisfit) baseline.push_back({kMisfitId, part.question});
   std::ranges::sort(baseline, {}, [](const KnownFinding& known) { return std::tie(known.id, known.region); });
   const auto repeated = std::ranges::unique(baseline);
   baseline.erase(repeated.begin(), repeated.end());
@@ -65,9 +63,6 @@ bool isKnown(const doctor::Finding& finding, const DoctorBaseline& baseline) {
 
 void markKnown(doctor::Diagnosis& diagnosis, const DoctorBaseline& baseline) {
   for (doctor::Finding& finding : diagnosis.findings) finding.isKnown = isKnown(finding, baseline);
-  diagnosis.parts.markMisfits([&](const doctor::Undecided& part) {
-    return std::ranges::count(baseline, KnownFinding{kMisfitId, part.question}) > 0;
-  });
 }
 
 std::string baselineToText(const DoctorBaseline& baseline) {

@@ -10,18 +10,17 @@ namespace taa {
 
 /// A finding as a baseline names it.
 struct KnownFinding {
-  std::string id;     ///< kMisfitId: what does not fit, and has no finding
-  std::string region; ///< by its name; empty: the whole picture, and each region of it. Of a misfit: its part
+  std::string id;
+  std::string region; ///< by its name; empty: the whole picture, and each region of it
   bool operator==(const KnownFinding&) const = default;
 };
 using DoctorBaseline = std::vector<KnownFinding>;
-inline constexpr const char* kMisfitId = "misfit";
 
 /// All that is found, a line for each region; by id, then by region.
 DoctorBaseline baselineOf(const doctor::Diagnosis& diagnosis);
 /// Whether it is known in all of its regions.
 bool isKnown(const doctor::Finding& finding, const DoctorBaseline& baseline);
-/// Says of each finding, and of what does not fit, whether it is known.
+/// Says of each finding whether it is known.
 void markKnown(doctor::Diagnosis& diagnosis, const DoctorBaseline& baseline);
 
 /// {"known": [{"id", "region"}]}

@@ -95,7 +95,6 @@ ordered_json undecidedJson(const Undecided& undecided) {
           {"reason", undecided.reason},
           {"capture", undecided.capture},
           {"misfit", undecided.isMisfit},
-          {"known", undecided.isKnown},
           {"faults", listJson(undecided.faults, [](Fault fault) { return faultInfo(fault).id; })}};
 }
 
@@ -136,8 +135,9 @@ std::string reportedName(const std::string& source) {
 std::string doctorText(const Diagnosis& diagnosis, const std::string& source) {
   std::string text =
       say<"%1: %2 frames, %3 pairs compared">(reportedName(source), diagnosis.frames, diagnosis.pairs) + "\n";
-  if (diagnosis.isHealthy()) text += diagnosis.healthySentence() + "\n";
-  if (!diagnosis.hasNews() && (!diagnosis.isHealthy() || diagnosis.isMisfit()))
+  if (diagnosis.isHealthy())
+    text += diagnosis.healthySentence() + "\n";
+  else if (!diagnosis.hasNews())
     text += say<"Nothing was found that is not known.">() + "\n";
   int number = 0;
   for (const doctor::Finding& finding : diagnosis.findings)

@@ -27,8 +27,9 @@ class DoctorScenes : public test::GlTest {
     return openForDoctor({source, camera, {320, 180}, {}});
   }
 
-  static Diagnosis diagnosisOf(const DoctorSource& source, const FrameChange& change = {}) {
-    Examination examination = examinationOf(source, kFrames);
+  static Diagnosis diagnosisOf(const DoctorSource& source, const FrameChange& change = {},
+                               int frames = kFrames) {
+    Examination examination = examinationOf(source, frames);
     examination.read = [read = examination.read, change](int frame) {
       DoctorFrame out = read(frame);
       if (change) change(out);
@@ -84,6 +85,19 @@ TEST_F(DoctorScenes, OfThisProgramAreHealthy) {
       EXPECT_EQ(toldTwice(diagnosis), "") << scene.id << " " << camera;
       EXPECT_EQ(straysOf(diagnosis), "") << scene.id << " " << camera;
     }
+}
+
+// As the command examines them without options: cuts, lights that go out and objects that stop are among
+// these frames. Boards of the crowd lie in one place and are told.
+TEST_F(DoctorScenes, OfThisProgramAreHealthyByTheirOwnCamera) {
+  for (const BuiltinScene& scene : builtinScenes()) {
+    const Diagnosis diagnosis = diagnosisOf(sourceOf("builtin:" + scene.id, ""), {}, kDoctorFrames);
+    if (scene.id == "crowd")
+      EXPECT_TRUE(told(diagnosis).starts_with("zFighting in object 175")) << told(diagnosis);
+    else
+      EXPECT_EQ(told(diagnosis), "") << scene.id;
+    EXPECT_EQ(straysOf(diagnosis), "") << scene.id;
+  }
 }
 
 // Boards that slide by a fourth of the way are no contradiction of depth and matrices, which make the motion

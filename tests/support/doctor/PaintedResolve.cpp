@@ -53,8 +53,13 @@ std::vector<doctor::DoctorFrame> resolvedFrames(const PaintedShot& shot, int fra
     if (resolve.cut >= 0 && number >= resolve.cut) turnOver(frame.luma);
     frame.color = paintedColor(frame.luma);
     const bool isReset = number == 0 || (frame.startsHistory && resolve.resetsAtCuts);
-    const std::size_t last = out.size() - (resolve.isSwapped || number < 2 ? 1 : 2);
-    frame.output = resolved(frame, isReset ? nullptr : &out[last].output, resolve);
+    PaintedResolve now = resolve;
+    if (number < resolve.wrongFrom) {
+      now.motionFactor = 1.0f;
+      now.isSwapped = true;
+    }
+    const std::size_t last = out.size() - (now.isSwapped || number < 2 ? 1 : 2);
+    frame.output = resolved(frame, isReset ? nullptr : &out[last].output, now);
     if (resolve.nanFrame >= 0 && number >= resolve.nanFrame)
       frame.output.at(40, 40)[1] = std::numeric_limits<float>::quiet_NaN();
     out.push_back(std::move(frame));

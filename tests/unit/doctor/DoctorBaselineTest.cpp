@@ -86,23 +86,6 @@ TEST(DoctorBaseline, TellsNewsFromWhatIsKnown) {
   EXPECT_NE(doctorText(diagnosis, "s").find("Nothing was found that is not known."), std::string::npos);
 }
 
-// What does not fit ends with 3 like a finding, until a baseline knows it.
-TEST(DoctorBaseline, KnowsWhatDoesNotFit) {
-  doctor::Diagnosis diagnosis;
-  diagnosis.parts.leaveOpen({"Exposure", "too little is seen", ""});
-  EXPECT_FALSE(diagnosis.hasNews());
-  diagnosis.parts.leaveOpen({"Jitter", "shifts are others than stated", "", {}, true});
-  EXPECT_TRUE(diagnosis.hasNews());
-  const DoctorBaseline baseline = baselineOf(diagnosis);
-  EXPECT_EQ(baseline, (DoctorBaseline{{kMisfitId, "Jitter"}}));
-  markKnown(diagnosis, baseline);
-  EXPECT_FALSE(diagnosis.hasNews());
-  EXPECT_NE(doctorText(diagnosis, "s").find("Nothing was found that is not known."), std::string::npos);
-  diagnosis.parts.leaveOpen({"Motion", "it leads to nowhere", "", {}, true});
-  markKnown(diagnosis, baseline);
-  EXPECT_TRUE(diagnosis.hasNews());
-}
-
 TEST(DoctorBaseline, SaysWhatIsWrongWithAFile) {
   const std::string no = "known.json is no baseline of the doctor: ";
   EXPECT_EQ(refusal("[1, 2"), no + "it ends in line 1, column 6, before it is whole");

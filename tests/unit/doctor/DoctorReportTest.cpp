@@ -109,7 +109,7 @@ TEST(DoctorReport, SaysTheSameInJson) {
       R"j("mirroredY","text":"y negated","value":4.25,"given":false,"best":true},{"id":"asGiven",)j"
       R"j("text":"as given","value":61.5,"given":true,"best":false}],"symptom":"Ghosts.","change":)j"
       R"j("Negate y.","mending":[],"alike":["motionNegated"]}],"undecided":[{"question":"Motion of the sky",)j"
-      R"j("reason":"it has no detail","capture":"Capture clouds.","misfit":false,"known":false,"faults":["skyWithoutMotion"]}],)j"
+      R"j("reason":"it has no detail","capture":"Capture clouds.","misfit":false,"faults":["skyWithoutMotion"]}],)j"
       R"j("right":["Jitter is right."],"notes":["The first frame is not jittered."]})j");
 }
 

@@ -1,6 +1,7 @@
 // A thing that is drawn without the jitter of all else is told by its pixels, and what has it is not.
 #include "core/doctor/jitter/RegionJitter.h"
 
+#include "core/doctor/motion/MotionFindings.h"
 #include "tests/support/doctor/PaintedFrames.h"
 
 #include <gtest/gtest.h>
@@ -35,23 +36,30 @@ void drawBoardWithoutJitter(DoctorFrame& frame) {
     }
 }
 
-/// By object.
-std::map<std::uint32_t, MissingJitter> missingIn(const test::FrameFault& fault) {
-  const auto read = [&](int number) {
-    DoctorFrame frame = test::paintedFrame({}, number);
-    fault(frame);
-    return frame;
-  };
+struct Seen {
   RegionTracker tracker;
   RegionJitter jitter;
-  for (int number = 1; number < kFrames; ++number) {
-    const DoctorFrame before = read(number - 1), now = read(number);
-    const std::vector<RegionIndex> labels = tracker.label(now);
-    jitter.add({now, before}, labels);
+
+  explicit Seen(const test::FrameFault& fault) {
+    const auto read = [&](int number) {
+      DoctorFrame frame = test::paintedFrame({}, number);
+      fault(frame);
+      return frame;
+    };
+    for (int number = 1; number < kFrames; ++number) {
+      const DoctorFrame before = read(number - 1), now = read(number);
+      const std::vector<RegionIndex> labels = tracker.label(now);
+      jitter.add({now, before}, labels);
+    }
   }
+};
+
+/// By object.
+std::map<std::uint32_t, MissingJitter> missingIn(const test::FrameFault& fault) {
+  const Seen seen(fault);
   std::map<std::uint32_t, MissingJitter> out;
-  for (const auto& [index, missing] : jitter.regions())
-    if (const Region& region = tracker.regions()[static_cast<std::size_t>(index)]; !region.isSky)
+  for (const auto& [index, missing] : seen.jitter.regions())
+    if (const Region& region = seen.tracker.regions()[static_cast<std::size_t>(index)]; !region.isSky)
       out[region.objectId] = missing;
   return out;
 }
@@ -87,6 +95,23 @@ TEST(RegionJitter, IsAFindingOfThatRegionAlone) {
 }
 
 // Where nothing has jitter, it is not a region's mistake.
+// Its motion is right: what pixels seem to say of that is the jitter that is missing.
+TEST(RegionJitter, TakesBackWhatWasSaidOfTheMotionOfThatRegion) {
+  const Seen seen(drawBoardWithoutJitter);
+  Patient patient;
+  patient.sizePx = test::kPaintedPx;
+  Diagnosis out;
+  out.frames = kFrames;
+  for (const Region& region : seen.tracker.regions()) {
+    out.findings.push_back(faultFinding(Fault::MotionCameraOnly));
+    out.findings.back().regions = {placeOf(region, patient, 1.0)};
+  }
+  tellRegionJitter(seen.jitter, seen.tracker.regions(), patient, out);
+  for (const Finding& finding : out.findings)
+    EXPECT_EQ(finding.regions.front().objectId == test::kBoardId, finding.id == "jitterRegionMissing");
+  EXPECT_EQ(out.findings.size(), seen.tracker.regions().size());
+}
+
 TEST(RegionJitter, IsNotToldOfAllOfThePicture) {
   test::PaintedShot still;
   still.isJittered = false;

@@ -96,6 +96,29 @@ TEST(ResolveFindings, NameAHistoryThatIsNotSwapped) {
   EXPECT_EQ(namesOf(diagnosisOfResolve(resolve)), "historyNotSwapped");
 }
 
+// The mean over all frames is neither: half of them are right.
+TEST(ResolveFindings, SayFromWhichFrameOnItIsWrong) {
+  const auto toldOf = [](PaintedResolve resolve) {
+    resolve.wrongFrom = 8;
+    Diagnosis out;
+    tellResolve(evidenceOf(test::resolvedFrames(wholePixelShot(), 16, resolve)), true, out);
+    EXPECT_FALSE(isCalledRight(out));
+    return out;
+  };
+  PaintedResolve notSwapped;
+  notSwapped.isSwapped = false;
+  const Diagnosis named = toldOf(notSwapped);
+  ASSERT_EQ(namesOf(named), "historyNotSwapped");
+  EXPECT_EQ(named.findings[0].reason.find("From frame 8 on "), 0u) << named.findings[0].reason;
+  PaintedResolve half;
+  half.motionFactor = 0.5f; // as no model has it
+  const Diagnosis open = toldOf(half);
+  EXPECT_EQ(namesOf(open), "");
+  EXPECT_TRUE(open.isMisfit());
+  EXPECT_NE(open.parts.undecided()[0].reason.find("up to frame 7 "), std::string::npos)
+      << open.parts.undecided()[0].reason;
+}
+
 TEST(ResolveFindings, NameAHistoryThatGoesOnThroughACut) {
   PaintedResolve resolve;
   resolve.cut = 5;

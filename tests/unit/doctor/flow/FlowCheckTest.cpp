@@ -72,6 +72,20 @@ TEST(FlowCheck, MeasuresAFactorThatNoListHas) {
   EXPECT_FALSE(isRight(diagnosis, "Motion"));
 }
 
+// Drawn with another field of view than its motion is made with: a half is on the list, and is not it.
+TEST(FlowCheck, MeasuresAFactorOfOneObjectThatIsNearAKnownOne) {
+  const auto foundWith = [](float factor) {
+    const Diagnosis diagnosis = diagnosisOf(
+        {}, [=](const glm::vec2& motion, int) { return factor * motion; }, true);
+    EXPECT_EQ(diagnosis.findings.size(), 1u) << idsOf(diagnosis);
+    return diagnosis.findings.empty() ? Finding() : diagnosis.findings.front();
+  };
+  const Finding measured = foundWith(1.0f / 2.1445f);
+  EXPECT_EQ(measured.id, "motionScaled");
+  EXPECT_NE(measured.change.find("(2.1"), std::string::npos) << measured.change;
+  EXPECT_EQ(foundWith(0.5f).id, "motionHalved");
+}
+
 TEST(FlowCheck, SaysUnknownWhereNothingExplains) {
   // Of the place on the screen and the frame: no function of the motion is what pictures show.
   const MotionChange change = [](const glm::vec2& motion, int frame) {

@@ -73,6 +73,9 @@ TEST(MotionWitness, IsLateWhereRimsHaveTheMotionOfAFrameAgo) {
   WitnessEvidence rims;
   rims.off = 100;
   rims.offLate = 80;
+  rims.lateFrames = {3, 4};
+  EXPECT_FALSE(isLateAtRims(rims)) << "in a frame or two things stop";
+  rims.lateFrames.insert(7);
   EXPECT_TRUE(isLateAtRims(rims));
   rims.offLate = 79;
   EXPECT_FALSE(isLateAtRims(rims));

@@ -90,6 +90,19 @@ TEST(FrameOrder, NamesACutThatNobodyStates) {
       << diagnosis.findings[0].reason;
 }
 
+// All lights go out but one: nothing is as bright as it was, and all of it is there again.
+TEST(FrameOrder, OfAnotherLightIsNoCut) {
+  Examination examination = test::paintedExamination({}, kFrames);
+  examination.read = [read = examination.read](int frame) {
+    DoctorFrame out = read(frame);
+    for (int y = 0; y < out.luma.height && frame >= 7; ++y)
+      for (int x = 0; x < out.luma.width; ++x)
+        *out.luma.at(x, y) *= 0.1f + 0.5f * static_cast<float>(x) / static_cast<float>(out.luma.width);
+    return out;
+  };
+  EXPECT_EQ(idsOf(examine(examination)).find("cutNotStated"), std::string::npos);
+}
+
 TEST(FrameOrder, NamesTheSizeOfWhatIsDrawnWhereThatChanges) {
   Examination examination = test::paintedExamination({}, kFrames);
   // From frame 5 to 8 the last fourth of each side keeps what was there.
