@@ -103,7 +103,8 @@ void nameByFit(const FlowFit& fit, const Patient& patient, Finding& finding) {
 void nameWithoutRoot(const FlowFit& fit, Finding& finding) {
   constexpr double kWithinErrors = 3.0;
   const double factor = fit.factors[0][0], error = fit.factorErrors[0][0];
-  const bool isAsEncoded = std::abs(factor - 1.0) <= kWithinErrors * std::hypot(error, capture::kReadingError);
+  const bool isAsEncoded =
+      std::abs(factor - 1.0) <= kWithinErrors * std::hypot(error, capture::kReadingError);
   nameMeasured(
       {"motionWithoutRoot", say<"Motion that is linear decoded as a root">(),
        say<"Small motion is lost, and fast things have far too little.">(),
