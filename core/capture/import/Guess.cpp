@@ -131,6 +131,7 @@ class Guesser {
   std::set<std::string> fixed_;
   TestState state_;
   DepthValues depth_;
+  std::string drawnIn_; ///< a sentence, where pictures lie in a part of the files
   Guess out_;
 };
 
@@ -290,10 +291,11 @@ FrameSamples Guesser::askMotion(const QuestionRules& rules) {
     const double most = isPlain(ofWhole) ? kMuchLess : kAlike;
     if (isPlain(state_) && leftInside <= most * left) {
       out_.findings = std::move(findings);
-      out_.sure.push_back(
-          say<"pictures lie at %1, %2 of the files and have %3 × %4 px: around that color is the same in all "
-              "frames, and motion fits a picture of that size">(rectangle->atPx.x, rectangle->atPx.y,
-                                                                rectangle->sizePx.x, rectangle->sizePx.y));
+      drawnIn_ =
+          say<"pictures lie at %1, %2 of the files and have %3 × %4 px: around that color is the same in "
+              "all frames, and motion fits a picture of that size">(rectangle->atPx.x, rectangle->atPx.y,
+                                                                    rectangle->sizePx.x, rectangle->sizePx.y);
+      out_.sure.push_back(drawnIn_);
       return inside;
     }
   } catch (const Error&) { // planes of other sizes: what lies in a part of them is not known
@@ -372,6 +374,7 @@ void Guesser::finish() {
   out_.missing = missingInputs(manifest);
   if (isLinearInSteps(manifest, isBytes(plan_, PlaneKind::Color))) out_.unsure.push_back(linearInSteps());
   manifest.notes = {say<"conventions were guessed from names, values and pixels">()};
+  if (!drawnIn_.empty()) manifest.notes.push_back(drawnIn_); // whoever opens it sees less than the files hold
   manifest.notes.insert(manifest.notes.end(), out_.unsure.begin(), out_.unsure.end());
   out_.sequences = std::move(plan_.sequences);
   checkManifest(manifest, folder_.string());

@@ -190,6 +190,7 @@ TEST_F(ImportTest, FindsThePictureThatLiesInAPartOfItsFiles) {
     EXPECT_EQ(guess.manifest.conventions.motion.scale, glm::dvec2(1.0));
     EXPECT_EQ(guess.manifest.conventions.motion.unit, ScreenUnit::Uv);
     EXPECT_TRUE(saysSomeOf(guess.sure, "and have 128 × 96 px"));
+    EXPECT_TRUE(saysSomeOf(guess.manifest.notes, "and have 128 × 96 px"));
     static_cast<void>(saveImport(folder_, guess.manifest, folder_, false, {}));
     const Image color = openCapture(folder_.string())->frame(1)->color;
     const std::vector<float> values = squareFrame(scene_, stated_, 1);
