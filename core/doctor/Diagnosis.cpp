@@ -91,6 +91,17 @@ std::optional<FaultPart> partOf(const Finding& finding) {
   return {};
 }
 
+void takeOutOfMotion(const std::vector<std::string>& names, std::vector<Finding>& findings,
+                     const std::function<bool(const Finding&)>& mayTake) {
+  std::erase_if(findings, [&](Finding& finding) {
+    if (partOf(finding) != FaultPart::Motion || finding.isWholePicture || (mayTake && !mayTake(finding)))
+      return false;
+    const auto taken = std::erase_if(
+        finding.regions, [&](const RegionPlace& place) { return std::ranges::count(names, place.name) > 0; });
+    return taken > 0 && finding.regions.empty();
+  });
+}
+
 Finding faultFinding(Fault fault) {
   const FaultInfo& row = faultInfo(fault);
   Finding out;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -66,6 +67,10 @@ struct Finding {
 /// The part that it is of, by the table of faults or, where that does not have it, by how its id begins.
 /// Nothing: it is of none.
 std::optional<FaultPart> partOf(const Finding& finding);
+/// Takes regions by their names out of findings of motion that are not of the whole picture, and findings
+/// that have none left then. `mayTake`: empty: of all of these.
+void takeOutOfMotion(const std::vector<std::string>& names, std::vector<Finding>& findings,
+                     const std::function<bool(const Finding&)>& mayTake = {});
 /// A sure one with id, name and symptom of the fault's row.
 Finding faultFinding(Fault fault);
 

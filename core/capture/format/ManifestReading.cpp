@@ -117,18 +117,20 @@ Conventions readConventions(const json& value, const Conventions& base) {
   return normalized(result);
 }
 
-glm::ivec2 readSize(const json& value, const std::string& path) {
+/// Two whole numbers; `wanted`: what they are, for whoever gives others.
+glm::ivec2 readPair(const json& value, const std::string& path, int least, const char* wanted) {
   requireList(value, path, 2);
-  if (value.size() != 2) throw Error(say<"\"%1\" wants [width, height]">(path));
-  return {static_cast<int>(integerOf(value[0], path, 1, kMaxCaptureSide)),
-          static_cast<int>(integerOf(value[1], path, 1, kMaxCaptureSide))};
+  if (value.size() != 2) throw Error(say<"\"%1\" wants %2">(path, wanted));
+  return {static_cast<int>(integerOf(value[0], path, least, kMaxCaptureSide)),
+          static_cast<int>(integerOf(value[1], path, least, kMaxCaptureSide))};
+}
+
+glm::ivec2 readSize(const json& value, const std::string& path) {
+  return readPair(value, path, 1, "[width, height]");
 }
 
 glm::ivec2 readPlace(const json& value, const std::string& path) {
-  requireList(value, path, 2);
-  if (value.size() != 2) throw Error(say<"\"%1\" wants [x, y]">(path));
-  return {static_cast<int>(integerOf(value[0], path, 0, kMaxCaptureSide)),
-          static_cast<int>(integerOf(value[1], path, 0, kMaxCaptureSide))};
+  return readPair(value, path, 0, "[x, y]");
 }
 
 template <std::size_t kCount>

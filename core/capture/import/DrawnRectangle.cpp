@@ -38,10 +38,6 @@ class Bounds {
   glm::ivec2 low_{kMaxCaptureSide}, high_{-1};
 };
 
-double shareOf(const glm::ivec2& part, const glm::ivec2& whole) {
-  return static_cast<double>(part.x) * part.y / (static_cast<double>(whole.x) * whole.y);
-}
-
 } // namespace
 
 std::optional<DrawnRectangle> drawnRectangle(const std::filesystem::path& folder, const Manifest& manifest,
@@ -63,9 +59,9 @@ std::optional<DrawnRectangle> drawnRectangle(const std::filesystem::path& folder
   std::optional<DrawnRectangle> smallest;
   for (const Bounds& bounds : byCorner) {
     const DrawnRectangle rectangle = bounds.rectangle();
-    const double share = shareOf(rectangle.sizePx, manifest.sizePx);
+    const double share = rectangle.shareOf(manifest.sizePx);
     if (share < kLeast || share > kMost) continue;
-    if (!smallest || shareOf(rectangle.sizePx, smallest->sizePx) < 1.0) smallest = rectangle;
+    if (!smallest || rectangle.shareOf(smallest->sizePx) < 1.0) smallest = rectangle;
   }
   return smallest;
 }

@@ -14,6 +14,10 @@ namespace taa::capture {
 
 struct DrawnRectangle {
   glm::ivec2 atPx{0}, sizePx{0};
+
+  double shareOf(const glm::ivec2& wholePx) const {
+    return static_cast<double>(sizePx.x) * sizePx.y / (static_cast<double>(wholePx.x) * wholePx.y);
+  }
 };
 
 /// The rectangle around which color is the same to the last bit at all pixels of some frames, first and last

@@ -75,10 +75,6 @@ void replaceUnsure(std::vector<Finding>& findings, std::optional<Finding> findin
     *found = std::move(*finding);
 }
 
-double areaOf(const glm::ivec2& size) {
-  return static_cast<double>(size.x) * size.y;
-}
-
 /// The engine whose conventions are exactly these; null: none.
 const StartingPoint* engineOf(const Conventions& stated) {
   const Conventions wanted = normalized(stated);
@@ -285,7 +281,7 @@ FrameSamples Guesser::askMotion(const QuestionRules& rules) {
     FrameSamples inside(folder_, plan_.manifest, kPairs, progress_);
     std::vector<Finding> findings = askPixels(inside, state_, rules, progress_);
     // Around the part nothing is left; it counts among the pixels of the whole.
-    const double left = roughResidual(samples, ofWhole) * areaOf(whole.sizePx) / areaOf(rectangle->sizePx);
+    const double left = roughResidual(samples, ofWhole) / rectangle->shareOf(whole.sizePx);
     const double leftInside = roughResidual(inside, state_);
     constexpr double kAlike = 1.02, kMuchLess = 0.8;
     const double most = isPlain(ofWhole) ? kMuchLess : kAlike;

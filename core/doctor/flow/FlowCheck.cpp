@@ -3,7 +3,6 @@
 #include "core/base/Median.h"
 #include "core/base/NumberText.h"
 #include "core/base/Say.h"
-#include "core/capture/import/FrameSamples.h"
 #include "core/doctor/Mending.h"
 #include "core/doctor/flow/FlowFit.h"
 #include "core/doctor/flow/FlowLength.h"
@@ -303,27 +302,21 @@ bool isHardlyBetter(const MotionTrial& trial, const Finding& finding) {
   return given != finding.residuals.end() && given->value < kHardly * finding.residuals.front().value;
 }
 
-/// Of a factor that explains a region the number that squares say, where the one told does not lie within its
-/// errors.
+/// Of a factor that explains a region the number that squares say, where it is not the one told.
 void measureFactor(const MotionTrial& trial, const std::vector<const FlowSquare*>& squares,
                    const FlowSeen& seen, const Patient& patient, Finding& finding) {
-  constexpr double kOtherErrors = 3.0;
   if (trial.kind != MotionKind::Scaled || squares.size() < kEnoughRefutingSquares) return;
   const auto fit = fitFlow(squares, true, kOffPx);
   if (!fit || !fit->isGood() || !isAlongAxes(*fit)) return;
-  const auto isAsTold = [&](int axis) {
-    const double told = static_cast<double>(trial.factor[axis]);
-    return std::abs(fit->factors[axis][axis] - told) <=
-           kOtherErrors * std::hypot(fit->factorErrors[axis][axis], capture::kReadingError * told);
-  };
-  if (isAsTold(0) && isAsTold(1)) return;
+  const auto known = knownTrial(*fit, patient.sizePx);
+  if (known && trialId(*known) == trialId(trial)) return;
   finding.change = exampleOf(squares, seen, patient);
   finding.mending.clear();
   nameByFit(*fit, patient, finding);
 }
 
 /// Takes back findings of regions whose explanation does not make what is measured there, or where nothing is
-/// wrong; what makes only a part of it is not sure.
+/// wrong; what makes only a part of it is not sure, and a factor that stays is measured.
 void takeBackRefuted(const FlowSeen& seen, const Patient& patient, Diagnosis& out) {
   const std::vector<MotionTrial> trials = motionTrials(patient.sizePx);
   std::erase_if(out.findings, [&](Finding& finding) {
@@ -407,14 +400,8 @@ FaultWords otherObjectWords() {
           "by, and at what is drawn in between.">()};
 }
 
-/// Takes what is said of regions of that name, where it is not sure, out of findings of motion.
-void takeBackUnsure(const std::string& name, Diagnosis& out) {
-  std::erase_if(out.findings, [&](Finding& finding) {
-    if (!isOfMotion(finding) || finding.isWholePicture || finding.sureness == Sureness::Sure) return false;
-    const auto taken =
-        std::erase_if(finding.regions, [&](const RegionPlace& place) { return place.name == name; });
-    return taken > 0 && finding.regions.empty();
-  });
+bool isUnsure(const Finding& finding) {
+  return finding.sureness != Sureness::Sure;
 }
 
 /// What is taken from another object, and whose it is; takes these regions out of `refuted`.
@@ -441,7 +428,7 @@ void tellOtherObjects(std::vector<Refuted>& refuted, const FlowSeen& seen, const
                          one.frames, one.asked, place.name, other, shortNumber(one.px))
                    : say<"In %1 of %2 frames the motion given of %3 leads to where %4 was, to %5 px.">(
                          one.frames, one.asked, place.name, other, shortNumber(one.px)));
-    takeBackUnsure(place.name, out);
+    takeOutOfMotion({place.name}, out.findings, isUnsure);
     finding.regions.push_back(place);
   }
   std::ranges::stable_sort(finding.regions, std::greater(), &RegionPlace::share);
@@ -456,7 +443,7 @@ void tellSlipped(const FlowSeen& seen, const Patient& patient, Diagnosis& out) {
   for (const SlippedFrame& slipped : slippedFrames(seen)) {
     for (const Region* region : slipped.regions) {
       const RegionPlace place = placeOf(*region, patient, allPixels(patient, out));
-      takeBackUnsure(place.name, out);
+      takeOutOfMotion({place.name}, out.findings, isUnsure);
       if (std::ranges::count(finding.regions, place.name, &RegionPlace::name) == 0)
         finding.regions.push_back(place);
     }

@@ -73,18 +73,6 @@ std::map<RegionIndex, MissingJitter> RegionJitter::regions() const {
   return out;
 }
 
-/// What was said of the motion of these regions: along that motion their pixels lack the jitter, and nothing
-/// else.
-static void takeBackMotion(const std::vector<RegionPlace>& regions, Diagnosis& out) {
-  std::erase_if(out.findings, [&](Finding& finding) {
-    if (partOf(finding) != FaultPart::Motion || finding.isWholePicture) return false;
-    const auto taken = std::erase_if(finding.regions, [&](const RegionPlace& place) {
-      return std::ranges::count(regions, place.name, &RegionPlace::name) > 0;
-    });
-    return taken > 0 && finding.regions.empty();
-  });
-}
-
 void tellRegionJitter(const RegionJitter& jitter, const std::vector<Region>& regions, const Patient& patient,
                       Diagnosis& out) {
   Finding found;
@@ -103,7 +91,10 @@ void tellRegionJitter(const RegionJitter& jitter, const std::vector<Region>& reg
         (shares.empty() ? "" : ", ") + say<"%1 ± %2">(shortNumber(missing.share), shortNumber(missing.error));
   }
   if (found.regions.empty() || having < lacking) return;
-  takeBackMotion(found.regions, out);
+  // Along the motion given their pixels lack the jitter, and nothing else: that motion is right.
+  std::vector<std::string> names;
+  for (const RegionPlace& place : found.regions) names.push_back(place.name);
+  takeOutOfMotion(names, out.findings);
   found.id = "jitterRegionMissing";
   found.name = say<"Drawn without jitter">();
   found.sureness = worst <= kSureShareError ? Sureness::Sure : Sureness::Likely;

@@ -17,6 +17,7 @@ constexpr int kOneOf = 4;
 constexpr std::size_t kPixelsOfAll = 48, kPixelsOfLikely = 160, kPixelsApart = 80;
 /// Models of a kind that stay.
 constexpr std::size_t kLikelySound = 8, kLikelyOther = 4;
+constexpr std::size_t kBestPresets = 2; ///< whose mistakes stay, too
 /// Frames from the start of history on that are not compared: N is still small, and differs.
 constexpr int kSettlingFrames = 2;
 constexpr int kLongHistory = 64;
@@ -99,8 +100,8 @@ void ResolveEvidence::compareCut(const ResolveFrames& frames) {
       models_[model].cuts.add(twin.distances(resolveModels()[model], pixels), pixels.size());
 }
 
-/// Of each kind those that explain the first pairs best; of kinds that show at few pixels, those of the sound
-/// presets that stay.
+/// Of each kind those that explain the first pairs best, and those of the best sound presets, as a mistake
+/// may begin later; of kinds that show at few pixels, those of the sound presets that stay.
 void ResolveEvidence::keepLikely() {
   const auto leastError = [&](std::size_t model) {
     const AlphaErrors& errors = models_[model].sets[static_cast<std::size_t>(PixelSet::Anywhere)];
@@ -109,6 +110,7 @@ void ResolveEvidence::keepLikely() {
       least = std::min(least, errors.mean(alpha));
     return least;
   };
+  std::vector<const Preset*> best; // sound ones are asked first
   for (std::size_t k = 0; k < kResolveKinds; ++k) {
     const auto kind = static_cast<ResolveKind>(k);
     std::vector<std::size_t> ofKind;
@@ -116,8 +118,12 @@ void ResolveEvidence::keepLikely() {
       if (kindOf(model) == kind) ofKind.push_back(model);
     if (setOf(kind) == PixelSet::Anywhere) {
       std::ranges::stable_sort(ofKind, {}, leastError);
+      if (kind == ResolveKind::Sound)
+        for (std::size_t i = 0; i < kBestPresets; ++i) best.push_back(resolveModels()[ofKind[i]].preset);
       const std::size_t kept = kind == ResolveKind::Sound ? kLikelySound : kLikelyOther;
-      for (std::size_t i = kept; i < ofKind.size(); ++i) models_[ofKind[i]].isTried = false;
+      for (std::size_t i = kept; i < ofKind.size(); ++i)
+        models_[ofKind[i]].isTried =
+            kind != ResolveKind::Sound && std::ranges::count(best, resolveModels()[ofKind[i]].preset) > 0;
       continue;
     }
     for (const std::size_t model : ofKind)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -345,104 +346,93 @@ void leaveUndecided(std::string reason, std::string capture, Diagnosis& out, boo
       {say<"The resolve">(), std::move(reason), std::move(capture), resolveFaults(!hasOutput)});
 }
 
-/// A sound fit that is exact up to a pair of frames, and is not from then on.
-struct ResolveTurn {
-  ResolveFit sound;
-  std::size_t pair = 0; ///< the first in which it is not
-  double after = 0.0;   ///< the mean distance from then on
-};
-
-/// Mean distances pair by pair; as many as the evidence has, where the model was tried in all.
-std::vector<double> errorsOf(const ResolveEvidence& evidence, std::size_t model, std::size_t alpha) {
-  std::vector<double> out;
-  for (const AlphaErrors& pair : evidence.models()[model].pairs) out.push_back(pair.mean(alpha));
-  return out.size() == evidence.pairFrames().size() ? out : std::vector<double>();
-}
-
-double meanFrom(const std::vector<double>& values, std::size_t first) {
+/// Mean distance over the pairs from one on, by its number in pairFrames(); infinite where the model was not
+/// tried in all of them. Some are tried from the third pair on: the last pairs are the same.
+double errorFrom(const ResolveEvidence& evidence, const ResolveFit& fit, std::size_t pair) {
+  const std::vector<AlphaErrors>& pairs = evidence.models()[fit.model].pairs;
+  const std::size_t asked = evidence.pairFrames().size() - pair;
+  if (asked == 0 || pairs.size() < asked) return std::numeric_limits<double>::infinity();
   double sum = 0.0;
-  for (std::size_t i = first; i < values.size(); ++i) sum += values[i];
-  return sum / static_cast<double>(values.size() - first);
+  for (std::size_t i = pairs.size() - asked; i < pairs.size(); ++i) sum += pairs[i].mean(fit.alpha);
+  return sum / static_cast<double>(asked);
 }
 
-/// Of the sound models the one that is exact the longest, where it ceases to be for good.
-std::optional<ResolveTurn> turnOf(const ResolveEvidence& evidence) {
+/// The first pair in which a sound fit that is exact before ceases to be, for good.
+std::optional<std::size_t> turnOf(const ResolveEvidence& evidence, const ResolveFit& fit) {
   constexpr std::size_t kEnoughBefore = 4, kEnoughAfter = 3;
   constexpr double kClearlyOff = 2.0 * kExact;
-  std::optional<ResolveTurn> out;
-  for (std::size_t model = 0; model < resolveModels().size(); ++model) {
-    if (resolveModels()[model].kind != ResolveKind::Sound) continue;
-    for (std::size_t alpha = 0; alpha <= kTriedAlphas.size(); ++alpha) {
-      const std::vector<double> errors = errorsOf(evidence, model, alpha);
-      const auto first = std::ranges::find_if(errors, [](double error) { return error > kExact; });
-      const auto pair = static_cast<std::size_t>(first - errors.begin());
-      if (pair < kEnoughBefore || errors.size() < pair + kEnoughAfter || (out && pair <= out->pair)) continue;
-      const auto off =
-          std::ranges::count_if(first, errors.end(), [](double error) { return error > kExact; });
-      const double after = meanFrom(errors, pair);
-      if (static_cast<double>(off) >= kPairsWon * static_cast<double>(errors.size() - pair) &&
-          after >= kClearlyOff)
-        out = ResolveTurn{{model, alpha, meanFrom(errors, 0)}, pair, after};
-    }
-  }
-  return out;
+  const std::vector<AlphaErrors>& pairs = evidence.models()[fit.model].pairs;
+  if (pairs.size() != evidence.pairFrames().size()) return {};
+  const auto isOff = [&](const AlphaErrors& pair) { return pair.mean(fit.alpha) > kExact; };
+  const auto first = std::ranges::find_if(pairs, isOff);
+  const auto turn = static_cast<std::size_t>(first - pairs.begin()), after = pairs.size() - turn;
+  if (turn < kEnoughBefore || after < kEnoughAfter || errorFrom(evidence, fit, turn) < kClearlyOff) return {};
+  const auto off = std::ranges::count_if(first, pairs.end(), isOff);
+  return static_cast<double>(off) >= kPairsWon * static_cast<double>(after) ? std::optional(turn)
+                                                                            : std::nullopt;
 }
 
-/// Of the models of sound kind, or of the others, the one that leaves least after a turn.
-std::optional<ResolveFit> bestAfter(const ResolveEvidence& evidence, std::size_t turn, bool isSound) {
-  std::optional<ResolveFit> out;
+/// Every model that is looked at everywhere with every α, sound or not.
+std::vector<ResolveFit> fitsEverywhere(bool isSound) {
+  std::vector<ResolveFit> out;
   for (std::size_t model = 0; model < resolveModels().size(); ++model) {
     const ResolveKind kind = resolveModels()[model].kind;
     if ((kind == ResolveKind::Sound) != isSound || setOf(kind) != PixelSet::Anywhere) continue;
-    for (std::size_t alpha = 0; alpha <= kTriedAlphas.size(); ++alpha) {
-      // Some are tried from the third frame on: the last pairs are the same.
-      const std::vector<AlphaErrors>& pairs = evidence.models()[model].pairs;
-      const std::size_t asked = evidence.pairFrames().size() - turn;
-      if (pairs.size() < asked) continue;
-      double sum = 0.0;
-      for (std::size_t i = pairs.size() - asked; i < pairs.size(); ++i) sum += pairs[i].mean(alpha);
-      const double error = sum / static_cast<double>(asked);
-      if (!out || error < out->error) out = ResolveFit{model, alpha, error};
-    }
+    for (std::size_t alpha = 0; alpha <= kTriedAlphas.size(); ++alpha) out.push_back({model, alpha, 0.0});
   }
   return out;
 }
 
-/// The mistake that explains what comes after a turn much better than anything sound.
-std::optional<ResolveFit> mistakeAfter(const ResolveEvidence& evidence, const ResolveTurn& turn) {
-  const auto mistake = bestAfter(evidence, turn.pair, false), sound = bestAfter(evidence, turn.pair, true);
-  return mistake && sound && isMuchBetter(mistake->error, sound->error) ? mistake : std::nullopt;
+/// Of these the one that leaves least from a pair on; infinite: none was tried there.
+ResolveFit bestFrom(const ResolveEvidence& evidence, std::size_t pair, bool isSound) {
+  ResolveFit best{0, 0, std::numeric_limits<double>::infinity()};
+  for (ResolveFit fit : fitsEverywhere(isSound)) {
+    fit.error = errorFrom(evidence, fit, pair);
+    if (fit.error < best.error) best = fit;
+  }
+  return best;
 }
 
-/// An output that is right up to a frame. False: there is none.
+/// A mistake that begins in a frame.
+Finding mistakeFrom(const ResolveFit& mistake, double soundError, int first, int last) {
+  const ResolveKind kind = modelOf(mistake).kind;
+  Finding out = resolveFinding(resolveWordsOf(kind));
+  out.reason =
+      say<"From frame %1 on the output differs by %2 thousandths from what frames and history make if %3, "
+          "and by %4 if %5; up to frame %6 it is made as it should be.">(
+          first, shortNumber(kPer1000 * mistake.error), resolveKindText(kind),
+          shortNumber(kPer1000 * soundError), resolveKindText(ResolveKind::Sound), last);
+  out.measure = measureText();
+  out.residuals = {{resolveKindId(kind), resolveKindText(kind), kPer1000 * mistake.error, false, true},
+                   {resolveKindId(ResolveKind::Sound), resolveKindText(ResolveKind::Sound),
+                    kPer1000 * soundError, true, false}};
+  out.sureness = mistake.error <= kExact ? Sureness::Sure : Sureness::Likely;
+  return out;
+}
+
+/// An output that is right up to a frame, by the sound fit that is so the longest. False: there is none.
 bool tellTurn(const ResolveEvidence& evidence, Diagnosis& out) {
-  const auto turn = turnOf(evidence);
+  std::optional<std::size_t> turn;
+  for (const ResolveFit& fit : fitsEverywhere(true)) turn = std::max(turn, turnOf(evidence, fit));
   if (!turn) return false;
-  const int last = evidence.pairFrames()[turn->pair - 1], first = evidence.pairFrames()[turn->pair];
-  if (const auto mistake = mistakeAfter(evidence, *turn)) {
-    const ResolveKind kind = modelOf(*mistake).kind;
-    Finding finding = resolveFinding(resolveWordsOf(kind));
-    finding.reason =
-        say<"From frame %1 on the output differs by %2 thousandths from what frames and history make if %3, "
-            "and by %4 if %5; up to frame %6 it is made as it should be.">(
-            first, shortNumber(kPer1000 * mistake->error), resolveKindText(kind),
-            shortNumber(kPer1000 * turn->after), resolveKindText(ResolveKind::Sound), last);
-    finding.measure = measureText();
-    finding.residuals = {{resolveKindId(kind), resolveKindText(kind), kPer1000 * mistake->error, false, true},
-                         {resolveKindId(ResolveKind::Sound), resolveKindText(ResolveKind::Sound),
-                          kPer1000 * turn->after, true, false}};
-    finding.sureness = mistake->error <= kExact ? Sureness::Sure : Sureness::Likely;
-    out.findings.push_back(std::move(finding));
+  const int last = evidence.pairFrames()[*turn - 1], first = evidence.pairFrames()[*turn];
+  const ResolveFit sound = bestFrom(evidence, *turn, true), mistake = bestFrom(evidence, *turn, false);
+  if (isMuchBetter(mistake.error, sound.error)) {
+    out.findings.push_back(mistakeFrom(mistake, sound.error, first, last));
     return true;
   }
   Undecided open{
       say<"The resolve">(),
       say<"up to frame %1 the output is made of frames and history as it should be, and from frame %2 "
-          "on it is %3 thousandths from that, and as no mistake that is known here makes it">(
-          last, first, shortNumber(kPer1000 * turn->after)),
+          "on it is %3 thousandths from whatever else was tried">(
+          last, first, shortNumber(kPer1000 * std::min(sound.error, mistake.error))),
       say<"Look at what changes in the resolve, or in what it reads, in that frame.">(),
       resolveFaults(false)};
-  open.isMisfit = true;
+  // Another α from a frame on is no mistake.
+  open.isMisfit = sound.error > kExact;
+  if (!open.isMisfit)
+    open.reason = say<"the output is made of frames and history as it should be, from frame %1 on with other "
+                      "settings than up to frame %2">(first, last);
   out.parts.leaveOpen(std::move(open));
   return true;
 }

@@ -55,6 +55,7 @@ std::vector<doctor::DoctorFrame> resolvedFrames(const PaintedShot& shot, int fra
     const bool isReset = number == 0 || (frame.startsHistory && resolve.resetsAtCuts);
     PaintedResolve now = resolve;
     if (number < resolve.wrongFrom) {
+      now.alpha = resolve.alphaBefore;
       now.motionFactor = 1.0f;
       now.isSwapped = true;
     }

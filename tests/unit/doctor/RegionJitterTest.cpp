@@ -94,7 +94,6 @@ TEST(RegionJitter, IsAFindingOfThatRegionAlone) {
   EXPECT_EQ(std::ranges::count(told.parts.right(), "Jitter", &RightPart::part), 0);
 }
 
-// Where nothing has jitter, it is not a region's mistake.
 // Its motion is right: what pixels seem to say of that is the jitter that is missing.
 TEST(RegionJitter, TakesBackWhatWasSaidOfTheMotionOfThatRegion) {
   const Seen seen(drawBoardWithoutJitter);
@@ -112,6 +111,7 @@ TEST(RegionJitter, TakesBackWhatWasSaidOfTheMotionOfThatRegion) {
   EXPECT_EQ(out.findings.size(), seen.tracker.regions().size());
 }
 
+// Where nothing has jitter, it is not a region's mistake.
 TEST(RegionJitter, IsNotToldOfAllOfThePicture) {
   test::PaintedShot still;
   still.isJittered = false;

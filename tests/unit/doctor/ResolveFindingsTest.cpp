@@ -110,6 +110,13 @@ TEST(ResolveFindings, SayFromWhichFrameOnItIsWrong) {
   const Diagnosis named = toldOf(notSwapped);
   ASSERT_EQ(namesOf(named), "historyNotSwapped");
   EXPECT_EQ(named.findings[0].reason.find("From frame 8 on "), 0u) << named.findings[0].reason;
+  PaintedResolve changed = with(0.2f);
+  changed.alphaBefore = 0.02f;
+  const Diagnosis other = toldOf(changed);
+  EXPECT_EQ(namesOf(other), "");
+  EXPECT_FALSE(other.isMisfit()) << "settings may change";
+  EXPECT_NE(other.parts.undecided()[0].reason.find("from frame 8 on with other settings"), std::string::npos)
+      << other.parts.undecided()[0].reason;
   PaintedResolve half;
   half.motionFactor = 0.5f; // as no model has it
   const Diagnosis open = toldOf(half);
