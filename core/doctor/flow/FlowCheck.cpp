@@ -562,7 +562,9 @@ bool isDepthConfirmed(const FlowSeen& seen) {
 
 void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient& patient, Diagnosis& out) {
   const double tolerancePx = patient.isJitterOpen ? kOffPxWithOpenJitter : kOffPx;
-  if (tellWithoutRoot(asGiven, patient.patient, tolerancePx, out)) return;
+  // A curve can pass for what a mistake that is told makes of motion of nearly one length.
+  const bool isExplained = patient.isMotionMended && refutedShare(mended, tolerancePx) < kDoubtsAll;
+  if (!isExplained && tellWithoutRoot(asGiven, patient.patient, tolerancePx, out)) return;
   const bool isAnyTold = std::ranges::any_of(out.findings, isOfMotion);
   const bool isOtherLength =
       isOfOtherLength(mended, patient, tolerancePx, out) || (!isAnyTold && isRestRefuted(mended.pairs));
@@ -580,7 +582,7 @@ void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient
     addMotion(std::move(finding), out);
     return;
   }
-  if (patient.isMotionMended && refutedShare(mended, tolerancePx) >= kDoubtsAll)
+  if (patient.isMotionMended && !isExplained)
     for (Finding& finding : out.findings)
       if (finding.isWholePicture && isOfMotion(finding)) finding.sureness = Sureness::Likely;
   std::vector<Refuted> refuted = refutedRegions(mended, tolerancePx);

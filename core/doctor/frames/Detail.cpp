@@ -35,4 +35,11 @@ bool hasDetail(const Image& luma, const std::vector<RegionIndex>& labels, int x,
   return standsOut(luma, x, y, [&](int u, int v) { return labelAt(u, v) == labelAt(x, y); });
 }
 
+bool skyHasDetail(const DoctorFrame& frame, int x, int y) {
+  const auto isSky = [&](int u, int v) {
+    return frame.isSky(static_cast<std::size_t>(v) * frame.luma.width + u);
+  };
+  return standsOut(frame.luma, x, y, isSky);
+}
+
 } // namespace taa::doctor

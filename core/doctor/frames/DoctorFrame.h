@@ -64,6 +64,8 @@ struct DoctorFrame {
   bool isCovered(const glm::ivec2& pixel) const {
     return !covered.empty() && covered[static_cast<std::size_t>(pixel.y) * luma.width + pixel.x] != 0;
   }
+  /// `pixel`: y · width + x. False without depth.
+  bool isSky(std::size_t pixel) const { return !depth.empty() && depth.pixels[pixel] == 0.0f; }
 };
 
 /// Frame n; a function of n alone. Throws Error.

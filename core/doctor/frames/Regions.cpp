@@ -21,13 +21,9 @@ constexpr double kAsLarge = 0.98;
 /// A part is that of the frame before where it covers so much of the smaller one of both.
 constexpr double kCoveredShare = 0.5;
 
-bool isSkyAt(const DoctorFrame& frame, std::size_t i) {
-  return !frame.depth.empty() && frame.depth.pixels[i] == 0.0f;
-}
-
 /// Whether two neighbors are of one surface, as far as depth and motion tell.
 bool goesOn(const DoctorFrame& frame, std::size_t a, std::size_t b) {
-  if (isSkyAt(frame, a) != isSkyAt(frame, b)) return false;
+  if (frame.isSky(a) != frame.isSky(b)) return false;
   if (!frame.depthView.empty()) {
     const float nearer = std::min(frame.depthView.pixels[a], frame.depthView.pixels[b]);
     const float farther = std::max(frame.depthView.pixels[a], frame.depthView.pixels[b]);
@@ -132,7 +128,7 @@ void RegionTracker::labelConnected(const DoctorFrame& frame, std::vector<RegionI
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const RegionIndex former = before_.size() == labels.size() ? before_[i] : kNoRegion;
     if (former != kNoRegion) ++formerSizes[former];
-    if (isSkyAt(frame, i)) continue;
+    if (frame.isSky(i)) continue;
     PartOfFrame& part = parts[roots[i]];
     ++part.size;
     if (former != kNoRegion && former != sky_) ++part.covered[former];
@@ -148,14 +144,14 @@ void RegionTracker::labelConnected(const DoctorFrame& frame, std::vector<RegionI
     taken.insert(part->region);
   }
   for (std::size_t i = 0; i < labels.size(); ++i)
-    if (!isSkyAt(frame, i)) labels[i] = parts[roots[i]].region;
+    if (!frame.isSky(i)) labels[i] = parts[roots[i]].region;
 }
 
 std::vector<RegionIndex> RegionTracker::label(const DoctorFrame& frame) {
   const glm::ivec2 size = frame.sizePx();
   std::vector<RegionIndex> labels(static_cast<std::size_t>(size.x) * size.y, kNoRegion);
   for (std::size_t i = 0; i < labels.size(); ++i)
-    if (isSkyAt(frame, i))
+    if (frame.isSky(i))
       labels[i] = ofSky();
     else if (!frame.objectId.empty())
       labels[i] = ofId(frame.objectId[i]);

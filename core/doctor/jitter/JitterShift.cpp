@@ -106,10 +106,11 @@ ShiftSamples samplesEvery(int step, const FrameNeighbors& frames) {
   ShiftSamples out;
   for (int y = step / 2; y < size.y; y += step)
     for (int x = step / 2; x < size.x; x += step) {
-      const bool isSky = !now.depth.empty() && *now.depth.at(x, y) == 0.0f;
+      const bool isSky = now.isSky(static_cast<std::size_t>(y) * size.x + x);
       if (isSky) out.skyShare += static_cast<double>(step) * step / pixels;
       const auto motionPx = restingMotion(now, {x, y});
-      if (!motionPx || now.isCovered({x, y}) || !hasDetail(now.luma, x, y)) continue;
+      if (!motionPx || now.isCovered({x, y})) continue;
+      if (!(isSky ? skyHasDetail(now, x, y) : hasDetail(now.luma, x, y))) continue;
       const glm::vec2 place = glm::vec2(x, y) + 0.5f - *motionPx;
       if (place.x < margin.x || place.y < margin.y || place.x > last.x || place.y > last.y) continue;
       if (frames.before.isCovered(glm::ivec2(place))) continue;

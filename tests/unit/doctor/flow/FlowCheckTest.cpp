@@ -218,6 +218,47 @@ TEST(FlowCheck, NamesARootThatIsNotInWhatIsStored) {
       << diagnosis.findings[0].change;
 }
 
+// A negated x and a curve make the same of motion that has one length, to less than a tolerance.
+TEST(FlowCheck, NamesNoRootWhereAKnownMistakeExplainsAll) {
+  const std::vector<Region> regions(1);
+  const auto pairsWith = [](double sign) {
+    std::vector<FlowPair> pairs(6);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      pairs[i].frame = static_cast<int>(i) + 1;
+      pairs[i].said[0] = 1.0;
+      for (int square = 0; square < 36; ++square) {
+        FlowSquare& one = pairs[i].squares.emplace_back();
+        one.region = 0;
+        one.given = {sign * (2.8 + 0.002 * square), 0.0};
+        one.px = {sign * one.given.x, 0.0};
+        if (square == 0) one.px.x *= 0.6, one.given.x *= 0.36; // one that by chance only a curve explains
+        one.errorPx = 0.02;
+        one.left = 0.004;
+        one.leftAsGiven = one.apart = sign < 0.0 ? 0.03 : 0.004;
+      }
+    }
+    return pairs;
+  };
+  const std::vector<FlowPair> given = pairsWith(-1.0), mended = pairsWith(1.0);
+  Patient patient;
+  patient.sizePx = {240, 136};
+  patient.conventions.emplace().motion.encoding = capture::MotionEncoding::Unreal;
+  const auto toldOf = [&](const std::vector<FlowPair>& looked, bool isMended) {
+    Diagnosis out;
+    out.sizePx = patient.sizePx;
+    if (isMended) {
+      Finding& told = out.findings.emplace_back();
+      told.id = "motionNegatedX";
+      told.isWholePicture = true;
+      told.sureness = Sureness::Sure;
+    }
+    tellFlow({given, regions}, {looked, regions}, {patient, isMended}, out);
+    return idsOf(out);
+  };
+  EXPECT_EQ(toldOf(given, false), "motionWithoutRoot") << "the curve does explain it";
+  EXPECT_EQ(toldOf(mended, true), "motionNegatedX");
+}
+
 TEST(FramesText, SaysWhichOfThoseAsked) {
   const std::vector<int> asked{1, 2, 3, 5, 6, 7, 8, 9, 10};
   EXPECT_EQ(framesText(asked, asked), "all frames");
