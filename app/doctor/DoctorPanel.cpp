@@ -164,7 +164,7 @@ void DoctorPanel::showChoice() {
   if (!diagnosis_ || choice.index < 0)
     details_->showText({}, {});
   else if (choice.line == DoctorLine::Finding)
-    details_->showFinding(diagnosis_->findings[index], choice.region);
+    details_->showFinding(diagnosis_->findings[index], choice.region, diagnosis_->frameNames);
   else if (choice.line == DoctorLine::Undecided)
     details_->showUndecided(diagnosis_->parts.undecided()[index]);
   else if (choice.line == DoctorLine::Right)
@@ -185,7 +185,7 @@ QString DoctorPanel::rightSentences() const {
 }
 
 QString DoctorPanel::summary() const {
-  return tr("%1 frames, %2 pairs compared").arg(diagnosis_->frames).arg(diagnosis_->pairs);
+  return qtext(diagnosis_->lookedText());
 }
 
 void DoctorPanel::refresh() {

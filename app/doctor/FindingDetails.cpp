@@ -143,7 +143,8 @@ QString FindingDetails::title() const {
   return title_->text();
 }
 
-void FindingDetails::showFinding(const doctor::Finding& finding, int region) {
+void FindingDetails::showFinding(const doctor::Finding& finding, int region,
+                                 const doctor::FrameNames& names) {
   QStringList places;
   if (region < 0 && (finding.isWholePicture || finding.regions.empty()))
     places << whereText(finding);
@@ -167,7 +168,7 @@ void FindingDetails::showFinding(const doctor::Finding& finding, int region) {
   mended_->show();
   if (finding.regions.empty()) return;
   const doctor::RegionPlace& place = finding.regions[static_cast<std::size_t>(std::max(0, region))];
-  go_->setText(tr("Go to frame %1").arg(place.frame));
+  go_->setText(tr("Go to frame %1").arg(qtext(names.of(place.frame))));
 }
 
 void FindingDetails::showUndecided(const doctor::Undecided& undecided) {

@@ -27,7 +27,7 @@ class FindingDetails : public QWidget {
   using Row = std::pair<QString, QString>;
 
   /// `region`: of its regions; −1: all of them.
-  void showFinding(const doctor::Finding& finding, int region);
+  void showFinding(const doctor::Finding& finding, int region, const doctor::FrameNames& names);
   void showUndecided(const doctor::Undecided& undecided);
   void showText(const QString& title, const std::vector<Row>& rows);
 

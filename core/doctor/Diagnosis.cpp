@@ -70,6 +70,13 @@ bool Diagnosis::isMisfit() const {
   return std::ranges::any_of(parts.undecided(), &Undecided::isMisfit);
 }
 
+std::string Diagnosis::lookedText() const {
+  const auto firstNumber = frameNames.number(first), lastNumber = frameNames.number(first + frames - 1);
+  if (firstNumber && lastNumber)
+    return say<"%1 frames (numbers %2 to %3), %4 pairs compared">(frames, *firstNumber, *lastNumber, pairs);
+  return say<"%1 frames, %2 pairs compared">(frames, pairs);
+}
+
 std::string Diagnosis::healthySentence() const {
   constexpr int kNamed = 4;
   if (!isMisfit()) return say<"Nothing wrong was found.">();

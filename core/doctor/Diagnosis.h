@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/Image.h"
+#include "core/doctor/FrameNames.h"
 #include "core/doctor/Outline.h"
 #include "core/settings/Faults.h"
 
@@ -110,8 +111,10 @@ class ExaminedParts {
 };
 
 struct Diagnosis {
+  int first = 0; ///< of the frames that were looked at
   int frames = 0, pairs = 0;
   glm::ivec2 sizePx{0}; ///< of the frames, which boxes and pixels of regions lie in
+  FrameNames frameNames;
   std::vector<Finding> findings;
   ExaminedParts parts;
   std::vector<std::string> notes; ///< sentences: what is worth knowing and no fault
@@ -121,6 +124,8 @@ struct Diagnosis {
   bool isHealthy() const { return findings.empty(); }
   /// Whether something that was measured does not fit what is stated, and no finding says why.
   bool isMisfit() const;
+  /// "32 frames, 31 pairs compared", with the numbers of frames that are not called by their places.
+  std::string lookedText() const;
   /// Without findings: that nothing is wrong, as far as it was decided, and what does not fit.
   std::string healthySentence() const;
   /// Whether a finding is not known.

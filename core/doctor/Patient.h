@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/capture/format/Conventions.h"
+#include "core/doctor/FrameNames.h"
 
 #include <glm/vec2.hpp>
 
@@ -17,6 +18,7 @@ struct Patient {
   std::map<std::uint32_t, std::string> objectNames;
   std::optional<capture::Conventions> conventions; ///< the engine's; none: this program's
   std::map<int, double> preExposure;               ///< as it is stated of each frame; empty: it is not
+  FrameNames frameNames = {};
 };
 
 } // namespace taa::doctor

@@ -88,16 +88,16 @@ double medianLeft(const std::vector<PlaceLight>& places, double stops) {
   return median(std::move(left));
 }
 
-std::string stepTexts(const std::vector<const BrightnessPair*>& steps) {
+std::string stepTexts(const std::vector<const BrightnessPair*>& steps, const FrameNames& names) {
   std::string text;
   for (std::size_t i = 0; i < steps.size() && i < static_cast<std::size_t>(kMostNamed); ++i) {
     const std::string stops = (steps[i]->stops > 0.0 ? "+" : "") + shortNumber(steps[i]->stops);
-    text += (i == 0 ? "" : "; ") + say<"%1 stops at frame %2">(stops, steps[i]->frame);
+    text += (i == 0 ? "" : "; ") + say<"%1 stops at frame %2">(stops, names.of(steps[i]->frame));
   }
   return text;
 }
 
-Finding stepFinding(const std::vector<const BrightnessPair*>& steps) {
+Finding stepFinding(const std::vector<const BrightnessPair*>& steps, const FrameNames& names) {
   const BrightnessPair& largest =
       **std::ranges::max_element(steps, {}, [](const BrightnessPair* pair) { return std::abs(pair->stops); });
   Finding out = faultFinding(Fault::ExposureStep);
@@ -106,7 +106,7 @@ Finding stepFinding(const std::vector<const BrightnessPair*>& steps) {
   out.reason =
       say<"The brightness of the whole picture steps in %1 of the frames, most at frame %2: in %3 of %4 "
           "squares alike. %5. The only light of a scene would make the same.">(
-          steps.size(), largest.frame, largest.even, largest.squares, stepTexts(steps));
+          steps.size(), names.of(largest.frame), largest.even, largest.squares, stepTexts(steps, names));
   out.measure = say<"median difference of luma, × 1000">();
   out.residuals = {{"stepped", say<"the frame before times %1">(shortNumber(std::exp2(largest.stops))),
                     1000.0 * largest.stepped, false, true},
@@ -282,7 +282,7 @@ void tellBrightness(const BrightnessEvidence& evidence, const Patient& patient, 
   double most = 0.0;
   for (const BrightnessPair& pair : evidence.pairs) most = std::max(most, std::abs(pair.stops));
   if (!steps.empty()) {
-    out.findings.push_back(stepFinding(steps));
+    out.findings.push_back(stepFinding(steps, out.frameNames));
     tellPreExposure(evidence, patient, out.findings.back());
   } else if (most < kStepStops) {
     out.parts.addRight(

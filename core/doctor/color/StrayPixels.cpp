@@ -172,8 +172,8 @@ void tellStray(const StrayPixels& stray, const std::vector<Region>& regions, con
       {say<"Motion">(),
        say<"at %1 places on %2, in %3 of %4 frames, something shows that motion leads to neither from the "
            "frame before nor to the frame after, the largest in frame %5 at %6, %7">(
-           places, names, withPlaces.size(), stray.asked(), largest->frame, largest->pixel.x,
-           largest->pixel.y),
+           places, names, withPlaces.size(), stray.asked(), patient.frameNames.of(largest->frame),
+           largest->pixel.x, largest->pixel.y),
        say<"Particles do that, limbs, pictures that move over a surface, shadows and lights that move: let them "
            "write motion of their own, or give the resolve a mask of them.">(),
        {},

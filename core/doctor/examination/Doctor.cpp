@@ -336,6 +336,8 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
   const Patient patient = sizedPatient(examination);
   Diagnosis out;
   out.sizePx = patient.sizePx;
+  out.frameNames = patient.frameNames;
+  out.first = examination.first;
   out.findings = examination.contradicted;
   Examiner first(examination, patient, progress, examination.known.output);
   first.look(examination.read, out, [&] {

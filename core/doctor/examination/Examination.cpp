@@ -21,6 +21,7 @@ Examination examinationOf(const DoctorSource& source, int frames, int first) {
   out.patient.outputPx = {source.request.width, source.request.height};
   out.patient.objectNames = source.objectNames;
   out.patient.conventions = source.conventions;
+  out.patient.frameNames = source.frameNames;
   out.patient.preExposure = source.preExposure;
   out.contradicted = source.contradicted;
   return out;

@@ -9,7 +9,6 @@
 #include "core/doctor/flow/FlowReadings.h"
 #include "core/doctor/flow/FlowWords.h"
 #include "core/doctor/flow/OtherObjects.h"
-#include "core/doctor/frames/FramesText.h"
 #include "core/doctor/motion/MotionFindings.h"
 #include "core/doctor/motion/MotionMending.h"
 #include "core/doctor/motion/MotionWords.h"
@@ -75,8 +74,8 @@ std::string exampleOf(const std::vector<const FlowSquare*>& squares, const FlowS
         farthest < pair.squares.data() + pair.squares.size())
       frame = pair.frame;
   return say<"For example around pixel %1, %2 of frame %3 you write %4; the pictures show %5.">(
-      farthest->pixel.x, farthest->pixel.y, frame, shortVector(storedMotion(patient, farthest->given)),
-      shortVector(storedMotion(patient, farthest->px)));
+      farthest->pixel.x, farthest->pixel.y, patient.frameNames.of(frame),
+      shortVector(storedMotion(patient, farthest->given)), shortVector(storedMotion(patient, farthest->px)));
 }
 
 std::vector<Residual> residualsOf(const std::vector<const FlowSquare*>& squares) {
@@ -97,8 +96,9 @@ Finding measuredFinding(const std::vector<Refuted>& refuted, const FlowSeen& see
   const auto [frames, asked] = framesOf(refuted);
   finding.reason =
       say<"In %1 the pictures move otherwise there than is given, by %2 px in the middle of %3 squares "
-          "that can be followed to %4 px.">(framesText(frames, asked), shortNumber(medianOff(squares)),
-                                            squares.size(), shortNumber(medianError(squares)));
+          "that can be followed to %4 px.">(patient.frameNames.of(frames, asked),
+                                            shortNumber(medianOff(squares)), squares.size(),
+                                            shortNumber(medianError(squares)));
   finding.change = exampleOf(squares, seen, patient);
   return finding;
 }
@@ -187,7 +187,7 @@ Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, c
     fit.reset(); // what is right everywhere else
   if (!fit) fit = explaining(squares, tolerancePx);
   if (const auto missing = fitOfMissing(refuted))
-    nameMissing(framesOf(refuted).first.front(), *missing, finding);
+    nameMissing(out.frameNames.of(framesOf(refuted).first.front()), *missing, finding);
   else if (fit)
     nameByFit(*fit, patient, finding);
   else
@@ -357,7 +357,7 @@ void tellFrames(const std::vector<Refuted>& refuted, const Patient& patient, Dia
           static_cast<double>(one.frames.size()) < kNearlyAll * static_cast<double>(one.asked.size());
       if (!isOfFinding || !isSometimes) continue;
       finding.reason +=
-          " " + say<"By what squares move by it is so in %1.">(framesText(one.frames, one.asked));
+          " " + say<"By what squares move by it is so in %1.">(out.frameNames.of(one.frames, one.asked));
       break;
     }
   }
@@ -518,7 +518,7 @@ void tellWholeFrames(const FlowSeen& seen, const Patient& patient, double tolera
   finding.sureness = Sureness::Likely;
   finding.isWholePicture = true;
   if (const auto missing = fitOfMissing(refuted))
-    nameMissing(refuted.front().frames.front(), *missing, finding);
+    nameMissing(out.frameNames.of(refuted.front().frames.front()), *missing, finding);
   else
     nameUnknown(finding);
   addMotion(std::move(finding), out);

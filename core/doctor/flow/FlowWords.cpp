@@ -119,7 +119,7 @@ void nameWithoutRoot(const FlowFit& fit, Finding& finding) {
                 "that explains %2 of %3 squares.">(withError(factor, error), fit.followed, fit.squares);
 }
 
-void nameMissing(int frame, const FlowFit& fit, Finding& finding) {
+void nameMissing(const std::string& frame, const FlowFit& fit, Finding& finding) {
   nameMeasured(
       {"frameMissing", say<"A frame missing before frame %1">(frame),
        say<"Things jump, and history is looked for where they would have been.">(),

@@ -7,6 +7,7 @@
 #include "core/doctor/flow/FlowLength.h"
 #include "core/doctor/motion/MotionWords.h"
 
+#include <string>
 #include <vector>
 
 namespace taa::doctor {
@@ -17,7 +18,7 @@ void nameByFit(const FlowFit& fit, const Patient& patient, Finding& finding);
 /// Of explainingWithoutRoot().
 void nameWithoutRoot(const FlowFit& fit, Finding& finding);
 /// Pictures before a frame are missing: by the factor of its motion.
-void nameMissing(int frame, const FlowFit& fit, Finding& finding);
+void nameMissing(const std::string& frame, const FlowFit& fit, Finding& finding);
 void nameUnknown(Finding& finding);
 
 /// That motion is shorter than a pixel everywhere, and pictures move by so many times as much: in a unit that

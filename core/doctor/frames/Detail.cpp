@@ -36,10 +36,12 @@ bool hasDetail(const Image& luma, const std::vector<RegionIndex>& labels, int x,
 }
 
 bool skyHasDetail(const DoctorFrame& frame, int x, int y) {
-  const auto isSky = [&](int u, int v) {
-    return frame.isSky(static_cast<std::size_t>(v) * frame.luma.width + u);
+  bool isAllSky = true;
+  const auto counts = [&](int u, int v) {
+    isAllSky &= frame.isSky(static_cast<std::size_t>(v) * frame.luma.width + u);
+    return true;
   };
-  return standsOut(frame.luma, x, y, isSky);
+  return standsOut(frame.luma, x, y, counts) && isAllSky;
 }
 
 } // namespace taa::doctor

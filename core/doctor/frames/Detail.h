@@ -14,7 +14,8 @@ bool hasDetail(const Image& luma, int x, int y);
 /// The same from the mean of those pixels alone that have its label: the rim of a plain surface is no detail
 /// of it. `labels`: of all pixels, row by row.
 bool hasDetail(const Image& luma, const std::vector<RegionIndex>& labels, int x, int y);
-/// The same of a pixel of the sky, from the mean of those pixels alone that are sky.
+/// The same of a pixel of the sky around which all is sky: rims of what is before it are no detail of it, and
+/// beside them a mean of one side alone makes a gradient look like some.
 bool skyHasDetail(const DoctorFrame& frame, int x, int y);
 
 } // namespace taa::doctor

@@ -5,7 +5,6 @@
 #include "core/base/Say.h"
 #include "core/capture/decode/ScreenUnits.h"
 #include "core/doctor/Mending.h"
-#include "core/doctor/frames/FramesText.h"
 #include "core/doctor/jitter/JitterFit.h"
 #include "core/doctor/jitter/JitterPauses.h"
 #include "core/doctor/jitter/JitterSequence.h"
@@ -93,7 +92,8 @@ std::string exampleOf(const JitterTrial& trial, const JitterEvidence& evidence, 
     if (!shown || glm::distance(*shown, stated) <= farthest) continue;
     farthest = glm::distance(*shown, stated);
     text = say<"For example at frame %1 you pass %2; the pictures show %3.">(
-        frame, shortVector(passedJitter(patient, stated)), shortVector(passedJitter(patient, *shown)));
+        patient.frameNames.of(frame), shortVector(passedJitter(patient, stated)),
+        shortVector(passedJitter(patient, *shown)));
   }
   return text;
 }
@@ -291,7 +291,7 @@ JitterMender tellUnstated(const JitterEvidence& evidence, bool isCameraKnown, co
 
 /// Some frames are drawn without the jitter that is stated for them.
 JitterMender tellPauses(const JitterPauses& pauses, const JitterEvidence& evidence, Diagnosis& out) {
-  const std::string frames = framesText(pauses.frames, pauses.asked);
+  const std::string frames = out.frameNames.of(pauses.frames, pauses.asked);
   Finding finding = wordedFinding(jitterWords({JitterKind::NotApplied}));
   finding.name = say<"Jitter reported, not applied in %1">(frames);
   finding.change =

@@ -277,7 +277,8 @@ RegionPlace placeOf(const Region& region, const Patient& patient, double allPixe
   else if (region.objectId != 0)
     out.name = say<"object %1">(region.objectId);
   else
-    out.name = say<"the part around pixel %1, %2 of frame %3">(region.pixel.x, region.pixel.y, region.frame);
+    out.name = say<"the part around pixel %1, %2 of frame %3">(region.pixel.x, region.pixel.y,
+                                                               patient.frameNames.of(region.frame));
   out.frame = region.frame;
   out.box = region.box;
   out.pixel = region.pixel;
@@ -319,7 +320,7 @@ MotionTold tellMotion(const MotionEvidence& evidence, const std::vector<Region>&
   preferStated(judged.regions, evidence.trials(), patient);
   MotionTold told;
   const bool isOfOneFrame = identityFrame(evidence.pairs()).has_value();
-  for (const FaultGroup& group : groupsOf(judged.regions, evidence.trials())) {
+  for (const FaultGroup& group : groupsOf(judged.regions, evidence.trials(), patient.frameNames)) {
     if (isOfOneFrame && isOfMiddles(group)) continue; // its way over all frames holds that of the one
     const std::vector<Finding> findings = findingsOf(group, judged.regions, evidence, patient, allPixels);
     std::ranges::copy(findings, std::back_inserter(out.findings));

@@ -51,13 +51,13 @@ bool isBy(const FaultGroup& group, DecidedBy by) {
 } // namespace
 
 std::vector<FaultGroup> groupsOf(const std::vector<JudgedRegion>& judged,
-                                 const std::vector<MotionTrial>& trials) {
+                                 const std::vector<MotionTrial>& trials, const FrameNames& names) {
   std::vector<FaultGroup> groups;
   for (const JudgedRegion& region : judged) {
     if (region.decision.verdict != MotionVerdict::Wrong) continue;
     const MotionTrial* trial = region.trial ? &trials[*region.trial] : nullptr;
     const JudgedRegion& named = namedBy(region, judged);
-    FaultWords fault = motionFault(trial, *named.region, *named.evidence);
+    FaultWords fault = motionFault(trial, *named.region, *named.evidence, names);
     auto found = std::ranges::find_if(groups, [&](const FaultGroup& group) {
       return group.fault.id == fault.id && group.trial == region.trial;
     });

@@ -21,7 +21,7 @@ struct FaultGroup {
 
 /// Those that show in the most pixels first.
 std::vector<FaultGroup> groupsOf(const std::vector<JudgedRegion>& judged,
-                                 const std::vector<MotionTrial>& trials);
+                                 const std::vector<MotionTrial>& trials, const FrameNames& names);
 
 /// Whether depth and matrices tell it.
 bool isWitnessed(const FaultGroup& group);

@@ -46,10 +46,10 @@ std::vector<std::string> inFrame(int frame) {
 }
 
 /// In one frame all motion is that of a matrix that was never set.
-Finding identityFinding(int frame) {
+Finding identityFinding(int frame, const FrameNames& names) {
   Finding out = faultFinding(Fault::PreviousIdentity);
   out.isWholePicture = true;
-  out.reason = say<"In frame %1 alone motion is what a previous matrix of 1 makes.">(frame);
+  out.reason = say<"In frame %1 alone motion is what a previous matrix of 1 makes.">(names.of(frame));
   out.change = jumpChange(true);
   mendBy(inFrame(frame), out);
   return out;
@@ -85,7 +85,7 @@ Finding lateFinding() {
 void tellJumps(const MotionEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
                double allPixels, Diagnosis& out) {
   if (const auto never = identityFrame(evidence.pairs())) {
-    out.findings.push_back(identityFinding(*never));
+    out.findings.push_back(identityFinding(*never, patient.frameNames));
     return;
   }
   std::vector<RegionPlace> places;
@@ -106,7 +106,7 @@ void tellJumps(const MotionEvidence& evidence, const std::vector<Region>& region
   finding.regions = std::move(places);
   finding.sureness = Sureness::Likely;
   finding.reason = say<"In frame %1 alone motion is much longer than before and after, and the motion of the "
-                       "frame beside it fits the pixels better.">(*frame);
+                       "frame beside it fits the pixels better.">(patient.frameNames.of(*frame));
   finding.change = jumpChange(isWhole);
   if (isWhole) mendBy(inFrame(*frame), finding);
   out.findings.push_back(std::move(finding));

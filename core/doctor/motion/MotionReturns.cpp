@@ -93,7 +93,8 @@ void tellReturns(std::vector<Return> returns, const std::vector<Region>& regions
     finding.reason +=
         (finding.reason.empty() ? "" : " ") +
         say<"In frame %1 %2 is drawn and in the frame before it is not; you write %3 for it there, and "
-            "%4 in the frame after.">(one.frame, place.name, shortVector(storedMotion(patient, one.px)),
+            "%4 in the frame after.">(patient.frameNames.of(one.frame), place.name,
+                                      shortVector(storedMotion(patient, one.px)),
                                       shortVector(storedMotion(patient, one.next)));
     if (std::ranges::count(finding.regions, place.name, &RegionPlace::name) == 0)
       finding.regions.push_back(place);

@@ -3,7 +3,6 @@
 #include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/capture/decode/ScreenUnits.h"
-#include "core/doctor/frames/FramesText.h"
 #include "core/settings/Faults.h"
 
 #include <algorithm>
@@ -205,26 +204,26 @@ bool isAtTimesZero(const RegionEvidence& evidence) {
 }
 
 /// "1, 3, 5 …": frames in which it is.
-std::string zeroFrames(const RegionEvidence& evidence) {
+std::string zeroFrames(const RegionEvidence& evidence, const FrameNames& names) {
   std::vector<int> zero, asked;
   for (const PairTrace& trace : evidence.traces) {
     if (trace.pixels == 0) continue;
     asked.push_back(trace.frame);
     if (trace.lengthPx == 0.0) zero.push_back(trace.frame);
   }
-  return framesText(zero, asked);
+  return names.of(zero, asked);
 }
 
-FaultWords atTimesZeroFault(const RegionEvidence& evidence) {
+FaultWords atTimesZeroFault(const RegionEvidence& evidence, const FrameNames& names) {
   return {
       "motionAtTimesZero", say<"Motion 0 in some frames of what moves in all">(),
       say<"It trembles, and ghosts in every other frame.">(),
       say<"In %1 its motion is 0: its transform, or what is made of it, is brought up to date less often than it is "
-          "drawn. Make motion of the two transforms that it is drawn with.">(zeroFrames(evidence))};
+          "drawn. Make motion of the two transforms that it is drawn with.">(zeroFrames(evidence, names))};
 }
 
-FaultWords searchedFault(const Region& region, const RegionEvidence& evidence) {
-  if (isAtTimesZero(evidence)) return atTimesZeroFault(evidence);
+FaultWords searchedFault(const Region& region, const RegionEvidence& evidence, const FrameNames& names) {
+  if (isAtTimesZero(evidence)) return atTimesZeroFault(evidence, names);
   if (isUnwritten(evidence)) return unwrittenFault(region);
   if (!isOfCameraAlone(evidence)) return unknownMotion();
   return ofTable(Fault::MotionCameraOnly,
@@ -234,8 +233,9 @@ FaultWords searchedFault(const Region& region, const RegionEvidence& evidence) {
 
 } // namespace
 
-FaultWords motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence) {
-  if (!trial) return searchedFault(region, evidence);
+FaultWords motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence,
+                       const FrameNames& names) {
+  if (!trial) return searchedFault(region, evidence, names);
   switch (trial->kind) {
   case MotionKind::AsGiven:
     break;
@@ -356,8 +356,8 @@ std::string motionExample(const Patient& patient, const RegionEvidence& evidence
   const glm::dvec2 should = storedMotion(patient, glm::dvec2(*example.byTrial[trial]));
   const bool isEncoded =
       patient.conventions && patient.conventions->motion.encoding == capture::MotionEncoding::Unreal;
-  const std::string place =
-      say<"at pixel %1, %2 of frame %3">(example.pixel.x, example.pixel.y, example.frame);
+  const std::string place = say<"at pixel %1, %2 of frame %3">(example.pixel.x, example.pixel.y,
+                                                               patient.frameNames.of(example.frame));
   if (isEncoded)
     return say<"For example %1 you write what decodes to %2; the pictures show %3.">(
         place, shortVector(given), shortVector(should));

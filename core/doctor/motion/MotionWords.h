@@ -21,7 +21,8 @@ struct FaultWords {
 };
 
 /// `trial`: what explains it; null: the pixels move as no explanation says.
-FaultWords motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence);
+FaultWords motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence,
+                       const FrameNames& names = {});
 
 /// Gives a finding the words of a fault.
 /// Of motion that is longer or shorter, or turned, by what no row of the table says.

@@ -307,11 +307,11 @@ void tellValues(const OutputValues& values, Diagnosis& out) {
     Finding finding = resolveFinding(
         {Fault::NanKept, "", "", "",
          say<"Replace what is no number, both in the current frame and in the history that is read, and find "
-             "what makes it: it came up first in frame %1.">(values.firstFrame)});
+             "what makes it: it came up first in frame %1.">(out.frameNames.of(values.firstFrame))});
     finding.reason = say<"In %1 of %2 frames pixels of the output are no number though the frame's colors "
                          "around them are; in frame %3 there are %4, one of them at (%5, %6).">(
-        values.spoiledFrames, values.frames, values.mostFrame, values.most, values.mostPixel.x,
-        values.mostPixel.y);
+        values.spoiledFrames, values.frames, out.frameNames.of(values.mostFrame), values.most,
+        values.mostPixel.x, values.mostPixel.y);
     out.findings.push_back(std::move(finding));
   }
   if (!values.isOfFewBits()) return;
@@ -394,7 +394,8 @@ ResolveFit bestFrom(const ResolveEvidence& evidence, std::size_t pair, bool isSo
 }
 
 /// A mistake that begins in a frame.
-Finding mistakeFrom(const ResolveFit& mistake, double soundError, int first, int last) {
+Finding mistakeFrom(const ResolveFit& mistake, double soundError, const std::string& first,
+                    const std::string& last) {
   const ResolveKind kind = modelOf(mistake).kind;
   Finding out = resolveFinding(resolveWordsOf(kind));
   out.reason =
@@ -415,7 +416,8 @@ bool tellTurn(const ResolveEvidence& evidence, Diagnosis& out) {
   std::optional<std::size_t> turn;
   for (const ResolveFit& fit : fitsEverywhere(true)) turn = std::max(turn, turnOf(evidence, fit));
   if (!turn) return false;
-  const int last = evidence.pairFrames()[*turn - 1], first = evidence.pairFrames()[*turn];
+  const std::string last = out.frameNames.of(evidence.pairFrames()[*turn - 1]);
+  const std::string first = out.frameNames.of(evidence.pairFrames()[*turn]);
   const ResolveFit sound = bestFrom(evidence, *turn, true), mistake = bestFrom(evidence, *turn, false);
   if (isMuchBetter(mistake.error, sound.error)) {
     out.findings.push_back(mistakeFrom(mistake, sound.error, first, last));

@@ -4,7 +4,6 @@
 #include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/capture/import/FrameSamples.h"
-#include "core/doctor/frames/FramesText.h"
 #include "core/doctor/motion/MotionWords.h"
 #include "core/doctor/sequence/DrawnPart.h"
 
@@ -139,20 +138,22 @@ FaultWords wordsOf(OrderFault fault) {
           say<"Start history anew in that frame, and state it: \"cut\": true in the manifest.">()};
 }
 
-std::string framesOf(std::span<const OrderFound> found, const std::vector<int>& asked) {
+std::string framesOf(std::span<const OrderFound> found, const std::vector<int>& asked,
+                     const FrameNames& names) {
   std::vector<int> frames;
   for (const OrderFound& one : found) frames.push_back(one.frame);
-  return framesText(frames, asked);
+  return names.of(frames, asked);
 }
 
 /// "288 × 162 px are drawn in frames 3 to 4; 256 × 144 px are drawn in frame 5"
-std::string partsOf(const std::vector<OrderFound>& found, const std::vector<int>& asked) {
+std::string partsOf(const std::vector<OrderFound>& found, const std::vector<int>& asked,
+                    const FrameNames& names) {
   std::string text;
   for (auto at = found.begin(); at != found.end();) {
     auto end = at;
     while (end != found.end() && end->drawnPx == at->drawnPx) ++end;
-    text += (text.empty() ? "" : "; ") +
-            say<"%1 × %2 px are drawn in %3">(at->drawnPx.x, at->drawnPx.y, framesOf({at, end}, asked));
+    text += (text.empty() ? "" : "; ") + say<"%1 × %2 px are drawn in %3">(at->drawnPx.x, at->drawnPx.y,
+                                                                           framesOf({at, end}, asked, names));
     at = end;
   }
   return text;
@@ -161,7 +162,7 @@ std::string partsOf(const std::vector<OrderFound>& found, const std::vector<int>
 /// Where to look.
 RegionPlace wholeFrame(int frame, const Diagnosis& out) {
   RegionPlace place;
-  place.name = say<"frame %1">(frame);
+  place.name = say<"frame %1">(out.frameNames.of(frame));
   place.frame = frame;
   place.box = {0, 0, out.sizePx.x, out.sizePx.y};
   place.pixel = out.sizePx / 2;
@@ -170,31 +171,32 @@ RegionPlace wholeFrame(int frame, const Diagnosis& out) {
   return place;
 }
 
-std::string swappedReason(const OrderFound& found) {
+std::string swappedReason(const OrderFound& found, const FrameNames& names) {
   return say<"Along its motion frame %1 continues frame %2, which comes after it, and leaves %3 of the frame "
              "before and %4 of that one (median difference of luma, × 1000).">(
-      found.frame, found.frame + 1, shortNumber(1000.0 * found.asNumbered),
+      names.of(found.frame), names.of(found.frame + 1), shortNumber(1000.0 * found.asNumbered),
       shortNumber(1000.0 * found.asFound));
 }
 
 /// `found`: of one fault.
-std::string reasonOf(const std::vector<OrderFound>& found, const std::vector<int>& asked) {
+std::string reasonOf(const std::vector<OrderFound>& found, const std::vector<int>& asked,
+                     const FrameNames& names) {
   std::string text;
   switch (found.front().fault) {
   case OrderFault::Doubled:
     return say<"In %1 each pixel has the color that it had in the frame before, to the last bit, and motion "
-               "says that the picture moves.">(framesOf(found, asked));
+               "says that the picture moves.">(framesOf(found, asked, names));
   case OrderFault::Swapped:
-    for (const OrderFound& one : found) text += (text.empty() ? "" : " ") + swappedReason(one);
+    for (const OrderFound& one : found) text += (text.empty() ? "" : " ") + swappedReason(one, names);
     return text;
   case OrderFault::Partial:
     return say<"Right of what is drawn and below it everything is as in the frame before, to the last bit, "
-               "where its motion says that it moves: %1.">(partsOf(found, asked));
+               "where its motion says that it moves: %1.">(partsOf(found, asked, names));
   case OrderFault::Cut:
     break;
   }
   return say<"In %1 hardly anything of the frame before is found again, wherever it may have moved, and in "
-             "other frames nearly everything is.">(framesOf(found, asked));
+             "other frames nearly everything is.">(framesOf(found, asked, names));
 }
 
 } // namespace
@@ -309,7 +311,7 @@ void tellOrder(const std::vector<OrderFound>& found, const std::vector<int>& ask
     Finding finding;
     nameBy(wordsOf(fault), finding);
     finding.sureness = fault == OrderFault::Cut ? Sureness::Likely : Sureness::Sure;
-    finding.reason = reasonOf(alike, asked);
+    finding.reason = reasonOf(alike, asked, out.frameNames);
     for (const OrderFound& one : alike) finding.regions.push_back(wholeFrame(one.frame, out));
     out.findings.push_back(std::move(finding));
   }

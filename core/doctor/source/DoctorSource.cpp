@@ -57,6 +57,9 @@ DoctorSource openCaptureForDoctor(const SourceRequest& request, const Progress& 
   out.objectNames = manifest.objects;
   for (std::size_t frame = 0; frame < manifest.frames.size(); ++frame)
     out.preExposure[static_cast<int>(frame)] = manifest.frames[frame].preExposure;
+  std::vector<int> numbers;
+  for (const capture::CapturedFrame& frame : manifest.frames) numbers.push_back(frame.number);
+  out.frameNames = FrameNames(std::move(numbers));
   out.known.motion = manifest.framesWith(capture::PlaneKind::Motion) > 0;
   out.known.depth = manifest.framesWith(capture::PlaneKind::Depth) > 0;
   out.known.ids = manifest.framesWith(capture::PlaneKind::ObjectId) > 0;

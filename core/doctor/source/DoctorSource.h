@@ -40,6 +40,7 @@ struct DoctorSource {
   std::map<std::uint32_t, std::string> objectNames;
   /// The engine's own; none: this program's.
   std::optional<capture::Conventions> conventions;
+  FrameNames frameNames = {};             ///< of a capture: by the engine's numbers
   std::map<int, double> preExposure = {}; ///< see Patient
   std::vector<Finding> contradicted = {}; ///< of a capture: see mendContradicted()
 };

@@ -70,10 +70,10 @@ std::string residualBars(const Finding& finding) {
   return text + "</table>\n";
 }
 
-std::string regionText(const RegionPlace& region) {
+std::string regionText(const RegionPlace& region, const doctor::FrameNames& names) {
   if (region.isWholeFrame) return region.name;
   return say<"%1: largest in frame %2, pixels %3, %4 to %5, %6, for example %7, %8">(
-      region.name, region.frame, region.box.x, region.box.y, region.box.z - 1, region.box.w - 1,
+      region.name, names.of(region.frame), region.box.x, region.box.y, region.box.z - 1, region.box.w - 1,
       region.pixel.x, region.pixel.y);
 }
 
@@ -117,9 +117,9 @@ std::string findingPictures(const Diagnosis& diagnosis, std::size_t index, const
         const std::string path = outlinePath(finding, picture.frame);
         return "<div class=\"pictures\">\n" +
                figureHtml(imageHtml(picture.given, sizePx) + path, sizePx,
-                          say<"Frame %1 as it is">(picture.frame)) +
+                          say<"Frame %1 as it is">(diagnosis.frameNames.of(picture.frame))) +
                figureHtml(imageHtml(picture.mended, sizePx) + path, sizePx,
-                          say<"Frame %1 mended">(picture.frame)) +
+                          say<"Frame %1 mended">(diagnosis.frameNames.of(picture.frame))) +
                "</div>\n";
       }
   if (finding.isWholePicture || finding.regions.empty()) return {};
@@ -128,18 +128,20 @@ std::string findingPictures(const Diagnosis& diagnosis, std::size_t index, const
   const std::string seen =
       picture == diagnosis.pictures.end() ? std::string() : imageHtml(grayPicture(picture->second), sizePx);
   return "<div class=\"pictures\">\n" +
-         figureHtml(seen + outlinePath(finding, frame), sizePx, say<"Where it is in frame %1">(frame)) +
+         figureHtml(seen + outlinePath(finding, frame), sizePx,
+                    say<"Where it is in frame %1">(diagnosis.frameNames.of(frame))) +
          "</div>\n";
 }
 
-std::string findingHtml(const Finding& finding, int number) {
+std::string findingHtml(const Finding& finding, int number, const doctor::FrameNames& names) {
   const bool isSure = finding.sureness == doctor::Sureness::Sure;
   std::string text = htmlTag("h2", std::to_string(number) + ". " + finding.name +
                                        (isSure ? std::string() : " (" + say<"likely">() + ")") +
                                        (finding.isKnown ? " (" + say<"known">() + ")" : std::string()));
   text += "<dl>\n";
   if (finding.isWholePicture) text += htmlTerm(say<"Where">(), say<"the whole picture">());
-  for (const RegionPlace& region : finding.regions) text += htmlTerm(say<"Where">(), regionText(region));
+  for (const RegionPlace& region : finding.regions)
+    text += htmlTerm(say<"Where">(), regionText(region, names));
   text += htmlTerm(say<"Seen as">(), finding.symptom) + htmlTerm(say<"Change">(), finding.change) +
           htmlTerm(say<"Evidence">(), finding.reason) + "</dl>\n";
   return text + residualBars(finding);
@@ -165,12 +167,11 @@ std::string doctorHtml(const Diagnosis& diagnosis, const std::string& source,
   const std::string title = say<"What the doctor says of %1">(reportedName(source));
   std::string text = "<!DOCTYPE html>\n<html>\n<head>\n<meta charset=\"utf-8\">\n" + htmlTag("title", title) +
                      "<style>" + std::string(kPageStyle) + "</style>\n</head>\n<body>\n" +
-                     htmlTag("h1", title) +
-                     htmlTag("p", say<"%1 frames, %2 pairs compared">(diagnosis.frames, diagnosis.pairs));
+                     htmlTag("h1", title) + htmlTag("p", diagnosis.lookedText());
   if (diagnosis.isHealthy()) text += htmlTag("p", diagnosis.healthySentence());
   int number = 0;
   for (const Finding& finding : diagnosis.findings) {
-    text += findingHtml(finding, number + 1);
+    text += findingHtml(finding, number + 1, diagnosis.frameNames);
     text += findingPictures(diagnosis, static_cast<std::size_t>(number), mended);
     ++number;
   }

@@ -41,7 +41,7 @@ std::string residualLine(const Residual& residual, std::size_t width) {
   return line + "\n";
 }
 
-std::string findingText(const doctor::Finding& finding) {
+std::string findingText(const doctor::Finding& finding, const doctor::FrameNames& names) {
   std::string text = finding.name;
   text += finding.sureness == doctor::Sureness::Sure ? "" : " (" + say<"likely">() + ")";
   text += finding.isKnown ? " (" + say<"known">() + ")" : "";
@@ -52,7 +52,7 @@ std::string findingText(const doctor::Finding& finding) {
   line(say<"Evidence: %1">(finding.reason));
   if (!finding.regions.empty()) {
     const RegionPlace& region = finding.regions.front();
-    line(say<"Look at: frame %1, pixel %2, %3">(region.frame, region.pixel.x, region.pixel.y));
+    line(say<"Look at: frame %1, pixel %2, %3">(names.of(region.frame), region.pixel.x, region.pixel.y));
   }
   if (!finding.residuals.empty()) line(finding.measure + ":");
   std::size_t width = 0;
@@ -67,12 +67,14 @@ std::string undecidedText(const Undecided& undecided) {
          (undecided.capture.empty() ? "" : " " + undecided.capture) + "\n";
 }
 
-ordered_json regionJson(const RegionPlace& region) {
-  return {{"name", region.name},
-          {"frame", region.frame},
-          {"box", {region.box.x, region.box.y, region.box.z, region.box.w}},
-          {"pixel", {region.pixel.x, region.pixel.y}},
-          {"share", region.share}};
+ordered_json regionJson(const RegionPlace& region, const doctor::FrameNames& names) {
+  ordered_json out{{"name", region.name},
+                   {"frame", region.frame},
+                   {"box", {region.box.x, region.box.y, region.box.z, region.box.w}},
+                   {"pixel", {region.pixel.x, region.pixel.y}},
+                   {"share", region.share}};
+  if (const auto number = names.number(region.frame)) out["number"] = *number;
+  return out;
 }
 
 ordered_json residualJson(const Residual& residual) {
@@ -98,13 +100,14 @@ ordered_json undecidedJson(const Undecided& undecided) {
           {"faults", listJson(undecided.faults, [](Fault fault) { return faultInfo(fault).id; })}};
 }
 
-ordered_json foundJson(const doctor::Finding& finding) {
+ordered_json foundJson(const doctor::Finding& finding, const doctor::FrameNames& names) {
   return {{"id", finding.id},
           {"name", finding.name},
           {"sure", finding.sureness == doctor::Sureness::Sure},
           {"known", finding.isKnown},
           {"wholePicture", finding.isWholePicture},
-          {"regions", listJson(finding.regions, regionJson)},
+          {"regions",
+           listJson(finding.regions, [&](const RegionPlace& region) { return regionJson(region, names); })},
           {"reason", finding.reason},
           {"measure", finding.measure},
           {"residuals", listJson(finding.residuals, residualJson)},
@@ -133,15 +136,14 @@ std::string reportedName(const std::string& source) {
 }
 
 std::string doctorText(const Diagnosis& diagnosis, const std::string& source) {
-  std::string text =
-      say<"%1: %2 frames, %3 pairs compared">(reportedName(source), diagnosis.frames, diagnosis.pairs) + "\n";
+  std::string text = reportedName(source) + ": " + diagnosis.lookedText() + "\n";
   if (diagnosis.isHealthy())
     text += diagnosis.healthySentence() + "\n";
   else if (!diagnosis.hasNews())
     text += say<"Nothing was found that is not known.">() + "\n";
   int number = 0;
   for (const doctor::Finding& finding : diagnosis.findings)
-    text += "\n" + std::to_string(++number) + ". " + findingText(finding);
+    text += "\n" + std::to_string(++number) + ". " + findingText(finding, diagnosis.frameNames);
   if (!diagnosis.parts.right().empty()) text += "\n" + say<"Right">() + "\n";
   for (const doctor::RightPart& right : diagnosis.parts.right()) text += "  " + right.sentence + "\n";
   if (!diagnosis.parts.undecided().empty()) text += "\n" + say<"Not decided by these frames">() + "\n";
@@ -156,7 +158,10 @@ ordered_json doctorJson(const Diagnosis& diagnosis, const std::string& source) {
           {"frames", diagnosis.frames},
           {"pairs", diagnosis.pairs},
           {"healthy", diagnosis.isHealthy() && !diagnosis.isMisfit()},
-          {"findings", listJson(diagnosis.findings, foundJson)},
+          {"findings", listJson(diagnosis.findings,
+                                [&](const doctor::Finding& finding) {
+                                  return foundJson(finding, diagnosis.frameNames);
+                                })},
           {"undecided", listJson(diagnosis.parts.undecided(), undecidedJson)},
           {"right", listJson(diagnosis.parts.right(), [](const auto& right) { return right.sentence; })},
           {"notes", diagnosis.notes}};

@@ -2,7 +2,6 @@
 // painted frames with mistakes that no list has.
 #include "core/doctor/flow/FlowCheck.h"
 
-#include "core/doctor/frames/FramesText.h"
 #include "core/doctor/motion/MotionWords.h"
 #include "tests/support/doctor/PaintedFrames.h"
 
@@ -257,15 +256,6 @@ TEST(FlowCheck, NamesNoRootWhereAKnownMistakeExplainsAll) {
   };
   EXPECT_EQ(toldOf(given, false), "motionWithoutRoot") << "the curve does explain it";
   EXPECT_EQ(toldOf(mended, true), "motionNegatedX");
-}
-
-TEST(FramesText, SaysWhichOfThoseAsked) {
-  const std::vector<int> asked{1, 2, 3, 5, 6, 7, 8, 9, 10};
-  EXPECT_EQ(framesText(asked, asked), "all frames");
-  EXPECT_EQ(framesText({5}, asked), "frame 5");
-  EXPECT_EQ(framesText({3, 5, 6}, asked), "frames 3 to 6") << "4 was not asked";
-  EXPECT_EQ(framesText({1, 3, 6}, asked), "frames 1, 3, 6 (3 of 9)");
-  EXPECT_EQ(framesText({1, 3, 5, 6, 7, 8, 10}, asked), "frames 1, 3, 5, 6, 7, 8 and 1 more (7 of 9)");
 }
 
 } // namespace taa::doctor
