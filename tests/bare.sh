@@ -15,7 +15,7 @@ inBare() {
 unmountBare() {
   local root=$1 folder
   for folder in root/shared ccache var/cache/apt/archives dev/pts dev sys proc; do
-    ! mountpoint -q "$root/$folder" || umount "$root/$folder" || umount -l "$root/$folder"
+    ! mountpoint -q "$root/$folder" || umount "$root/$folder" 2>/dev/null || umount -l "$root/$folder"
   done
 }
 

@@ -280,8 +280,16 @@ void readAbout(const json& object, Manifest& manifest) {
     manifest.conventions = readConventions(*conventions, manifest.conventions);
 }
 
+/// Sessions end in .json as well.
+void refuseSession(const json& object) {
+  if (findField(object, "source") && !findField(object, "frames"))
+    throw Error(
+        say<"it is a session, no capture: taa-inspector opens it, and taa-batch takes it with --session">());
+}
+
 Manifest manifestFrom(const json& object) {
   requireObject(object, "");
+  refuseSession(object);
   requireFormat(object, kManifestFormat);
   requireKeys(object, "", kManifestKeys);
   Manifest manifest;

@@ -115,6 +115,8 @@ TEST(HostileManifest, KeysThatAreUnknownMissingOrTwice) {
   EXPECT_EQ(refusalOf(R"({"size": [1, 1], "frames": []})"), "the key \"format\" is missing");
   EXPECT_EQ(refusalOf(R"({"format": 1, "frames": []})"), "the key \"size\" is missing");
   EXPECT_EQ(refusalOf(R"({"format": 1, "size": [1, 1]})"), "the key \"frames\" is missing");
+  EXPECT_EQ(refusalOf(R"({"format": 7, "source": "builtin:fan", "frame": 3})"),
+            "it is a session, no capture: taa-inspector opens it, and taa-batch takes it with --session");
   EXPECT_EQ(refusalOf(R"({"format": 1, "size": [1, 1], "frames": [{"number": 0}]})"),
             "the key \"planes.color\" is missing");
   EXPECT_EQ(refusalOf(R"({"format": 1, "size": [1, 1], "planes": {"color": {}}, "frames": []})"),
