@@ -47,22 +47,8 @@ FrameReader withoutDepth(FrameReader read) {
 }
 
 bool mendsAlone(const MotionTrial& trial) {
-  if (isOfJitter(trial.kind)) return true;
-  switch (trial.kind) {
-  case MotionKind::Scaled:
-  case MotionKind::OtherUnit:
-  case MotionKind::MirroredX:
-  case MotionKind::MirroredY:
-  case MotionKind::Opposite:
-  case MotionKind::SwappedAxes:
-  case MotionKind::TurnedLeft:
-  case MotionKind::TurnedRight:
-  case MotionKind::Encoded:
-  case MotionKind::Root:
-    return true;
-  default:
-    return false;
-  }
+  const MotionMadeOf made = madeOf(trial.kind);
+  return made == MotionMadeOf::Factors || made == MotionMadeOf::Curve || made == MotionMadeOf::Jitter;
 }
 
 FrameReader withMotion(FrameReader read, MotionTrial trial, std::map<int, glm::vec2> stated) {

@@ -469,7 +469,8 @@ void tellReadings(std::vector<Refuted>& refuted, const FlowSeen& seen, const Pat
     const std::vector<std::size_t> best = bestReadings(one.squares, trials, healthy);
     if (best.empty()) return false;
     // What is right in the frames before and after a wrong one is no motion of theirs that came late.
-    if (isOfTime(trials[best.front()].kind) && borneOut(one.ofAll, best.front()) != BorneOut::Yes)
+    if (madeOf(trials[best.front()].kind) == MotionMadeOf::OtherFrame &&
+        borneOut(one.ofAll, best.front()) != BorneOut::Yes)
       return false;
     byTrial[best.front()].push_back(one);
     rivals[best.front()].insert(best.begin() + 1, best.end());

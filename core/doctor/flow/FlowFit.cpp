@@ -161,31 +161,6 @@ bool hasOffset(const FlowFit& fit) {
          std::abs(fit.offsetPx.y) > std::max(kOffsetPx, 3.0 * fit.offsetErrorsPx.y);
 }
 
-std::optional<glm::dmat2> factorsOf(const MotionTrial& trial) {
-  const auto along = [](const glm::vec2& factor) {
-    return glm::dmat2(glm::dvec2(factor.x, 0.0), glm::dvec2(0.0, factor.y));
-  };
-  switch (trial.kind) {
-  case MotionKind::Scaled:
-  case MotionKind::OtherUnit:
-    return along(trial.factor);
-  case MotionKind::MirroredX:
-    return along({-1.0f, 1.0f});
-  case MotionKind::MirroredY:
-    return along({1.0f, -1.0f});
-  case MotionKind::Opposite:
-    return along({-1.0f, -1.0f});
-  case MotionKind::SwappedAxes:
-    return glm::dmat2(glm::dvec2(0.0, 1.0), glm::dvec2(1.0, 0.0));
-  case MotionKind::TurnedLeft:
-    return glm::dmat2(glm::dvec2(0.0, 1.0), glm::dvec2(-1.0, 0.0));
-  case MotionKind::TurnedRight:
-    return glm::dmat2(glm::dvec2(0.0, -1.0), glm::dvec2(1.0, 0.0));
-  default:
-    return {};
-  }
-}
-
 std::optional<MotionTrial> knownTrial(const FlowFit& fit, const glm::ivec2& sizePx) {
   if (hasOffset(fit)) return {};
   for (const MotionTrial& trial : motionTrials(sizePx)) {

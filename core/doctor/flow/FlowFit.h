@@ -54,8 +54,6 @@ double followedShare(const FlowFit& fit, const std::vector<const FlowSquare*>& s
 /// pictures move that way.
 bool isClipped(const std::vector<const FlowSquare*>& squares, int axis);
 
-/// What is made of the motion given, where that is all that an explanation says.
-std::optional<glm::dmat2> factorsOf(const MotionTrial& trial);
 /// A known explanation whose numbers lie within the errors of the fit.
 std::optional<MotionTrial> knownTrial(const FlowFit& fit, const glm::ivec2& sizePx);
 

@@ -77,7 +77,8 @@ std::vector<std::size_t> bestReadings(const std::vector<const FlowSquare*>& squa
   std::vector<std::pair<double, std::size_t>> all;
   double best = std::numeric_limits<double>::infinity();
   for (std::size_t t = 1; t < trials.size(); ++t) {
-    if (factorsOf(trials[t]) || isOfJitter(trials[t].kind)) continue;
+    const MotionMadeOf made = madeOf(trials[t].kind);
+    if (made == MotionMadeOf::Factors || made == MotionMadeOf::Jitter) continue;
     all.emplace_back(leftPx(squares, t), t);
     best = std::min(best, all.back().first);
   }

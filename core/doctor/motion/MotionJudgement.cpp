@@ -302,7 +302,7 @@ void leaveSkyAlone(std::vector<JudgedRegion>& judged, const std::vector<MotionTr
     if (!sky.region->isSky || !sky.trial) continue;
     const bool isAlone = std::ranges::none_of(
         judged, [&](const JudgedRegion& other) { return &other != &sky && other.trial == sky.trial; });
-    if (!isOfTime(trials[*sky.trial].kind) || !isAlone) continue;
+    if (madeOf(trials[*sky.trial].kind) != MotionMadeOf::OtherFrame || !isAlone) continue;
     sky.trial.reset();
     sky.decision = {MotionVerdict::Contradicted, {}};
   }
@@ -314,7 +314,7 @@ void leaveJitterAlone(std::vector<JudgedRegion>& judged, const std::vector<Motio
   constexpr std::size_t kEnoughSquaresAlone = 60, kEnoughPixelsApart = 150;
   constexpr double kRefutes = 1.2;
   for (std::size_t t = 0; t < trials.size(); ++t) {
-    if (!isOfJitter(trials[t].kind)) continue;
+    if (madeOf(trials[t].kind) != MotionMadeOf::Jitter) continue;
     std::size_t squares = 0, refuting = 0;
     for (const JudgedRegion& region : judged) {
       const TrialEvidence& evidence = region.evidence->trials[t];

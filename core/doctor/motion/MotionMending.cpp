@@ -3,6 +3,7 @@
 #include "core/base/NumberText.h"
 
 #include <cmath>
+#include <string_view>
 
 namespace taa::doctor {
 
@@ -30,63 +31,14 @@ MendingSettings unitMending(const MotionTrial& trial) {
 } // namespace
 
 std::vector<std::string> motionMending(const MotionTrial& trial) {
-  switch (trial.kind) {
-  case MotionKind::AsGiven:
-  case MotionKind::TwoFramesOld: // what an earlier frame added is not known of what moves
-    return {};
-  case MotionKind::Resting:
-    return {"fault.motion=zero"};
-  case MotionKind::OfCamera:
-  case MotionKind::CameraTurned:
-  case MotionKind::CameraBeside:
-  case MotionKind::CameraMirrored:
-  case MotionKind::CameraUnzoomed:
-  case MotionKind::CameraUnmoved:
-  case MotionKind::CameraUnturned:
-  case MotionKind::CameraIdentity:
-    return {"fault.motion=cameraOnly"};
-  case MotionKind::LacksCamera:
-    return {"fault.previousCamera=twice"};
-  case MotionKind::CameraTwice:
-    return {"fault.previousCamera=ofNow"};
-  case MotionKind::Scaled:
+  if (trial.kind == MotionKind::Scaled)
     return {"fault.motionX=" + factorText(trial.factor.x), "fault.motionY=" + factorText(trial.factor.y)};
-  case MotionKind::OtherUnit:
-    return unitMending(trial);
-  case MotionKind::MirroredX:
-    return {"fault.motionX=-1"};
-  case MotionKind::MirroredY:
-    return {"fault.motionY=-1"};
-  case MotionKind::Opposite:
-    return {"fault.motionX=-1", "fault.motionY=-1"};
-  case MotionKind::SwappedAxes:
-    return {"fault.motionSwapped=on"};
-  case MotionKind::JitterOfThis:
-    return {"fault.motionJitter=thisOff"};
-  case MotionKind::JitterOfPrevious:
-    return {"fault.motionJitter=lastOff"};
-  case MotionKind::JitterOfBoth:
-    return {"fault.motionJitter=bothOff"};
-  case MotionKind::JitterTakenOff:
-    return {"fault.motionJitter=both"};
-  case MotionKind::JitterOfThisTakenOff:
-    return {"fault.motionJitter=this"};
-  case MotionKind::JitterOfPreviousTakenOff:
-    return {"fault.motionJitter=last"};
-  case MotionKind::FrameLate:
-    return {"fault.motionLag=-1"};
-  case MotionKind::FrameEarly:
-    return {"fault.motionLag=1"};
-  case MotionKind::TurnedLeft: // no setting turns
-  case MotionKind::TurnedRight:
-  case MotionKind::Forward: // … or looks for the same surface
-    return {};
-  case MotionKind::Encoded:
-    return {"fault.motionUnit=asBiased"};
-  case MotionKind::Root:
-    return {"fault.motionUnit=asRoot"};
-  }
-  return {};
+  if (trial.kind == MotionKind::OtherUnit) return unitMending(trial);
+  if (madeOf(trial.kind) == MotionMadeOf::OtherCamera) return motionMending({MotionKind::OfCamera});
+  std::vector<std::string> out;
+  for (const std::string_view assignment : motionRow(trial.kind).mending)
+    if (!assignment.empty()) out.emplace_back(assignment);
+  return out;
 }
 
 } // namespace taa::doctor

@@ -41,23 +41,9 @@ constexpr double kExplainedWay = 2.0;
 /// Whether the motion given by it would be another one for the middle as well, whatever turns: by a factor, a
 /// sign, an axis or a unit, or as what rests in the world.
 bool isOfMiddle(MotionKind kind) {
-  switch (kind) {
-  case MotionKind::OfCamera:
-  case MotionKind::TwoFramesOld:
-  case MotionKind::Scaled:
-  case MotionKind::OtherUnit:
-  case MotionKind::MirroredX:
-  case MotionKind::MirroredY:
-  case MotionKind::Opposite:
-  case MotionKind::SwappedAxes:
-  case MotionKind::TurnedLeft:
-  case MotionKind::TurnedRight:
-  case MotionKind::Encoded:
-  case MotionKind::Root:
-    return true;
-  default:
-    return false;
-  }
+  const MotionMadeOf made = madeOf(kind);
+  return made == MotionMadeOf::Factors || made == MotionMadeOf::Curve || kind == MotionKind::OfCamera ||
+         kind == MotionKind::TwoFramesOld;
 }
 
 bool areAsLarge(double a, double b) {

@@ -83,7 +83,7 @@ class PairOutlines {
     OutlineEvidence& outline = out_[region];
     outline.trials.resize(trials_.size());
     for (std::size_t t = 0; t < trials_.size(); ++t) {
-      if (isOfJitter(trials_[t].kind)) continue;
+      if (madeOf(trials_[t].kind) == MotionMadeOf::Jitter) continue;
       if (const auto motion = trueMotion(trials_[t], frames_, pixel))
         compare(pixel, given, *isGivenOutside, *motion, outline.trials[t]);
     }

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -13,50 +14,92 @@ namespace taa::doctor {
 
 namespace {
 
-struct TrialWords {
-  std::string_view id;
-  std::string_view text;
-};
-
-/// In the order of the enumerators; those with a factor say it.
-constexpr std::array<TrialWords, 32> kTrialWords = {{
-    {"asGiven", "as given"},
-    {"resting", "at rest on the screen"},
-    {"ofCamera", "that of the camera"},
-    {"lacksCamera", "with the camera's motion added"},
-    {"cameraTwice", "with the camera's motion taken off once"},
-    {"scaled", ""},
-    {"otherUnit", ""},
-    {"mirroredX", "x negated"},
-    {"mirroredY", "y negated"},
-    {"opposite", "both negated"},
-    {"swappedAxes", "x and y exchanged"},
-    {"turnedLeft", "x and y exchanged, x negated then"},
-    {"turnedRight", "x and y exchanged, y negated then"},
-    {"jitterOfThis", "without this frame's jitter"},
-    {"jitterOfPrevious", "without the jitter of the frame before"},
-    {"jitterOfBoth", "without the difference of both jitters"},
-    {"jitterTakenOff", "with the difference of both jitters added"},
-    {"jitterOfThisTakenOff", "with this frame's jitter added"},
-    {"jitterOfPreviousTakenOff", "with the jitter of the frame before added"},
-    {"frameLate", "that of the frame after"},
-    {"frameEarly", "that of the frame before"},
-    {"forward", "that which the frame before holds of the same surface"},
-    {"encoded", "decoded from 0 to 1"},
-    {"root", "squared, in shares of the picture"},
-    {"twoFramesOld", "without that of the frame before, which it holds as well"},
-    {"cameraTurned", "with the previous camera turned back"},
-    {"cameraBeside", "with the previous camera moved back"},
-    {"cameraMirrored", "with the previous camera's own matrix, not that of a mirror"},
-    {"cameraIdentity", "with the previous camera's matrix, which was never set"},
-    {"cameraUnzoomed", "with the previous camera's own projection, not this one's"},
-    {"cameraUnmoved", "with the way of the camera, not its turning alone"},
-    {"cameraUnturned", "with the turning of the camera, not its way alone"},
-}};
-
-const TrialWords& wordsOf(const MotionTrial& trial) {
-  return kTrialWords[static_cast<std::size_t>(trial.kind)];
+/// In the order of the enumerators.
+constexpr std::array<MotionRow, 32> motionRows() {
+  using enum MotionKind;
+  using enum MotionMadeOf;
+  return {{
+      {AsGiven, "asGiven", "as given", Given},
+      {Resting, "resting", "at rest on the screen", Screen, {"fault.motion=zero"}},
+      {OfCamera, "ofCamera", "that of the camera", Camera, {"fault.motion=cameraOnly"}},
+      {LacksCamera, "lacksCamera", "with the camera's motion added", Camera, {"fault.previousCamera=twice"}},
+      {CameraTwice,
+       "cameraTwice",
+       "with the camera's motion taken off once",
+       Camera,
+       {"fault.previousCamera=ofNow"}},
+      {Scaled, "scaled", "", Factors},
+      {OtherUnit, "otherUnit", "", Factors},
+      {MirroredX, "mirroredX", "x negated", Factors, {"fault.motionX=-1"}, {-1, 0, 0, 1}},
+      {MirroredY, "mirroredY", "y negated", Factors, {"fault.motionY=-1"}, {1, 0, 0, -1}},
+      {Opposite,
+       "opposite",
+       "both negated",
+       Factors,
+       {"fault.motionX=-1", "fault.motionY=-1"},
+       {-1, 0, 0, -1}},
+      {SwappedAxes, "swappedAxes", "x and y exchanged", Factors, {"fault.motionSwapped=on"}, {0, 1, 1, 0}},
+      {TurnedLeft, "turnedLeft", "x and y exchanged, x negated then", Factors, {}, {0, -1, 1, 0}},
+      {TurnedRight, "turnedRight", "x and y exchanged, y negated then", Factors, {}, {0, 1, -1, 0}},
+      {JitterOfThis,
+       "jitterOfThis",
+       "without this frame's jitter",
+       Jitter,
+       {"fault.motionJitter=thisOff"},
+       {-1, 0}},
+      {JitterOfPrevious,
+       "jitterOfPrevious",
+       "without the jitter of the frame before",
+       Jitter,
+       {"fault.motionJitter=lastOff"},
+       {0, 1}},
+      {JitterOfBoth,
+       "jitterOfBoth",
+       "without the difference of both jitters",
+       Jitter,
+       {"fault.motionJitter=bothOff"},
+       {-1, 1}},
+      {JitterTakenOff,
+       "jitterTakenOff",
+       "with the difference of both jitters added",
+       Jitter,
+       {"fault.motionJitter=both"},
+       {1, -1}},
+      {JitterOfThisTakenOff,
+       "jitterOfThisTakenOff",
+       "with this frame's jitter added",
+       Jitter,
+       {"fault.motionJitter=this"},
+       {1, 0}},
+      {JitterOfPreviousTakenOff,
+       "jitterOfPreviousTakenOff",
+       "with the jitter of the frame before added",
+       Jitter,
+       {"fault.motionJitter=last"},
+       {0, -1}},
+      {FrameLate, "frameLate", "that of the frame after", OtherFrame, {"fault.motionLag=-1"}},
+      {FrameEarly, "frameEarly", "that of the frame before", OtherFrame, {"fault.motionLag=1"}},
+      {Forward, "forward", "that which the frame before holds of the same surface", OtherFrame},
+      {Encoded, "encoded", "decoded from 0 to 1", Curve, {"fault.motionUnit=asBiased"}},
+      {Root, "root", "squared, in shares of the picture", Curve, {"fault.motionUnit=asRoot"}},
+      // What an earlier frame added is not known of what moves.
+      {TwoFramesOld, "twoFramesOld", "without that of the frame before, which it holds as well", Camera},
+      {CameraTurned, "cameraTurned", "with the previous camera turned back", OtherCamera},
+      {CameraBeside, "cameraBeside", "with the previous camera moved back", OtherCamera},
+      {CameraMirrored, "cameraMirrored", "with the previous camera's own matrix, not that of a mirror",
+       OtherCamera},
+      {CameraIdentity, "cameraIdentity", "with the previous camera's matrix, which was never set",
+       OtherCamera},
+      {CameraUnzoomed, "cameraUnzoomed", "with the previous camera's own projection, not this one's",
+       OtherCamera},
+      {CameraUnmoved, "cameraUnmoved", "with the way of the camera, not its turning alone", OtherCamera},
+      {CameraUnturned, "cameraUnturned", "with the turning of the camera, not its way alone", OtherCamera},
+  }};
 }
+constexpr std::array<MotionRow, 32> kMotionRows = motionRows();
+static_assert(std::ranges::all_of(kMotionRows, [](const MotionRow& row) {
+  return &row - kMotionRows.data() == static_cast<std::ptrdiff_t>(row.kind);
+}));
 
 std::optional<glm::vec2> knownMotion(const glm::vec2& motionPx) {
   if (!isMotion(motionPx)) return {};
@@ -142,22 +185,21 @@ std::optional<glm::vec2> withoutOlder(const FrameNeighbors& frames, const glm::i
 
 } // namespace
 
-bool isOfJitter(MotionKind kind) {
-  switch (kind) {
-  case MotionKind::JitterOfThis:
-  case MotionKind::JitterOfPrevious:
-  case MotionKind::JitterOfBoth:
-  case MotionKind::JitterTakenOff:
-  case MotionKind::JitterOfThisTakenOff:
-  case MotionKind::JitterOfPreviousTakenOff:
-    return true;
-  default:
-    return false;
-  }
+const MotionRow& motionRow(MotionKind kind) {
+  return kMotionRows[static_cast<std::size_t>(kind)];
 }
 
-bool isOfTime(MotionKind kind) {
-  return kind == MotionKind::FrameLate || kind == MotionKind::FrameEarly || kind == MotionKind::Forward;
+MotionMadeOf madeOf(MotionKind kind) {
+  return motionRow(kind).madeOf;
+}
+
+std::optional<glm::dmat2> factorsOf(const MotionTrial& trial) {
+  const MotionRow& row = motionRow(trial.kind);
+  if (row.madeOf != MotionMadeOf::Factors) return {};
+  if (trial.kind == MotionKind::Scaled || trial.kind == MotionKind::OtherUnit)
+    return glm::dmat2(glm::dvec2(trial.factor.x, 0.0), glm::dvec2(0.0, trial.factor.y));
+  const auto& [xOfX, xOfY, yOfX, yOfY] = row.shares;
+  return glm::dmat2(glm::dvec2(xOfX, yOfX), glm::dvec2(xOfY, yOfY));
 }
 
 std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx) {
@@ -194,7 +236,7 @@ std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx) {
 }
 
 std::string trialId(const MotionTrial& trial) {
-  const std::string id(wordsOf(trial).id), x = shortNumber(static_cast<double>(trial.factor.x));
+  const std::string id(motionRow(trial.kind).id), x = shortNumber(static_cast<double>(trial.factor.x));
   if (trial.kind == MotionKind::Scaled) return id + ":" + x;
   if (trial.kind != MotionKind::OtherUnit) return id;
   return id + ":" + x + "," + shortNumber(static_cast<double>(trial.factor.y));
@@ -205,7 +247,7 @@ std::string trialText(const MotionTrial& trial) {
     return say<"times %1">(shortNumber(static_cast<double>(trial.factor.x)));
   if (trial.kind == MotionKind::OtherUnit)
     return say<"times %1: another unit">(shortVector(glm::dvec2(trial.factor)));
-  return std::string(wordsOf(trial).text);
+  return std::string(motionRow(trial.kind).text);
 }
 
 bool wasHidden(const FrameNeighbors& frames, const glm::ivec2& pixel, const glm::ivec2& before, float share) {
@@ -219,7 +261,9 @@ bool wasHidden(const FrameNeighbors& frames, const glm::ivec2& pixel, const glm:
 std::optional<glm::vec2> trueMotion(const MotionTrial& trial, const FrameNeighbors& frames,
                                     const glm::ivec2& pixel) {
   const glm::vec2 given = frames.now.motionAt(pixel.x, pixel.y);
-  const glm::vec2 jitter = frames.now.jitterPx, previousJitter = frames.before.jitterPx;
+  if (const auto factors = factorsOf(trial)) return glm::vec2(*factors * glm::dvec2(given));
+  if (const MotionRow& row = motionRow(trial.kind); row.madeOf == MotionMadeOf::Jitter)
+    return given + (row.shares[0] * frames.now.jitterPx + row.shares[1] * frames.before.jitterPx);
   switch (trial.kind) {
   case MotionKind::AsGiven:
     return given;
@@ -231,33 +275,6 @@ std::optional<glm::vec2> trueMotion(const MotionTrial& trial, const FrameNeighbo
     return withOther(given, cameraMotionPx(frames.now, pixel), 1.0f);
   case MotionKind::CameraTwice:
     return withOther(given, cameraMotionPx(frames.now, pixel), -1.0f);
-  case MotionKind::Scaled:
-  case MotionKind::OtherUnit:
-    return given * trial.factor;
-  case MotionKind::MirroredX:
-    return given * glm::vec2(-1.0f, 1.0f);
-  case MotionKind::MirroredY:
-    return given * glm::vec2(1.0f, -1.0f);
-  case MotionKind::Opposite:
-    return -given;
-  case MotionKind::SwappedAxes:
-    return glm::vec2(given.y, given.x);
-  case MotionKind::TurnedLeft:
-    return glm::vec2(-given.y, given.x);
-  case MotionKind::TurnedRight:
-    return glm::vec2(given.y, -given.x);
-  case MotionKind::JitterOfThis:
-    return given - jitter;
-  case MotionKind::JitterOfPrevious:
-    return given + previousJitter;
-  case MotionKind::JitterOfBoth:
-    return given - (jitter - previousJitter);
-  case MotionKind::JitterTakenOff:
-    return given + (jitter - previousJitter);
-  case MotionKind::JitterOfThisTakenOff:
-    return given + jitter;
-  case MotionKind::JitterOfPreviousTakenOff:
-    return given - previousJitter;
   case MotionKind::FrameLate:
     if (!frames.after || frames.after->startsHistory || frames.after->motionPx.empty()) return {};
     return knownMotion(frames.after->motionAt(pixel.x, pixel.y));
@@ -286,8 +303,9 @@ std::optional<glm::vec2> trueMotion(const MotionTrial& trial, const FrameNeighbo
     return withoutOther(frames.others.unmoved, frames.now, pixel);
   case MotionKind::CameraUnturned:
     return withoutOther(frames.others.unturned, frames.now, pixel);
+  default: // by their rows
+    return {};
   }
-  return {};
 }
 
 } // namespace taa::doctor

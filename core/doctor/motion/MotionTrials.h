@@ -5,8 +5,10 @@
 #include "core/doctor/frames/DoctorFrame.h"
 #include "core/doctor/motion/OtherCameras.h"
 
+#include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -58,10 +60,34 @@ struct MotionTrial {
   bool isDevice = false;  ///< of OtherUnit: device coordinates, not those of a texture
 };
 
-/// Whether jitter is left in it, or taken off though it had none.
-bool isOfJitter(MotionKind kind);
-/// Whether it is that of another frame.
-bool isOfTime(MotionKind kind);
+/// What the true motion is made of, if an explanation is right.
+enum class MotionMadeOf : std::uint8_t {
+  Given,
+  Screen,  ///< nothing: it is 0
+  Factors, ///< factors times m
+  Curve,   ///< m, not in proportion to it
+  Jitter,  ///< m and shares of the jitters of both frames
+  OtherFrame,
+  Camera,     ///< depth and the matrices of both frames, or these and m
+  OtherCamera ///< m less what depth and matrices make with another camera than theirs
+};
+
+/// What is known of each kind.
+struct MotionRow {
+  MotionKind kind;
+  std::string_view id, text; ///< for files, for people; of one with a factor of its own the text is empty
+  MotionMadeOf madeOf;
+  /// What makes such frames right, as --set takes it; empty: see motionMending().
+  std::array<std::string_view, 2> mending{};
+  /// Of Factors, unless the trial has them: what true x has of x and of y, and true y of x and of y. Of
+  /// Jitter: how many times the jitter of this frame, and of the one before, are added.
+  std::array<float, 4> shares{};
+};
+const MotionRow& motionRow(MotionKind kind);
+MotionMadeOf madeOf(MotionKind kind);
+
+/// What m is multiplied with; nothing where it is no product.
+std::optional<glm::dmat2> factorsOf(const MotionTrial& trial);
 
 /// AsGiven first, then all others for pictures of a size: those that say most before those that say little.
 std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx);

@@ -183,17 +183,12 @@ bool isFitted(const MotionTrial& trial) {
 }
 
 bool isParticular(const MotionTrial& trial) {
-  if (isOfJitter(trial.kind)) return true;
-  switch (trial.kind) {
-  case MotionKind::Encoded:
-  case MotionKind::Root:
-  case MotionKind::CameraTurned:
-  case MotionKind::CameraMirrored:
-  case MotionKind::CameraUnzoomed:
-  case MotionKind::CameraUnmoved:
-  case MotionKind::CameraUnturned:
-  case MotionKind::CameraIdentity:
+  switch (madeOf(trial.kind)) {
+  case MotionMadeOf::Jitter:
+  case MotionMadeOf::Curve:
     return true;
+  case MotionMadeOf::OtherCamera:
+    return trial.kind != MotionKind::CameraBeside;
   default:
     return false;
   }
