@@ -282,7 +282,7 @@ void tellBrightness(const BrightnessEvidence& evidence, const Patient& patient, 
   double most = 0.0;
   for (const BrightnessPair& pair : evidence.pairs) most = std::max(most, std::abs(pair.stops));
   if (!steps.empty()) {
-    out.findings.push_back(stepFinding(steps, out.frameNames));
+    out.findings.push_back(stepFinding(steps, patient.frameNames));
     tellPreExposure(evidence, patient, out.findings.back());
   } else if (most < kStepStops) {
     out.parts.addRight(

@@ -187,7 +187,7 @@ Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, c
     fit.reset(); // what is right everywhere else
   if (!fit) fit = explaining(squares, tolerancePx);
   if (const auto missing = fitOfMissing(refuted))
-    nameMissing(out.frameNames.of(framesOf(refuted).first.front()), *missing, finding);
+    nameMissing(patient.frameNames.of(framesOf(refuted).first.front()), *missing, finding);
   else if (fit)
     nameByFit(*fit, patient, finding);
   else
@@ -357,7 +357,7 @@ void tellFrames(const std::vector<Refuted>& refuted, const Patient& patient, Dia
           static_cast<double>(one.frames.size()) < kNearlyAll * static_cast<double>(one.asked.size());
       if (!isOfFinding || !isSometimes) continue;
       finding.reason +=
-          " " + say<"By what squares move by it is so in %1.">(out.frameNames.of(one.frames, one.asked));
+          " " + say<"By what squares move by it is so in %1.">(patient.frameNames.of(one.frames, one.asked));
       break;
     }
   }
@@ -447,12 +447,12 @@ void tellSlipped(const FlowSeen& seen, const Patient& patient, Diagnosis& out) {
       if (std::ranges::count(finding.regions, place.name, &RegionPlace::name) == 0)
         finding.regions.push_back(place);
     }
-    finding.reason +=
-        (finding.reason.empty() ? "" : " ") +
-        say<"In frame %1 the motion given of %2 of %3 objects that do not move so leads to "
-            "where other ones were, to %4 px: of %5 to where %6 was.">(
-            slipped.frame, slipped.told, slipped.regions.size(), shortNumber(slipped.px),
-            placeOf(*slipped.example, patient, 1.0).name, placeOf(*slipped.other, patient, 1.0).name);
+    finding.reason += (finding.reason.empty() ? "" : " ") +
+                      say<"In frame %1 the motion given of %2 of %3 objects that do not move so leads to "
+                          "where other ones were, to %4 px: of %5 to where %6 was.">(
+                          patient.frameNames.of(slipped.frame), slipped.told, slipped.regions.size(),
+                          shortNumber(slipped.px), placeOf(*slipped.example, patient, 1.0).name,
+                          placeOf(*slipped.other, patient, 1.0).name);
   }
   if (!finding.regions.empty()) addMotion(std::move(finding), out);
 }
@@ -519,7 +519,7 @@ void tellWholeFrames(const FlowSeen& seen, const Patient& patient, double tolera
   finding.sureness = Sureness::Likely;
   finding.isWholePicture = true;
   if (const auto missing = fitOfMissing(refuted))
-    nameMissing(out.frameNames.of(refuted.front().frames.front()), *missing, finding);
+    nameMissing(patient.frameNames.of(refuted.front().frames.front()), *missing, finding);
   else
     nameUnknown(finding);
   addMotion(std::move(finding), out);

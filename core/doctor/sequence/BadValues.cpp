@@ -177,8 +177,8 @@ void tellBadValues(const ValueEvidence& evidence, const std::vector<Region>& reg
   std::ranges::stable_sort(finding.regions, std::greater(), &RegionPlace::share);
   finding.reason =
       say<"In %1 motion is NaN at %2 pixels and infinite at %3, for example at pixel %4, %5 of frame %6.">(
-          out.frameNames.of(motion.frames, evidence.asked()), motion.nan, motion.infinite, motion.pixel.x,
-          motion.pixel.y, out.frameNames.of(motion.frames.front()));
+          patient.frameNames.of(motion.frames, evidence.asked()), motion.nan, motion.infinite, motion.pixel.x,
+          motion.pixel.y, patient.frameNames.of(motion.frames.front()));
   finding.change = say<
       "Look for a division by 0 where its motion is made: w of a previous position that was never set, or "
       "a matrix that cannot be inverted. If NaN says \"not written\", write a number for that and state it (motion.notWritten).">();

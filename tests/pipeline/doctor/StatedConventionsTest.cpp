@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <future>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -49,9 +50,11 @@ class StatedCapture {
   }
   /// All that is found in the frames where this is stated of them.
   std::vector<Finding> foundIn(const capture::Manifest& stated) const {
+    return examine(examinationOf(open(stated), kStatedFrames)).findings;
+  }
+  DoctorSource open(const capture::Manifest& stated) const {
     writeFile(folder_ / capture::kManifestName, capture::manifestText(stated));
-    const DoctorSource source = openForDoctor({folder_.string(), "", kStatedPx, {}});
-    return examine(examinationOf(source, kStatedFrames)).findings;
+    return openForDoctor({folder_.string(), "", kStatedPx, {}});
   }
   /// Ids of it, in order.
   std::vector<std::string> found(const std::vector<std::string>& assignments) const {
@@ -115,6 +118,15 @@ TEST_F(StatedConventions, AreNamedWhereOneIsWrong) {
   EXPECT_EQ(own().found({}), Ids{});
   for (const Misstated& stated : one)
     EXPECT_EQ(own().found({stated.assignment}), Ids{stated.id}) << stated.assignment;
+}
+
+// Frames are called by the numbers that the capture gives them, where one is missing.
+TEST_F(StatedConventions, HoldNumbersOfFrames) {
+  const StatedCapture shot("numbers", {});
+  capture::Manifest stated = shot.healthy();
+  EXPECT_EQ(shot.open(stated).frameNames.number(7), std::nullopt);
+  stated.frames.erase(stated.frames.begin() + 5);
+  EXPECT_EQ(examinationOf(shot.open(stated), kStatedFrames).patient.frameNames.of(7), "7 (number 8)");
 }
 
 TEST_F(StatedConventions, AreNamedWhereTwoAreWrong) {

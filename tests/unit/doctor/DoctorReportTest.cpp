@@ -69,6 +69,19 @@ TEST(DoctorReport, HasNoTableWhereNothingWasCompared) {
   EXPECT_NE(text.find("pixel 88, 58\n\nRight"), std::string::npos) << text;
 }
 
+TEST(DoctorReport, SaysNumbersOfFrames) {
+  doctor::Diagnosis numbered = diagnosis();
+  numbered.frameNames = doctor::FrameNames({1001, 1002, 1003, 1004, 1005, 1006, 1007, 1008, 1009});
+  numbered.first = 1;
+  const std::string text = doctorText(numbered, "shot");
+  EXPECT_TRUE(text.starts_with("shot: 8 frames (numbers 1002 to 1009), 7 pairs compared\n")) << text;
+  EXPECT_NE(text.find("Look at: frame 3 (number 1004), pixel"), std::string::npos) << text;
+  EXPECT_NE(doctorHtml(numbered, "shot").find("largest in frame 3 (number 1004)"), std::string::npos);
+  const auto region = doctorJson(numbered, "shot")["findings"][0]["regions"][0];
+  EXPECT_EQ(region["frame"], 3);
+  EXPECT_EQ(region["number"], 1004);
+}
+
 TEST(DoctorReport, SaysSoWhereNothingIsWrong) {
   doctor::Diagnosis healthy;
   EXPECT_EQ(doctorText(healthy, "shot"), "shot: 0 frames, 0 pairs compared\nNothing wrong was found.\n");

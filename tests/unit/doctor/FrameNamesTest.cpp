@@ -29,6 +29,7 @@ TEST(FrameNames, HoldNumbersThatAreNotThePlaces) {
   const FrameNames names(numbers);
   EXPECT_EQ(names.number(3), 3);
   EXPECT_EQ(names.of(7), "7 (number 9)");
+  EXPECT_EQ(names.of(3), "3 (number 3)") << "where some have numbers, all have";
   EXPECT_EQ(names.of(99), "99") << "beyond all of them";
   const std::vector<int> asked{1, 2, 3, 5, 6, 7, 8, 9, 10};
   EXPECT_EQ(names.of(asked, asked), "all frames");

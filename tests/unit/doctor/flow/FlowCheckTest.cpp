@@ -230,7 +230,10 @@ TEST(FlowCheck, NamesNoRootWhereAKnownMistakeExplainsAll) {
         one.region = 0;
         one.given = {sign * (2.8 + 0.002 * square), 0.0};
         one.px = {sign * one.given.x, 0.0};
-        if (square == 0) one.px.x *= 0.6, one.given.x *= 0.36; // one that by chance only a curve explains
+        if (square == 0) { // by chance only a curve explains it
+          one.px.x *= 0.6;
+          one.given.x *= 0.36;
+        }
         one.errorPx = 0.02;
         one.left = 0.004;
         one.leftAsGiven = one.apart = sign < 0.0 ? 0.03 : 0.004;

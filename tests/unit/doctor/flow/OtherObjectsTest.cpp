@@ -126,6 +126,15 @@ TEST(SlippedFrames, AreThoseInWhichAListSlips) {
   EXPECT_EQ(slipped[0].example, &regions[5]);
   EXPECT_EQ(slipped[0].other, &regions[4]);
   EXPECT_LT(slipped[0].px, 1e-9);
+  Patient patient;
+  patient.sizePx = {256, 96};
+  patient.frameNames = FrameNames({1000, 1001, 1002, 1003, 1004, 1005, 1006, 1007, 1008});
+  Diagnosis diagnosis;
+  tellFlow({pairs, regions}, {pairs, regions}, {patient}, diagnosis);
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  EXPECT_TRUE(
+      diagnosis.findings[0].reason.starts_with("In frame 4 (number 1004) the motion given of 4 of 4 "))
+      << diagnosis.findings[0].reason;
   // Wrong by something else: they lead to where nothing was.
   for (auto& [region, means] : pairs[kSlips - 1].means) means.given += glm::dvec2(11.0, 12.0);
   EXPECT_TRUE(slippedFrames({pairs, regions}).empty());
