@@ -66,6 +66,35 @@ void collect(const QList<QAction*>& actions, std::vector<QAction*>& into) {
       into.push_back(action);
 }
 
+// As QTest::keyClick does, which goes on with a window that one of these keys has closed and ended.
+void pressKey(const QPointer<QWindow>& handle, Qt::Key key, Qt::KeyboardModifiers held) {
+  struct Modifier {
+    Qt::KeyboardModifier held;
+    Qt::Key key;
+  };
+  constexpr std::array kModifiers{Modifier{Qt::ShiftModifier, Qt::Key_Shift},
+                                  Modifier{Qt::ControlModifier, Qt::Key_Control},
+                                  Modifier{Qt::AltModifier, Qt::Key_Alt}};
+  const auto send = [&](bool down, Qt::Key code, Qt::KeyboardModifiers with, const QString& text) {
+    if (handle) QTest::simulateEvent(handle, down, code, with, text, false);
+  };
+  Qt::KeyboardModifiers down;
+  for (const Modifier& each : kModifiers)
+    if (held & each.held) {
+      send(true, each.key, down, {});
+      down |= each.held;
+    }
+  const char letter = QTest::keyToAscii(key);
+  const QString text = letter ? QString(QLatin1Char(letter)) : QString();
+  send(true, key, held, text);
+  send(false, key, held, text);
+  for (auto each = kModifiers.rbegin(); each != kModifiers.rend(); ++each)
+    if (held & each->held) {
+      send(false, each->key, down, {});
+      down &= ~each->held;
+    }
+}
+
 std::string textOf(const QPoint& point) {
   return std::to_string(point.x()) + "," + std::to_string(point.y());
 }
@@ -107,12 +136,9 @@ QPoint RandomInput::pointIn(const QWidget* top) {
 void RandomInput::press(const Tell& tell) {
   QWidget* top = target();
   const Qt::Key key = kKeys[static_cast<std::size_t>(below(static_cast<int>(kKeys.size())))];
-  // QTest presses modifiers first, and goes on with a menu that Alt has closed and ended.
-  const Qt::KeyboardModifiers held = top->windowType() == Qt::Popup ? Qt::NoModifier : modifiers();
+  const Qt::KeyboardModifiers held = modifiers();
   tell("key " + QKeySequence(static_cast<int>(held) | key).toString().toStdString() + " to " + nameOf(top));
-  const QPointer<QWindow> handle = top->windowHandle();
-  QTest::keyPress(handle, key, held);
-  if (handle) QTest::keyRelease(handle, key, held); // a menu may have gone
+  pressKey(top->windowHandle(), key, held);
 }
 
 // No slash and no dot: a text is never the path of something that is there.
@@ -157,7 +183,7 @@ void RandomInput::drag(const Tell& tell) {
   QTest::mousePress(handle, button, {}, from);
   for (int step = 1; step <= kSteps && handle; ++step)
     QTest::mouseMove(handle, from + (to - from) * step / kSteps);
-  if (handle && oneIn(10)) QTest::keyClick(handle, Qt::Key_Escape);
+  if (handle && oneIn(10)) pressKey(handle, Qt::Key_Escape, {});
   if (handle) QTest::mouseRelease(handle, button, {}, to);
 }
 
