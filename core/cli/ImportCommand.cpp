@@ -33,7 +33,8 @@ struct ImportCommand final : Command {
     description("Say what a folder of an engine's frames is, by names, side files and pixels, and write it "
                 "as a capture");
     add_option("FOLDER", folder, "Holds pictures (EXR, PNG, HDR, TIFF, DDS), or capture.json")->required();
-    add_option("--like", like, "A starting point to begin with: " + startingPointIds());
+    add_option("--like", like,
+               "Whose conventions are taken where pixels decide nothing else: " + startingPointIds());
     add_option("--set", assignments,
                "key=value of a convention, which is then not questioned; repeat it for more")
         ->allow_extra_args(false);

@@ -7,7 +7,8 @@
 
 namespace taa {
 
-std::vector<glm::mat4> jointMatrices(const Scene& scene, const Skin& skin, const Pose& pose) {
+std::vector<glm::mat4> jointMatrices([[maybe_unused]] const Scene& scene, const Skin& skin,
+                                     const Pose& pose) {
   assert(skin.joints.size() == skin.inverseBinds.size() && pose.worldFromNode.size() == scene.nodes.size());
   std::vector<glm::mat4> matrices;
   matrices.reserve(skin.joints.size());

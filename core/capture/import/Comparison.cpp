@@ -108,6 +108,10 @@ bool TrialComparison::isClear() const {
   return gain >= kSameResidual && factor >= kClearFactor && share >= kClearShare && hasRegions();
 }
 
+bool TrialComparison::isEven() const {
+  return possible > 1 && (gain < kSameResidual || factor < kClearFactor || !hasRegions());
+}
+
 TrialComparison compare(FrameSamples& samples, const std::vector<Trial>& trials) {
   std::vector<Outcome> outcomes;
   for (const Trial& trial : trials) outcomes.push_back(outcomeOf(samples, trial));
@@ -139,6 +143,10 @@ TrialComparison compare(const FrameSamples& samples, const std::vector<Outcome>&
   out.factor = out.residuals[order[1]] / std::max(out.residuals[order[0]], 1e-9);
   compareRegions(outcomes[order[0]], outcomes[order[1]], pixels, regions, out);
   return out;
+}
+
+TrialComparison compare(FrameSamples& samples, const TestState& first, const TestState& second) {
+  return compare(samples, {{"", {}, first}, {"", {}, second}});
 }
 
 double roughResidual(FrameSamples& samples, const TestState& state) {

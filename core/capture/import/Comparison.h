@@ -37,6 +37,8 @@ struct TrialComparison {
   bool hasRegions() const;
   /// Whether the best one stands out.
   bool isClear() const;
+  /// Whether the second leaves no more than the best one, as far as anything can be told.
+  bool isEven() const;
 };
 
 TrialComparison compare(FrameSamples& samples, const std::vector<Trial>& trials);
@@ -55,6 +57,9 @@ struct Outcome {
 
 /// Of outcomes by whatever error; pixels that one of them does not know count for none.
 TrialComparison compare(const FrameSamples& samples, const std::vector<Outcome>& outcomes);
+
+/// What pixels say of two states.
+TrialComparison compare(FrameSamples& samples, const TestState& first, const TestState& second);
 
 /// The mean of |luma − luma of the frame before| × 1000 over every n-th pixel of the sample; infinite where
 /// conventions contradict the capture. Faster than compare(), for many states.

@@ -67,16 +67,35 @@ struct DepthTrial {
   double median = std::numeric_limits<double>::infinity();
 };
 
+bool areWindow(const DepthValues& values) {
+  return values.lowest >= -1.0 && values.highest <= 1.0;
+}
+
+/// The value for nothing where depth is of that kind; nothing: the farthest that it can have.
+std::optional<double> nothingOf(const DepthConventions& depth, const DepthValues& values) {
+  if (depth.kind != DepthKind::Window) return values.nothing;
+  if (!depth.reversed && values.highest == 1.0) return 1.0;
+  return {};
+}
+
 std::vector<Trial> depthTrials(const TestState& state, const DepthValues& values) {
   std::vector<Trial> trials;
   const auto add = [&](std::string text, std::vector<std::string> assignments) {
     Trial trial{std::move(text), std::move(assignments), state};
+    DepthConventions& depth = trial.state.conventions.depth;
+    const DepthConventions before = depth;
     for (const std::string& assignment : trial.assignments)
       applyAssignment(trial.state.conventions, assignment);
+    // What stands for nothing in one kind is a surface in another.
+    if (depth.kind != before.kind || depth.reversed != before.reversed) {
+      depth.nothing = nothingOf(depth, values);
+      if (depth.nothing != before.nothing)
+        trial.assignments.push_back("depth.nothing=" +
+                                    (depth.nothing ? decimalText(*depth.nothing) : std::string("none")));
+    }
     trials.push_back(std::move(trial));
   };
-  const bool isWindow = values.lowest >= -1.0 && values.highest <= 1.0;
-  if (isWindow) {
+  if (areWindow(values)) {
     const std::string range = values.lowest < 0.0 ? "depth.range=minusOneToOne" : "depth.range=zeroToOne";
     add(say<"Depth buffer">(), {"depth.kind=window", "depth.reversed=off", range});
     add(say<"Depth buffer, reversed">(), {"depth.kind=window", "depth.reversed=on", range});
@@ -145,17 +164,23 @@ DepthValues depthValuesOf(const Image& depth) {
 DepthConventions depthFrom(const DepthValues& values) {
   DepthConventions out;
   if (!values.isKnown) return out;
-  if (values.lowest >= -1.0 && values.highest <= 1.0) {
+  if (areWindow(values)) {
     if (values.lowest < 0.0) out.range = ClipRange::MinusOneToOne;
     // Perspective crowds what is far away: near 1 where that is 1, near 0 where depth is reversed.
     out.reversed = values.median < 0.5;
-    if (!out.reversed && values.highest == 1.0) out.nothing = 1.0;
-    return out;
+  } else {
+    out.kind = DepthKind::Planar;
+    if (values.highest <= 0.0) out.scale = -1.0;
   }
-  out.kind = DepthKind::Planar;
-  if (values.highest <= 0.0) out.scale = -1.0;
-  out.nothing = values.nothing;
+  out.nothing = nothingOf(out, values);
   return out;
+}
+
+bool canHold(const DepthConventions& depth, const DepthValues& values) {
+  if (!values.isKnown) return true;
+  if (depth.kind == DepthKind::Window) return areWindow(values);
+  return depth.scale * values.lowest >= 0.0 && depth.scale * values.highest >= 0.0 &&
+         (!values.nothing || depth.nothing == values.nothing);
 }
 
 std::string depthGuess(const DepthValues& values) {
@@ -255,7 +280,7 @@ std::optional<Finding> askDepth(FrameSamples& samples, TestState& state, const D
       differences(best->trial.state.conventions, state.conventions), [&](const std::string& change) {
         return rules.fixedPaths.contains(change.substr(0, change.find('=')));
       });
-  const bool isAdopted = finding.isSure && rules.adopt != Adopt::None && !isFixed && !isStated(*best);
+  const bool isAdopted = finding.isSure && !isFixed && !isStated(*best);
   for (const DepthTrial& trial : trials)
     if (std::isfinite(trial.median))
       finding.hypotheses.push_back({trial.trial.text, trial.trial.assignments, trial.median,

@@ -22,6 +22,8 @@ DepthValues depthValuesOf(const Image& depth);
 
 /// Kind, direction and scale that such values are likely to have; near and far plane stay 0.
 DepthConventions depthFrom(const DepthValues& values);
+/// Whether such values can be of that kind, with their sign and what stands for nothing.
+bool canHold(const DepthConventions& depth, const DepthValues& values);
 /// A sentence: what depthFrom() rests on.
 std::string depthGuess(const DepthValues& values);
 

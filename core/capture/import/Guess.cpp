@@ -114,7 +114,10 @@ class Guesser {
   Image takeDepthValues();
   void takeValues();
   FrameSamples askMotion(const QuestionRules& rules);
+  std::optional<Finding> askKindOfDepth(FrameSamples& samples, const QuestionRules& rules);
+  Conventions asIn(const StartingPoint& engine);
   void askAll();
+  void tellOther(const Conventions& prior);
   void finish();
   void nameEngine();
   void tell(const Finding& finding);
@@ -127,13 +130,19 @@ class Guesser {
   std::set<std::string> fixed_;
   TestState state_;
   DepthValues depth_;
-  std::string drawnIn_; ///< a sentence, where pictures lie in a part of the files
+  bool isClipZSeen_ = false;
+  bool isDepthByValues_ = false; ///< not as in the engine that they are said to be like
+  std::string drawnIn_;          ///< a sentence, where pictures lie in a part of the files
+  std::string restNote_;         ///< a sentence, where motion is taken as stored around a value
   Guess out_;
 };
 
 void Guesser::begin() {
   fixed_ = pathsOf(assignments_);
   if (!like_.empty()) stated() = startingPoint(like_).conventions;
+  // Of these pixels say more than anybody: they begin with nothing.
+  stated().motion = {};
+  stated().jitter = {};
   takeMatrices();
   takeJitter();
   takeColor();
@@ -147,6 +156,7 @@ void Guesser::takeMatrices() {
   if (!hasMatrices) return;
   const SeenMatrices seen = matricesOf(*plan_.side, plan_.nearPlane, stated().matrices);
   stated().matrices = seen.conventions;
+  isClipZSeen_ = seen.isClipZSeen;
   if (seen.isOrderSeen && seen.isForwardSeen)
     out_.sure.push_back(
         say<"the order of matrices, the axis along which the camera looks and the y of clip space are those "
@@ -171,10 +181,8 @@ void Guesser::takeJitter() {
   double largest = 0.0;
   for (const auto& [number, frame] : plan_.side->frames)
     largest = std::max({largest, std::abs(frame.jitter.x), std::abs(frame.jitter.y)});
-  if (plan_.side->jitterUnit)
-    stated().jitter.unit = *plan_.side->jitterUnit;
-  else if (like_.empty())
-    stated().jitter.unit = largest < kMinJitterPx ? ScreenUnit::Ndc : ScreenUnit::Pixels;
+  const ScreenUnit byLength = largest < kMinJitterPx ? ScreenUnit::Ndc : ScreenUnit::Pixels;
+  stated().jitter.unit = plan_.side->jitterUnit.value_or(byLength);
 }
 
 void Guesser::takeColor() {
@@ -206,7 +214,7 @@ void Guesser::takeMotionValues() {
             middleFrame(plan_.manifest).number));
   takeMark(values);
   const bool isInteger = isNormalized(plan_, PlaneKind::Motion);
-  if (!(isInteger || values.isAroundHalf) || !like_.empty()) return;
+  if (!isInteger && !values.isAroundHalf) return;
   MotionConventions& stored = stated().motion;
   stored.encoding = MotionEncoding::Offset;
   // What most pixels have is rest where that is a value beside a half; else nothing rests.
@@ -214,9 +222,9 @@ void Guesser::takeMotionValues() {
   const auto restOf = [&](double rest) { return std::abs(rest - 0.5) < 1.5 * step ? rest : 0.5; };
   stored.offset = {restOf(values.restX), restOf(values.restY)};
   stored.unit = ScreenUnit::Uv;
-  out_.unsure.push_back(
+  restNote_ =
       isInteger ? say<"motion is stored as integers without sign: the value in the middle is taken as rest">()
-                : say<"motion is stored without sign, around a half: that is taken as rest">());
+                : say<"motion is stored without sign, around a half: that is taken as rest">();
 }
 
 /// Exact values of many pixels are no motion.
@@ -244,7 +252,8 @@ void Guesser::takePlanes() {
 Image Guesser::takeDepthValues() {
   Image depth = middlePlane(folder_, plan_.manifest, PlaneKind::Depth);
   if (!depth.empty()) depth_ = depthValuesOf(depth);
-  if (!depth.empty() && like_.empty()) stated().depth = depthFrom(depth_);
+  isDepthByValues_ = !depth.empty() && (like_.empty() || !canHold(stated().depth, depth_));
+  if (isDepthByValues_) stated().depth = depthFrom(depth_);
   return depth;
 }
 
@@ -302,24 +311,51 @@ FrameSamples Guesser::askMotion(const QuestionRules& rules) {
   return samples;
 }
 
+/// All that is stated, with an engine's motion and jitter.
+Conventions Guesser::asIn(const StartingPoint& engine) {
+  Conventions out = stated();
+  out.motion = engine.conventions.motion;
+  out.jitter = engine.conventions.jitter;
+  if (plan_.side && plan_.side->jitterUnit) out.jitter.unit = *plan_.side->jitterUnit;
+  for (const std::string& assignment : assignments_) applyAssignment(out, assignment);
+  return out;
+}
+
+/// Where z of clip space begins is not always known: where matrices cannot have one, they have the other.
+std::optional<Finding> Guesser::askKindOfDepth(FrameSamples& samples, const QuestionRules& rules) {
+  if (!depth_.isKnown) return {};
+  std::optional<Finding> kind = askDepth(samples, state_, depth_, rules);
+  if (!kind || !kind->hypotheses.empty() || isClipZSeen_ || isFixed("matrices.clipZ")) return kind;
+  const TestState begun = state_;
+  ClipRange& clipZ = stated().matrices.clipZ;
+  clipZ = clipZ == ClipRange::ZeroToOne ? ClipRange::MinusOneToOne : ClipRange::ZeroToOne;
+  std::optional<Finding> other = askDepth(samples, state_, depth_, rules);
+  if (other && !other->hypotheses.empty()) return other;
+  state_ = begun;
+  return kind;
+}
+
 void Guesser::askAll() {
   // Rows and color are read as they are stated; all else is asked.
   plan_.manifest.conventions = stated();
   if (!stated().color.preExposed)
     for (CapturedFrame& frame : plan_.manifest.frames) frame.preExposure = 1.0;
-  QuestionRules rules{like_.empty() ? Adopt::Best : Adopt::SureOnes, fixed_};
+  QuestionRules rules{Adopt::Best, fixed_};
+  for (const StartingPoint& engine : startingPoints()) rules.starts.push_back(asIn(engine));
+  std::optional<Conventions> prior;
+  if (!like_.empty()) prior = asIn(startingPoint(like_));
+  rules.prior = prior ? &*prior : nullptr;
   // Motion by what is not yet known of depth, depth by that motion, and what depth makes of it.
   FrameSamples samples = askMotion(rules);
   const Conventions before = stated();
-  const std::optional<Finding> kind =
-      depth_.isKnown ? askDepth(samples, state_, depth_, rules) : std::nullopt;
+  const std::optional<Finding> kind = askKindOfDepth(samples, rules);
   if (!(before == stated())) {
     rules.adopt = Adopt::SureOnes;
     out_.findings = askPixels(samples, state_, rules, progress_);
   }
   if (kind) out_.findings.push_back(*kind);
   // Of depth that pixels were not asked about, its values are all that is known.
-  if (depth_.isKnown && (!kind || kind->hypotheses.empty()) && like_.empty() && !isFixed("depth.kind"))
+  if (depth_.isKnown && (!kind || kind->hypotheses.empty()) && isDepthByValues_ && !isFixed("depth.kind"))
     out_.unsure.push_back(depthGuess(depth_));
   replaceUnsure(out_.findings, askSky(samples, state_, isFixed("motion.whereNothing")));
   // What all else shows to be an engine's is drawn as that engine draws, or the contradiction is worth a
@@ -333,6 +369,24 @@ void Guesser::askAll() {
     out_.unsure.push_back(
         say<"there are no two frames after each other: pixels say nothing of motion and jitter">());
   for (const Finding& finding : out_.findings) tell(finding);
+  if (!restNote_.empty() && stated().motion.encoding == MotionEncoding::Offset)
+    out_.unsure.push_back(restNote_);
+  if (!prior || samples.pairs().empty()) return;
+  if (const TrialComparison comparison = compare(samples, state_, {*prior});
+      comparison.best == 0 && comparison.isClear())
+    tellOther(*prior);
+}
+
+/// Pixels refute what the frames were said to be like.
+void Guesser::tellOther(const Conventions& prior) {
+  std::string others;
+  Conventions movedAlike = prior;
+  movedAlike.motion = stated().motion;
+  movedAlike.jitter = stated().jitter;
+  for (const std::string& change : differences(normalized(movedAlike), normalized(prior)))
+    others += (others.empty() ? "" : ", ") + change;
+  out_.unsure.push_back(
+      say<"motion and jitter are clearly not those of %1: %2">(startingPoint(like_).label, others));
 }
 
 void Guesser::tell(const Finding& finding) {
@@ -428,22 +482,18 @@ std::vector<Finding> measureConventions(const fs::path& folder, const Manifest& 
                                         const Progress& progress) {
   FrameSamples samples(folder, manifest, kPairs, progress);
   TestState state{manifest.conventions};
-  QuestionRules rules;
-  rules.adopt = Adopt::None;
-  // Motion that is next to none says nothing of itself: all else is asked in the unit that pixels show.
-  std::optional<Finding> unit = askShortMotion(samples, state);
-  std::vector<Finding> findings = askPixels(samples, state, rules, progress);
-  if (unit) *std::ranges::find(findings, unit->path, &Finding::path) = std::move(*unit);
+  std::vector<Finding> findings = askStated(samples, state, progress);
   const Image depth = middlePlane(folder, manifest, PlaneKind::Depth);
   if (!depth.empty())
     if (const DepthValues values = depthValuesOf(depth); values.isKnown)
-      if (std::optional<Finding> kind = askDepth(samples, state, values, rules))
+      if (std::optional<Finding> kind = askDepth(samples, state, values, {Adopt::SureOnes, {}}))
         findings.push_back(std::move(*kind));
   if (std::optional<Finding> jitter = askDepthJitter(samples, state, true))
     findings.push_back(std::move(*jitter));
   replaceUnsure(findings, askSky(samples, state, true));
+  chooseStated(findings, manifest.conventions);
   if (!samples.pairs().empty() && (samples.hasMotion() || samples.hasJitter()))
-    findings.push_back(askStartingPoints(samples, state));
+    findings.push_back(askStartingPoints(samples, {manifest.conventions}));
   return findings;
 }
 

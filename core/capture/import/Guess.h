@@ -41,8 +41,9 @@ struct Guess {
   std::vector<PictureSequence> sequences; ///< all that the folder holds, also what is taken for no plane
 };
 
-/// What names, formats and side files of `folder` say, then what pixels say. `like`: a starting point to
-/// begin with, or empty; `assignments` are not questioned, those of planes included
+/// What names, formats and side files of `folder` say, then what pixels say. `like`: the starting point whose
+/// conventions are taken where pixels decide nothing else, or empty; `assignments` are not questioned, those
+/// of planes included
 /// ("plane.motion=FILES:R,G", see statePlanes()). Throws Error that says what was looked for where nothing is
 /// found, or which files and channels there are; Cancelled.
 Guess guessCapture(const std::filesystem::path& folder, const std::string& like,

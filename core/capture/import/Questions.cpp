@@ -31,7 +31,8 @@ struct ConventionQuestion {
   std::string_view text;
   std::string_view path;
   bool (*isAsked)(const FrameSamples& samples);
-  std::vector<Trial> (*trials)(const TestState& state); ///< empty: the state leaves nothing to ask
+  /// Empty: the state leaves nothing to ask. `stated`: in whose words trials are, where they are of a length.
+  std::vector<Trial> (*trials)(const TestState& state, const Conventions& stated);
   bool needsSureness; ///< the default is right nearly everywhere: it takes clear pixels to state something
                       ///< else
 };
@@ -75,20 +76,20 @@ bool withCamera(const FrameSamples& samples) {
   return samples.hasMotion() && samples.hasDepth() && samples.hasMatrices();
 }
 
-std::vector<Trial> directions(const TestState& state) {
+std::vector<Trial> directions(const TestState& state, const Conventions&) {
   return choicesOf(state, "motion.direction");
 }
 
-std::vector<Trial> units(const TestState& state) {
+std::vector<Trial> units(const TestState& state, const Conventions&) {
   return choicesOf(state, "motion.unit");
 }
 
-std::vector<Trial> pixelsOf(const TestState& state) {
+std::vector<Trial> pixelsOf(const TestState& state, const Conventions&) {
   if (state.conventions.motion.unit != ScreenUnit::Pixels) return {};
   return choicesOf(state, "motion.pixelOf");
 }
 
-std::vector<Trial> motionAxes(const TestState& state) {
+std::vector<Trial> motionAxes(const TestState& state, const Conventions&) {
   return choicesOf(state, "motion.yAxis");
 }
 
@@ -96,57 +97,69 @@ std::string scaleText(std::string_view path, double scale) {
   return std::string(path) + "=" + decimalText(scale);
 }
 
-std::vector<Trial> mirrors(const TestState& state) {
+std::vector<Trial> mirrors(const TestState& state, const Conventions& stated) {
   const double scale = state.conventions.motion.scale.x;
-  return {trialOf(state, say<"As stated">(), {scaleText("motion.scaleX", scale)}),
-          trialOf(state, say<"Mirrored">(), {scaleText("motion.scaleX", -scale)})};
+  std::vector<Trial> trials;
+  for (const double x : {scale, -scale})
+    trials.push_back(trialOf(state, x * stated.motion.scale.x > 0.0 ? say<"As stated">() : say<"Mirrored">(),
+                             {scaleText("motion.scaleX", x)}));
+  return trials;
 }
 
-std::vector<Trial> lengths(const TestState& state) {
+std::string timesText(double times) {
+  if (times == 1.0) return say<"As stated">();
+  if (times == 0.5) return say<"Half as long">();
+  if (times == 2.0) return say<"Twice as long">();
+  return say<"%1 times as long">(roundedText(times, 3));
+}
+
+std::vector<Trial> lengths(const TestState& state, const Conventions& stated) {
   const glm::dvec2 scale = state.conventions.motion.scale;
-  const auto times = [&](std::string text, double factor) {
-    return trialOf(
-        state, std::move(text),
-        {scaleText("motion.scaleX", factor * scale.x), scaleText("motion.scaleY", factor * scale.y)});
-  };
-  std::vector<Trial> trials = {times(say<"As stated">(), 1.0), times(say<"Half as long">(), 0.5),
-                               times(say<"Twice as long">(), 2.0),
-                               trialOf(state, say<"Nothing moves">(), {})};
+  // Signs are asked by themselves.
+  const double ofState = stated.motion.scale.x == 0.0 ? 1.0 : std::abs(scale.x / stated.motion.scale.x);
+  std::vector<double> factors = {1.0, 0.5, 2.0};
+  if (std::ranges::find(factors, 1.0 / ofState) == factors.end()) factors.push_back(1.0 / ofState);
+  std::vector<Trial> trials;
+  for (const double factor : factors)
+    trials.push_back(trialOf(
+        state, timesText(factor * ofState),
+        {scaleText("motion.scaleX", factor * scale.x), scaleText("motion.scaleY", factor * scale.y)}));
+  trials.push_back(trialOf(state, say<"Nothing moves">(), {}));
   trials.back().isAtRest = true;
   return trials;
 }
 
-std::vector<Trial> meanings(const TestState& state) {
+std::vector<Trial> meanings(const TestState& state, const Conventions&) {
   std::vector<Trial> trials = choicesOf(state, "jitter.meaning");
   trials.push_back(trialOf(state, say<"No jitter in the pictures">(), {}));
   trials.back().state.isJittered = false;
   return trials;
 }
 
-std::vector<Trial> jitterAxes(const TestState& state) {
+std::vector<Trial> jitterAxes(const TestState& state, const Conventions&) {
   return choicesOf(state, "jitter.yAxis");
 }
 
-std::vector<Trial> jitterUnits(const TestState& state) {
+std::vector<Trial> jitterUnits(const TestState& state, const Conventions&) {
   return choicesOf(state, "jitter.unit");
 }
 
-std::vector<Trial> delays(const TestState& state) {
+std::vector<Trial> delays(const TestState& state, const Conventions&) {
   return {trialOf(state, say<"Its own frame's">(), {"jitter.delay=0"}),
           trialOf(state, say<"The next frame's">(), {"jitter.delay=1"}),
           trialOf(state, say<"The previous frame's">(), {"jitter.delay=-1"})};
 }
 
-std::vector<Trial> jittersInMotion(const TestState& state) {
+std::vector<Trial> jittersInMotion(const TestState& state, const Conventions&) {
   return choicesOf(state, "motion.jitter");
 }
 
-std::vector<Trial> cameraIncluded(const TestState& state) {
+std::vector<Trial> cameraIncluded(const TestState& state, const Conventions&) {
   return {trialOf(state, say<"In motion">(), {"motion.includesCamera=on"}),
           trialOf(state, say<"Not in motion">(), {"motion.includesCamera=off"})};
 }
 
-std::vector<Trial> skies(const TestState& state) {
+std::vector<Trial> skies(const TestState& state, const Conventions&) {
   return {trialOf(state, say<"As stored">(), {"motion.whereNothing=none"}),
           trialOf(state, say<"Of the camera">(), {"motion.whereNothing=camera"})};
 }
@@ -167,16 +180,23 @@ constexpr ConventionQuestion kQuestions[] = {
     {"Frame of the stated jitter", "jitter.delay", withJitter, delays, true},
 };
 
-/// The state's own answer among trials; none where it is not among them.
-std::optional<std::size_t> statedOf(const std::vector<Trial>& trials, const TestState& state) {
-  for (std::size_t i = 0; i < trials.size(); ++i)
-    if (trials[i].state.conventions == state.conventions && trials[i].state.isJittered && !trials[i].isAtRest)
-      return i;
-  return {};
-}
-
 std::string assignedPath(const std::string& assignment) {
   return assignment.substr(0, assignment.find('='));
+}
+
+/// Whether assignments change nothing about conventions; false where there are none.
+bool areStated(const std::vector<std::string>& assignments, const Conventions& conventions) {
+  if (assignments.empty()) return false;
+  Conventions assigned = conventions;
+  for (const std::string& assignment : assignments) applyAssignment(assigned, assignment);
+  return assigned == conventions;
+}
+
+/// The trial that says what conventions state; none where none does.
+std::optional<std::size_t> statedOf(const std::vector<Trial>& trials, const Conventions& conventions) {
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    if (areStated(trials[i].assignments, conventions)) return i;
+  return {};
 }
 
 /// A question asked.
@@ -185,19 +205,30 @@ struct AskedQuestion {
   std::optional<Conventions> adopted;
 };
 
+/// What becomes part of the state: the best answer, or that of the prior where the two are as good.
+std::size_t answerOf(const std::vector<Trial>& trials, const TrialComparison& comparison,
+                     FrameSamples& samples, const QuestionRules& rules) {
+  if (!rules.prior) return comparison.best;
+  const std::optional<std::size_t> prior = statedOf(trials, *rules.prior);
+  if (!prior || *prior == comparison.best || !std::isfinite(comparison.residuals[*prior]))
+    return comparison.best;
+  return compare(samples, {trials[comparison.best], trials[*prior]}).isEven() ? *prior : comparison.best;
+}
+
 AskedQuestion ask(const ConventionQuestion& question, const std::vector<Trial>& trials, FrameSamples& samples,
                   const TestState& state, const QuestionRules& rules) {
   const TrialComparison comparison = compare(samples, trials);
-  const std::optional<std::size_t> stated = statedOf(trials, state);
-  const Trial& best = trials[comparison.best];
+  const std::size_t answered = answerOf(trials, comparison, samples, rules);
+  const std::optional<std::size_t> held = statedOf(trials, state.conventions);
+  const Trial& best = trials[answered];
   const bool isFixed = std::ranges::any_of(best.assignments, [&](const std::string& assignment) {
     return rules.fixedPaths.contains(assignedPath(assignment));
   });
   const bool wantsSureness = question.needsSureness || rules.adopt == Adopt::SureOnes;
-  const bool isAdopted = rules.adopt != Adopt::None && !isFixed && !best.assignments.empty() &&
-                         comparison.regions > 0 && (!wantsSureness || comparison.isClear());
+  const bool isAdopted = !isFixed && !best.assignments.empty() && comparison.regions > 0 &&
+                         (!wantsSureness || comparison.isClear() || answered != comparison.best);
   AskedQuestion answer;
-  if (isAdopted && comparison.best != stated) answer.adopted = best.state.conventions;
+  if (isAdopted && answered != held) answer.adopted = best.state.conventions;
   Finding& finding = answer.finding;
   finding.question = question.text;
   finding.path = question.path;
@@ -207,8 +238,7 @@ AskedQuestion ask(const ConventionQuestion& question, const std::vector<Trial>& 
   for (std::size_t i = 0; i < trials.size(); ++i)
     if (std::isfinite(comparison.residuals[i]))
       finding.hypotheses.push_back({trials[i].text, trials[i].assignments, comparison.residuals[i],
-                                    i == (answer.adopted ? comparison.best : stated),
-                                    !trials[i].assignments.empty()});
+                                    i == (answer.adopted ? answered : held), !trials[i].assignments.empty()});
   std::ranges::stable_sort(finding.hypotheses, {}, &Hypothesis::residual);
   return answer;
 }
@@ -216,14 +246,15 @@ AskedQuestion ask(const ConventionQuestion& question, const std::vector<Trial>& 
 using Assignments = std::vector<std::string>;
 
 /// What is tried in all combinations before single questions are asked, as a sign can hide behind another.
-std::vector<std::vector<Assignments>> searchOf(const FrameSamples& samples, const TestState& state) {
+std::vector<std::vector<Assignments>> searchOf(const FrameSamples& samples, const TestState& state,
+                                               const QuestionRules& rules) {
   std::vector<std::vector<Assignments>> axes;
   if (samples.hasMotion()) {
     axes.push_back({{"motion.direction=currentMinusPrevious"}, {"motion.direction=previousMinusCurrent"}});
     axes.push_back({{"motion.yAxis=down"}, {"motion.yAxis=up"}});
     axes.push_back({{"motion.unit=pixels"}, {"motion.unit=uv"}, {"motion.unit=ndc"}});
     if (withTwoSizes(samples)) axes.push_back({{"motion.pixelOf=render"}, {"motion.pixelOf=output"}});
-    if (state.conventions.motion.encoding == MotionEncoding::Offset)
+    if (!rules.stated && state.conventions.motion.encoding == MotionEncoding::Offset)
       axes.push_back({{"motion.scaleX=1", "motion.scaleY=1"},
                       {"motion.scaleX=2", "motion.scaleY=2"},
                       {"motion.encoding=unreal", "motion.notWritten=0"}});
@@ -231,13 +262,17 @@ std::vector<std::vector<Assignments>> searchOf(const FrameSamples& samples, cons
   if (samples.hasJitter()) {
     axes.push_back({{"jitter.meaning=content"}, {"jitter.meaning=sample"}});
     axes.push_back({{"jitter.yAxis=down"}, {"jitter.yAxis=up"}});
+    // Else the numbers themselves say it, and jitter begins as its own frame's.
+    if (rules.stated) axes.push_back({{"jitter.unit=pixels"}, {"jitter.unit=uv"}, {"jitter.unit=ndc"}});
+    if (const int delay = state.conventions.jitter.delay; delay != 0)
+      axes.push_back({{"jitter.delay=" + std::to_string(delay)}, {"jitter.delay=0"}});
   }
   return axes;
 }
 
 void search(FrameSamples& samples, TestState& state, const QuestionRules& rules, const Progress& progress) {
   std::vector<TestState> states = {state};
-  for (const std::vector<Assignments>& axis : searchOf(samples, state)) {
+  for (const std::vector<Assignments>& axis : searchOf(samples, state, rules)) {
     const bool isFixed = std::ranges::any_of(axis, [&](const Assignments& assignments) {
       return std::ranges::any_of(assignments, [&](const std::string& assignment) {
         return rules.fixedPaths.contains(assignedPath(assignment));
@@ -263,6 +298,25 @@ void search(FrameSamples& samples, TestState& state, const QuestionRules& rules,
     least = residual;
     state = tried;
   }
+  const auto moving = [&](const Conventions& as) {
+    TestState moved = state;
+    moved.conventions.motion = as.motion;
+    moved.conventions.jitter = as.jitter;
+    return moved;
+  };
+  // A start has to leave clearly less; what is likely anyway, only not more.
+  for (const Conventions& start : rules.starts) {
+    const TestState begun = moving(start);
+    if (roughResidual(samples, begun) >= least) continue;
+    if (const TrialComparison comparison = compare(samples, state, begun);
+        comparison.best == 1 && comparison.isClear())
+      state = begun;
+  }
+  if (!rules.prior) return;
+  const TestState prior = moving(*rules.prior);
+  if (const TrialComparison comparison = compare(samples, state, prior);
+      comparison.best == 1 || comparison.isEven())
+    state = prior;
 }
 
 /// The length that is measured, where it is none of those that are tried anyway; it is kept in `measured`.
@@ -301,8 +355,8 @@ std::optional<MotionLength> searchLength(FrameSamples& samples, const MotionConv
   TestState best = state, start = state;
   start.conventions.motion = begun;
   for (const ScreenUnit unit : {ScreenUnit::Uv, ScreenUnit::Pixels})
-    for (const Trial& direction : directions(start))
-      for (const Trial& axis : motionAxes(direction.state))
+    for (const Trial& direction : choicesOf(start, "motion.direction"))
+      for (const Trial& axis : choicesOf(direction.state, "motion.yAxis"))
         for (int step = -kOctaves * kOfOctave; step <= kOctaves * kOfOctave; ++step) {
           const double asWide =
               unit == ScreenUnit::Uv ? 1.0 : static_cast<double>(samples.manifest().sizePx.x);
@@ -321,48 +375,7 @@ std::optional<MotionLength> searchLength(FrameSamples& samples, const MotionConv
   return length;
 }
 
-/// Whether something has motion, and nothing as much as a pixel, as stated.
-bool isShort(FrameSamples& samples, const TestState& state) {
-  float longest = 0.0f;
-  for (const FramePair& pair : samples.pairs()) {
-    const std::optional<PairMotion> motion = samples.motionOf(pair, state, false);
-    if (!motion) return false;
-    for (const glm::vec2& px : motion->stored)
-      if (std::isfinite(px.x) && std::isfinite(px.y))
-        longest = std::max({longest, std::abs(px.x), std::abs(px.y)});
-  }
-  return longest > 0.0f && longest < 1.0f;
-}
-
-/// Each unit with each direction and y axis, as one that is wrong hides another.
-std::vector<Trial> unitsAndAxes(const TestState& state) {
-  std::vector<Trial> trials;
-  for (const Trial& unit : units(state))
-    for (const Trial& direction : directions(unit.state))
-      for (const Trial& axis : motionAxes(direction.state)) {
-        Trial trial = axis;
-        trial.text = unit.text + ", " + direction.text + ", y " + axis.text;
-        trial.assignments = differences(trial.state.conventions, state.conventions);
-        if (trial.assignments.empty()) trial.assignments = unit.assignments;
-        trials.push_back(std::move(trial));
-      }
-  return trials;
-}
-
 } // namespace
-
-std::optional<Finding> askShortMotion(FrameSamples& samples, TestState& state) {
-  if (!samples.hasMotion() || state.conventions.motion.unit != ScreenUnit::Pixels || !isShort(samples, state))
-    return {};
-  const ConventionQuestion question{"Unit of motion", "motion.unit", withMotion, unitsAndAxes, true};
-  const std::vector<Trial> trials = unitsAndAxes(state);
-  AskedQuestion answer = ask(question, trials, samples, state, {Adopt::None, {}});
-  const TrialComparison comparison = compare(samples, trials);
-  const Trial& best = trials[comparison.best];
-  if (!comparison.isClear() || best.state.conventions.motion.unit == ScreenUnit::Pixels) return {};
-  state = best.state;
-  return std::move(answer.finding);
-}
 
 bool Finding::contradicts() const {
   if (!isSure || hypotheses.empty() || hypotheses.front().isChosen) return false;
@@ -388,7 +401,7 @@ std::vector<Finding> askPixels(FrameSamples& samples, TestState& state, const Qu
     for (const ConventionQuestion& question : kQuestions) {
       report(progress, question.text, done++, static_cast<int>(std::size(kQuestions)));
       if (!question.isAsked(samples)) continue;
-      std::vector<Trial> trials = question.trials(state);
+      std::vector<Trial> trials = question.trials(state, rules.stated ? *rules.stated : state.conventions);
       if (trials.empty()) continue;
       if (question.trials == lengths) {
         if (measured && measured->rounded() == state.conventions.motion.scale)
@@ -405,6 +418,26 @@ std::vector<Finding> askPixels(FrameSamples& samples, TestState& state, const Qu
     }
   }
   return findings;
+}
+
+std::vector<Finding> askStated(FrameSamples& samples, TestState& state, const Progress& progress) {
+  const Conventions stated = state.conventions;
+  const QuestionRules rules{.adopt = Adopt::SureOnes, .fixedPaths = {}, .stated = &stated};
+  TestState searched = state;
+  std::vector<Finding> findings = askPixels(samples, state, rules, progress);
+  if (samples.pairs().empty()) return findings;
+  search(samples, searched, rules, progress);
+  if (const TrialComparison comparison = compare(samples, state, searched);
+      comparison.best == 0 || !comparison.isClear())
+    return findings;
+  state = searched;
+  return askPixels(samples, state, rules, progress);
+}
+
+void chooseStated(std::vector<Finding>& findings, const Conventions& stated) {
+  for (Finding& finding : findings)
+    for (Hypothesis& hypothesis : finding.hypotheses)
+      if (!hypothesis.assignments.empty()) hypothesis.isChosen = areStated(hypothesis.assignments, stated);
 }
 
 Finding askStartingPoints(FrameSamples& samples, const TestState& state) {

@@ -356,6 +356,88 @@ TEST_F(ImportTest, MeasuresAnotherUnitThanIsStatedWhateverItsAxes) {
   }
 }
 
+namespace {
+
+/// px that a stored 1 of motion is along each axis, current − previous, x right, y down.
+glm::dvec2 motionPx(const Conventions& conventions) {
+  const MotionConventions& motion = conventions.motion;
+  const double sign = motion.direction == MotionDirection::CurrentMinusPrevious ? 1.0 : -1.0;
+  return sign * motion.scale * unitPx(motion.unit, motion.yAxis);
+}
+
+/// px that content moves by a stated 1 of jitter.
+glm::dvec2 jitterPx(const Conventions& conventions) {
+  const JitterConventions& jitter = conventions.jitter;
+  return (jitter.meaning == JitterMeaning::Content ? 1.0 : -1.0) * unitPx(jitter.unit, jitter.yAxis);
+}
+
+/// Engines' whose encoding is none.
+std::vector<const StartingPoint*> plainEngines() {
+  std::vector<const StartingPoint*> out;
+  for (const StartingPoint& engine : startingPoints())
+    if (engine.conventions.motion.encoding == MotionEncoding::Plain) out.push_back(&engine);
+  return out;
+}
+
+} // namespace
+
+// With what frames are said to be like as a start, signs and units that were wrong together stayed wrong, and
+// others were called sure beside them.
+TEST_F(ImportTest, FindsTheSameWhateverFramesAreSaidToBeLike) {
+  scene_.wallPx = {5.3, -3.1};
+  scene_.squarePx = {-4.2, 5.4};
+  stated_.motion = startingPoint("three").conventions.motion;
+  stated_.jitter = startingPoint("three").conventions.jitter;
+  writeSquare(folder_, scene_, stated_);
+  for (const StartingPoint& engine : startingPoints()) {
+    SCOPED_TRACE(std::string(engine.id));
+    const Guess guess = guessCapture(folder_, std::string(engine.id), {});
+    const Conventions& found = guess.manifest.conventions;
+    EXPECT_EQ(motionPx(found), motionPx(stated_));
+    EXPECT_EQ(jitterPx(found), jitterPx(stated_));
+    EXPECT_EQ(found.jitter.delay, 0);
+    const bool isOther = motionPx(engine.conventions) != motionPx(stated_) ||
+                         jitterPx(engine.conventions) != jitterPx(stated_);
+    EXPECT_EQ(
+        saysSomeOf(guess.unsure, "motion and jitter are clearly not those of " + std::string(engine.label)),
+        isOther);
+  }
+}
+
+// Of two that are the same in other words, what they are said to be like is taken.
+TEST_F(ImportTest, TakesTheWordsOfWhatFramesAreSaidToBeLike) {
+  stated_.motion = startingPoint("bevy").conventions.motion;
+  stated_.jitter = startingPoint("bevy").conventions.jitter;
+  writeSquare(folder_, scene_, stated_);
+  const Conventions found = guessCapture(folder_, "bevy", {}).manifest.conventions;
+  EXPECT_EQ(found.motion, stated_.motion);
+  EXPECT_EQ(found.jitter, stated_.jitter);
+}
+
+// A question asked beside another one that is stated wrong had answers that were sure and wrong: all that
+// contradicts, taken together, is what frames are.
+TEST_F(ImportTest, ContradictsAllThatIsStatedWrongAndNothingElse) {
+  scene_.wallPx = {5.3, -3.1};
+  scene_.squarePx = {-4.2, 5.4};
+  stated_.motion = startingPoint("three").conventions.motion;
+  stated_.jitter = startingPoint("three").conventions.jitter;
+  writeSquare(folder_, scene_, stated_);
+  Manifest manifest = guessCapture(folder_, "", {}).manifest;
+  for (const StartingPoint* engine : plainEngines()) {
+    SCOPED_TRACE(std::string(engine->id));
+    manifest.conventions.motion = engine->conventions.motion;
+    manifest.conventions.jitter = engine->conventions.jitter;
+    Conventions mended = manifest.conventions;
+    for (const Finding& finding : measureConventions(folder_, manifest)) {
+      if (finding.path == "like" || !finding.contradicts()) continue;
+      for (const std::string& assignment : finding.hypotheses.front().assignments)
+        applyAssignment(mended, assignment);
+    }
+    EXPECT_EQ(motionPx(mended), motionPx(stated_));
+    EXPECT_EQ(jitterPx(mended), jitterPx(stated_));
+  }
+}
+
 TEST_F(ImportTest, IsWrittenBesideOrAboveItsFiles) {
   writeSquare(folder_ / "frames", scene_, stated_);
   const Guess guess = guessCapture(folder_ / "frames", "", {});
