@@ -14,93 +14,6 @@ namespace taa::doctor {
 
 namespace {
 
-/// In the order of the enumerators.
-constexpr std::array<MotionRow, 32> motionRows() {
-  using enum MotionKind;
-  using enum MotionMadeOf;
-  return {{
-      {AsGiven, "asGiven", "as given", Given},
-      {Resting, "resting", "at rest on the screen", Screen, {"fault.motion=zero"}},
-      {OfCamera, "ofCamera", "that of the camera", Camera, {"fault.motion=cameraOnly"}},
-      {LacksCamera, "lacksCamera", "with the camera's motion added", Camera, {"fault.previousCamera=twice"}},
-      {CameraTwice,
-       "cameraTwice",
-       "with the camera's motion taken off once",
-       Camera,
-       {"fault.previousCamera=ofNow"}},
-      {Scaled, "scaled", "", Factors},
-      {OtherUnit, "otherUnit", "", Factors},
-      {MirroredX, "mirroredX", "x negated", Factors, {"fault.motionX=-1"}, {-1, 0, 0, 1}},
-      {MirroredY, "mirroredY", "y negated", Factors, {"fault.motionY=-1"}, {1, 0, 0, -1}},
-      {Opposite,
-       "opposite",
-       "both negated",
-       Factors,
-       {"fault.motionX=-1", "fault.motionY=-1"},
-       {-1, 0, 0, -1}},
-      {SwappedAxes, "swappedAxes", "x and y exchanged", Factors, {"fault.motionSwapped=on"}, {0, 1, 1, 0}},
-      {TurnedLeft, "turnedLeft", "x and y exchanged, x negated then", Factors, {}, {0, -1, 1, 0}},
-      {TurnedRight, "turnedRight", "x and y exchanged, y negated then", Factors, {}, {0, 1, -1, 0}},
-      {JitterOfThis,
-       "jitterOfThis",
-       "without this frame's jitter",
-       Jitter,
-       {"fault.motionJitter=thisOff"},
-       {-1, 0}},
-      {JitterOfPrevious,
-       "jitterOfPrevious",
-       "without the jitter of the frame before",
-       Jitter,
-       {"fault.motionJitter=lastOff"},
-       {0, 1}},
-      {JitterOfBoth,
-       "jitterOfBoth",
-       "without the difference of both jitters",
-       Jitter,
-       {"fault.motionJitter=bothOff"},
-       {-1, 1}},
-      {JitterTakenOff,
-       "jitterTakenOff",
-       "with the difference of both jitters added",
-       Jitter,
-       {"fault.motionJitter=both"},
-       {1, -1}},
-      {JitterOfThisTakenOff,
-       "jitterOfThisTakenOff",
-       "with this frame's jitter added",
-       Jitter,
-       {"fault.motionJitter=this"},
-       {1, 0}},
-      {JitterOfPreviousTakenOff,
-       "jitterOfPreviousTakenOff",
-       "with the jitter of the frame before added",
-       Jitter,
-       {"fault.motionJitter=last"},
-       {0, -1}},
-      {FrameLate, "frameLate", "that of the frame after", OtherFrame, {"fault.motionLag=-1"}},
-      {FrameEarly, "frameEarly", "that of the frame before", OtherFrame, {"fault.motionLag=1"}},
-      {Forward, "forward", "that which the frame before holds of the same surface", OtherFrame},
-      {Encoded, "encoded", "decoded from 0 to 1", Curve, {"fault.motionUnit=asBiased"}},
-      {Root, "root", "squared, in shares of the picture", Curve, {"fault.motionUnit=asRoot"}},
-      // What an earlier frame added is not known of what moves.
-      {TwoFramesOld, "twoFramesOld", "without that of the frame before, which it holds as well", Camera},
-      {CameraTurned, "cameraTurned", "with the previous camera turned back", OtherCamera},
-      {CameraBeside, "cameraBeside", "with the previous camera moved back", OtherCamera},
-      {CameraMirrored, "cameraMirrored", "with the previous camera's own matrix, not that of a mirror",
-       OtherCamera},
-      {CameraIdentity, "cameraIdentity", "with the previous camera's matrix, which was never set",
-       OtherCamera},
-      {CameraUnzoomed, "cameraUnzoomed", "with the previous camera's own projection, not this one's",
-       OtherCamera},
-      {CameraUnmoved, "cameraUnmoved", "with the way of the camera, not its turning alone", OtherCamera},
-      {CameraUnturned, "cameraUnturned", "with the turning of the camera, not its way alone", OtherCamera},
-  }};
-}
-constexpr std::array<MotionRow, 32> kMotionRows = motionRows();
-static_assert(std::ranges::all_of(kMotionRows, [](const MotionRow& row) {
-  return &row - kMotionRows.data() == static_cast<std::ptrdiff_t>(row.kind);
-}));
-
 std::optional<glm::vec2> knownMotion(const glm::vec2& motionPx) {
   if (!isMotion(motionPx)) return {};
   return motionPx;
@@ -183,6 +96,330 @@ std::optional<glm::vec2> withoutOlder(const FrameNeighbors& frames, const glm::i
   return 0.5f * frames.now.motionAt(pixel.x, pixel.y) + 0.25f * growth(frames, pixel);
 }
 
+std::optional<glm::vec2> given(const FrameNeighbors& frames, const glm::ivec2& pixel) {
+  return frames.now.motionAt(pixel.x, pixel.y);
+}
+
+std::optional<glm::vec2> none(const FrameNeighbors&, const glm::ivec2&) {
+  return glm::vec2(0.0f);
+}
+
+std::optional<glm::vec2> ofCamera(const FrameNeighbors& frames, const glm::ivec2& pixel) {
+  return cameraMotionPx(frames.now, pixel);
+}
+
+template <int times>
+std::optional<glm::vec2> plusCamera(const FrameNeighbors& frames, const glm::ivec2& pixel) {
+  return withOther(frames.now.motionAt(pixel.x, pixel.y), cameraMotionPx(frames.now, pixel),
+                   static_cast<float>(times));
+}
+
+std::optional<glm::vec2> ofNext(const FrameNeighbors& frames, const glm::ivec2& pixel) {
+  if (!frames.after || frames.after->startsHistory || frames.after->motionPx.empty()) return {};
+  return knownMotion(frames.after->motionAt(pixel.x, pixel.y));
+}
+
+std::optional<glm::vec2> ofLast(const FrameNeighbors& frames, const glm::ivec2& pixel) {
+  if (frames.before.startsHistory || frames.before.motionPx.empty()) return {};
+  return knownMotion(frames.before.motionAt(pixel.x, pixel.y));
+}
+
+std::optional<glm::vec2> decoded(const FrameNeighbors& frames, const glm::ivec2& pixel) {
+  return 2.0f * frames.now.motionAt(pixel.x, pixel.y) - glm::vec2(frames.now.sizePx());
+}
+
+std::optional<glm::vec2> squared(const FrameNeighbors& frames, const glm::ivec2& pixel) {
+  const glm::vec2 root = frames.now.motionAt(pixel.x, pixel.y);
+  return glm::abs(root) * root / glm::vec2(frames.now.sizePx());
+}
+
+template <std::optional<glm::mat4> OtherCameras::*other>
+std::optional<glm::vec2> without(const FrameNeighbors& frames, const glm::ivec2& pixel) {
+  return withoutOther(frames.others.*other, frames.now, pixel);
+}
+
+constexpr OwnFault kTurned{"motionTurned", "Motion with its axes turned", "Ghosts beside what moves."};
+constexpr OwnFault kJitterTakenOff{"motionJitterTakenOff", "Jitter taken off motion that had none",
+                                   "The whole picture trembles, at rest too."};
+constexpr std::string_view kMakeWithoutJitter =
+    "Make motion with both frames' projections without jitter, or state which jitter is in it.";
+
+/// In the order of the enumerators.
+constexpr std::array kMotionRows = std::to_array<MotionRow>({
+    {.kind = MotionKind::AsGiven, .id = "asGiven", .text = "as given", .motion = given},
+    {.kind = MotionKind::Resting,
+     .id = "resting",
+     .text = "at rest on the screen",
+     .madeOf = MotionMadeOf::Screen,
+     .motion = none,
+     .mending = {"fault.motion=zero"},
+     .fault = Fault::InterfaceBefore,
+     .change =
+         "It rests on the screen, and its motion is that of what is behind: draw it after TAA, or write 0 "
+         "for it."},
+    {.kind = MotionKind::MirroredX,
+     .id = "mirroredX",
+     .text = "x negated",
+     .madeOf = MotionMadeOf::Factors,
+     .shares = {-1, 0, 0, 1},
+     .mending = {"fault.motionX=-1"},
+     .fault = Fault::MotionNegatedX,
+     .change =
+         "Negate x of the motion that you write; or state the other direction, and that y goes the other "
+         "way."},
+    {.kind = MotionKind::MirroredY,
+     .id = "mirroredY",
+     .text = "y negated",
+     .madeOf = MotionMadeOf::Factors,
+     .shares = {1, 0, 0, -1},
+     .mending = {"fault.motionY=-1"},
+     .fault = Fault::MotionNegatedY,
+     .change = "Negate y of the motion that you write, or state that it points the other way."},
+    {.kind = MotionKind::Opposite,
+     .id = "opposite",
+     .text = "both negated",
+     .madeOf = MotionMadeOf::Factors,
+     .shares = {-1, 0, 0, -1},
+     .mending = {"fault.motionX=-1", "fault.motionY=-1"},
+     .fault = Fault::MotionNegated,
+     .change = "Negate the motion that you write, or state the other direction."},
+    {.kind = MotionKind::SwappedAxes,
+     .id = "swappedAxes",
+     .text = "x and y exchanged",
+     .madeOf = MotionMadeOf::Factors,
+     .shares = {0, 1, 1, 0},
+     .mending = {"fault.motionSwapped=on"},
+     .fault = Fault::MotionSwapped,
+     .change = "Exchange x and y of motion."},
+    {.kind = MotionKind::TurnedLeft,
+     .id = "turnedLeft",
+     .text = "x and y exchanged, x negated then",
+     .madeOf = MotionMadeOf::Factors,
+     .shares = {0, -1, 1, 0},
+     .own = kTurned,
+     .change = "Exchange x and y of motion, and negate x then: it is turned by a quarter."},
+    {.kind = MotionKind::TurnedRight,
+     .id = "turnedRight",
+     .text = "x and y exchanged, y negated then",
+     .madeOf = MotionMadeOf::Factors,
+     .shares = {0, 1, -1, 0},
+     .own = kTurned,
+     .change = "Exchange x and y of motion, and negate y then: it is turned by a quarter."},
+    {.kind = MotionKind::JitterOfThis,
+     .id = "jitterOfThis",
+     .text = "without this frame's jitter",
+     .madeOf = MotionMadeOf::Jitter,
+     .shares = {-1, 0},
+     .mending = {"fault.motionJitter=thisOff"},
+     .fault = Fault::MotionJitterThis,
+     .change = kMakeWithoutJitter},
+    {.kind = MotionKind::JitterOfPrevious,
+     .id = "jitterOfPrevious",
+     .text = "without the jitter of the frame before",
+     .madeOf = MotionMadeOf::Jitter,
+     .shares = {0, 1},
+     .mending = {"fault.motionJitter=lastOff"},
+     .fault = Fault::MotionJitterLast,
+     .change = kMakeWithoutJitter},
+    {.kind = MotionKind::JitterOfBoth,
+     .id = "jitterOfBoth",
+     .text = "without the difference of both jitters",
+     .madeOf = MotionMadeOf::Jitter,
+     .shares = {-1, 1},
+     .mending = {"fault.motionJitter=bothOff"},
+     .fault = Fault::MotionJitterBoth,
+     .change = kMakeWithoutJitter},
+    {.kind = MotionKind::JitterTakenOff,
+     .id = "jitterTakenOff",
+     .text = "with the difference of both jitters added",
+     .madeOf = MotionMadeOf::Jitter,
+     .shares = {1, -1},
+     .mending = {"fault.motionJitter=both"},
+     .own = kJitterTakenOff,
+     .change =
+         "Take no jitter off, or state that it is in motion no more: the matrices that motion is made with "
+         "have none."},
+    {.kind = MotionKind::JitterOfThisTakenOff,
+     .id = "jitterOfThisTakenOff",
+     .text = "with this frame's jitter added",
+     .madeOf = MotionMadeOf::Jitter,
+     .shares = {1, 0},
+     .mending = {"fault.motionJitter=this"},
+     .own = kJitterTakenOff,
+     .change = "Take this frame's jitter off no more, or state that motion does not hold it."},
+    {.kind = MotionKind::JitterOfPreviousTakenOff,
+     .id = "jitterOfPreviousTakenOff",
+     .text = "with the jitter of the frame before added",
+     .madeOf = MotionMadeOf::Jitter,
+     .shares = {0, -1},
+     .mending = {"fault.motionJitter=last"},
+     .own = kJitterTakenOff,
+     .change = "Take the jitter of the frame before off no more, or state that motion does not hold it."},
+    {.kind = MotionKind::FrameLate,
+     .id = "frameLate",
+     .text = "that of the frame after",
+     .madeOf = MotionMadeOf::OtherFrame,
+     .motion = ofNext,
+     .mending = {"fault.motionLag=-1"},
+     .fault = Fault::MotionLingers,
+     .change = "Give each frame its own motion: what you write is that of the frame before."},
+    {.kind = MotionKind::FrameEarly,
+     .id = "frameEarly",
+     .text = "that of the frame before",
+     .madeOf = MotionMadeOf::OtherFrame,
+     .motion = ofLast,
+     .mending = {"fault.motionLag=1"},
+     .own = {"motionFrameEarly", "Motion a frame early",
+             "Edges break for a frame when something stops or starts."},
+     .change = "Give each frame its own motion: what you write is that of the frame after."},
+    {.kind = MotionKind::Forward,
+     .id = "forward",
+     .text = "that which the frame before holds of the same surface",
+     .madeOf = MotionMadeOf::OtherFrame,
+     .motion = forwardMotion,
+     .own =
+         {"motionForward", "Motion to the next frame",
+          "Ghosts of what speeds up or slows down; the history of a pixel is looked for where it will be."},
+     .change =
+         "Motion has to say where a pixel was in the frame before. What you write says where it will be in "
+         "the next one (forward vectors): write the vectors to the frame before, or give each frame those "
+         "that the frame before has."},
+    {.kind = MotionKind::Scaled, .id = "scaled", .text = "", .madeOf = MotionMadeOf::Factors},
+    {.kind = MotionKind::LacksCamera,
+     .id = "lacksCamera",
+     .text = "with the camera's motion added",
+     .madeOf = MotionMadeOf::Camera,
+     .motion = plusCamera<1>,
+     .mending = {"fault.previousCamera=twice"}},
+    {.kind = MotionKind::CameraTwice,
+     .id = "cameraTwice",
+     .text = "with the camera's motion taken off once",
+     .madeOf = MotionMadeOf::Camera,
+     .motion = plusCamera<-1>,
+     .mending = {"fault.previousCamera=ofNow"},
+     .own = {"motionCameraTwice", "The camera's motion twice", "Ghosts grow with speed."},
+     .change = "Take the camera's motion off once, or state that motion holds it: it does already."},
+    {.kind = MotionKind::Encoded,
+     .id = "encoded",
+     .text = "decoded from 0 to 1",
+     .madeOf = MotionMadeOf::Curve,
+     .motion = decoded,
+     .mending = {"fault.motionUnit=asBiased"},
+     .fault = Fault::MotionEncoded,
+     .change =
+         "Decode motion before it is used: what is stored is ½ + ½ of it, in shares of the picture. Or state "
+         "that encoding."},
+    {.kind = MotionKind::Root,
+     .id = "root",
+     .text = "squared, in shares of the picture",
+     .madeOf = MotionMadeOf::Curve,
+     .motion = squared,
+     .mending = {"fault.motionUnit=asRoot"},
+     .fault = Fault::MotionRoot,
+     .change =
+         "Decode motion before it is used: what is stored is its root, in shares of the picture. Or state "
+         "that encoding."},
+    {.kind = MotionKind::OtherUnit, .id = "otherUnit", .text = "", .madeOf = MotionMadeOf::Factors},
+    // What an earlier frame added is not known of what moves: nothing mends it.
+    {.kind = MotionKind::TwoFramesOld,
+     .id = "twoFramesOld",
+     .text = "without that of the frame before, which it holds as well",
+     .madeOf = MotionMadeOf::Camera,
+     .motion = withoutOlder,
+     .fault = Fault::PreviousTwoFramesOld,
+     .change = "Keep the transforms of the frame before: motion goes back to those of two frames ago."},
+    {.kind = MotionKind::CameraTurned,
+     .id = "cameraTurned",
+     .text = "with the previous camera turned back",
+     .madeOf = MotionMadeOf::OtherCamera,
+     .motion = without<&OtherCameras::turned>,
+     .fault = Fault::CameraTurned,
+     .change =
+         "What rests moves as if the previous camera had looked elsewhere: make motion with the view of the "
+         "frame before, unchanged."},
+    {.kind = MotionKind::CameraBeside,
+     .id = "cameraBeside",
+     .text = "with the previous camera moved back",
+     .madeOf = MotionMadeOf::OtherCamera,
+     .motion = without<&OtherCameras::beside>,
+     .fault = Fault::CameraOfSecondView,
+     .change = "What rests moves as if the previous camera had stood beside this one: make motion with the "
+               "matrices of the frame before of the same view."},
+    {.kind = MotionKind::CameraMirrored,
+     .id = "cameraMirrored",
+     .text = "with the previous camera's own matrix, not that of a mirror",
+     .madeOf = MotionMadeOf::OtherCamera,
+     .motion = without<&OtherCameras::mirrored>,
+     .fault = Fault::CameraOfMirror,
+     .change =
+         "What rests moves as if the previous camera had been that of a mirror: keep the matrices of each "
+         "view apart."},
+    {.kind = MotionKind::CameraIdentity,
+     .id = "cameraIdentity",
+     .text = "with the previous camera's matrix, which was never set",
+     .madeOf = MotionMadeOf::OtherCamera,
+     .motion = without<&OtherCameras::identity>,
+     .fault = Fault::PreviousIdentity,
+     .change =
+         "What rests moves as if the previous matrix were 1: set it to that of the frame before, and in the "
+         "first frame to this frame's."},
+    {.kind = MotionKind::CameraUnzoomed,
+     .id = "cameraUnzoomed",
+     .text = "with the previous camera's own projection, not this one's",
+     .madeOf = MotionMadeOf::OtherCamera,
+     .motion = without<&OtherCameras::unzoomed>,
+     .own = {"motionWithoutZoom", "The change of the field of view missing in motion",
+             "Everything smears towards the border while the camera zooms."},
+     .change =
+         "Motion is made with this frame's projection for the previous position, too: keep the whole matrix "
+         "of the frame before, its projection included."},
+    {.kind = MotionKind::CameraUnmoved,
+     .id = "cameraUnmoved",
+     .text = "with the way of the camera, not its turning alone",
+     .madeOf = MotionMadeOf::OtherCamera,
+     .motion = without<&OtherCameras::unmoved>,
+     .own = {"motionWithoutCamerasWay", "The camera's way missing in motion",
+             "Near things smear while the camera moves; where it turns all is right."},
+     .change = "Motion knows the turning of the camera and not its way: the previous matrix has this frame's "
+               "position. Keep the whole matrix of the frame before."},
+    {.kind = MotionKind::CameraUnturned,
+     .id = "cameraUnturned",
+     .text = "with the turning of the camera, not its way alone",
+     .madeOf = MotionMadeOf::OtherCamera,
+     .motion = without<&OtherCameras::unturned>,
+     .own = {"motionWithoutCamerasTurn", "The camera's turning missing in motion",
+             "Everything smears while the camera turns; where it moves straight on all is right."},
+     .change = "Motion knows the way of the camera and not its turning: the previous matrix has this frame's "
+               "rotation. Keep the whole matrix of the frame before."},
+    {.kind = MotionKind::OfCamera,
+     .id = "ofCamera",
+     .text = "that of the camera",
+     .madeOf = MotionMadeOf::Camera,
+     .motion = ofCamera,
+     .mending = {"fault.motion=cameraOnly"}},
+});
+static_assert(std::ranges::all_of(kMotionRows, [](const MotionRow& row) {
+  return &row - kMotionRows.data() == static_cast<std::ptrdiff_t>(row.kind);
+}));
+
+void addFactors(std::vector<MotionTrial>& trials) {
+  for (const float factor :
+       {0.5f, 2.0f, 0.25f, 1.0f / 3.0f, 2.0f / 3.0f, 0.75f, 4.0f / 3.0f, 1.5f, 3.0f, 4.0f})
+    trials.push_back({MotionKind::Scaled, glm::vec2(factor)});
+}
+
+/// Texture or device coordinates taken for pixels, and the other way; y of the latter may point up. Direction
+/// and axes may be wrong besides.
+void addUnits(const glm::ivec2& sizePx, std::vector<MotionTrial>& trials) {
+  const glm::vec2 uv(sizePx), ndc = 0.5f * uv, yUp(1.0f, -1.0f), xLeft(-1.0f, 1.0f);
+  for (const glm::vec2& unit : {uv, 1.0f / uv})
+    for (const glm::vec2& factor : {unit, unit * yUp, -unit, unit * xLeft})
+      trials.push_back({MotionKind::OtherUnit, factor});
+  for (const glm::vec2& unit : {ndc, 1.0f / ndc})
+    for (const glm::vec2& factor : {unit * yUp, unit, unit * xLeft, -unit})
+      trials.push_back({MotionKind::OtherUnit, factor, true});
+}
+
 } // namespace
 
 const MotionRow& motionRow(MotionKind kind) {
@@ -204,34 +441,13 @@ std::optional<glm::dmat2> factorsOf(const MotionTrial& trial) {
 
 std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx) {
   std::vector<MotionTrial> trials;
-  for (const MotionKind kind :
-       {MotionKind::AsGiven, MotionKind::Resting, MotionKind::MirroredX, MotionKind::MirroredY,
-        MotionKind::Opposite, MotionKind::SwappedAxes, MotionKind::TurnedLeft, MotionKind::TurnedRight,
-        MotionKind::JitterOfThis, MotionKind::JitterOfPrevious, MotionKind::JitterOfBoth,
-        MotionKind::JitterTakenOff, MotionKind::JitterOfThisTakenOff, MotionKind::JitterOfPreviousTakenOff,
-        MotionKind::FrameLate, MotionKind::FrameEarly, MotionKind::Forward})
-    trials.push_back({kind});
-  for (const float factor :
-       {0.5f, 2.0f, 0.25f, 1.0f / 3.0f, 2.0f / 3.0f, 0.75f, 4.0f / 3.0f, 1.5f, 3.0f, 4.0f})
-    trials.push_back({MotionKind::Scaled, glm::vec2(factor)});
-  for (const MotionKind kind : {MotionKind::LacksCamera, MotionKind::CameraTwice}) trials.push_back({kind});
-  for (const MotionKind kind : {MotionKind::Encoded, MotionKind::Root}) trials.push_back({kind});
-  // Texture or device coordinates taken for pixels, and the other way; y of the latter may point up.
-  // Direction and axes may be wrong besides.
-  const glm::vec2 uv(sizePx), ndc = 0.5f * uv, yUp(1.0f, -1.0f), xLeft(-1.0f, 1.0f);
-  for (const glm::vec2& unit : {uv, 1.0f / uv})
-    for (const glm::vec2& factor : {unit, unit * yUp, -unit, unit * xLeft})
-      trials.push_back({MotionKind::OtherUnit, factor});
-  for (const glm::vec2& unit : {ndc, 1.0f / ndc})
-    for (const glm::vec2& factor : {unit * yUp, unit, unit * xLeft, -unit})
-      trials.push_back({MotionKind::OtherUnit, factor, true});
-  for (const MotionKind kind :
-       {MotionKind::TwoFramesOld, MotionKind::CameraTurned, MotionKind::CameraBeside,
-        MotionKind::CameraMirrored, MotionKind::CameraIdentity, MotionKind::CameraUnzoomed,
-        MotionKind::CameraUnmoved, MotionKind::CameraUnturned})
-    trials.push_back({kind});
-  // Last: whatever is wrong with what rests in the world, this fits it, and says the least.
-  trials.push_back({MotionKind::OfCamera});
+  for (const MotionRow& row : kMotionRows)
+    if (row.kind == MotionKind::Scaled)
+      addFactors(trials);
+    else if (row.kind == MotionKind::OtherUnit)
+      addUnits(sizePx, trials);
+    else
+      trials.push_back({row.kind});
   return trials;
 }
 
@@ -260,52 +476,12 @@ bool wasHidden(const FrameNeighbors& frames, const glm::ivec2& pixel, const glm:
 
 std::optional<glm::vec2> trueMotion(const MotionTrial& trial, const FrameNeighbors& frames,
                                     const glm::ivec2& pixel) {
-  const glm::vec2 given = frames.now.motionAt(pixel.x, pixel.y);
-  if (const auto factors = factorsOf(trial)) return glm::vec2(*factors * glm::dvec2(given));
-  if (const MotionRow& row = motionRow(trial.kind); row.madeOf == MotionMadeOf::Jitter)
-    return given + (row.shares[0] * frames.now.jitterPx + row.shares[1] * frames.before.jitterPx);
-  switch (trial.kind) {
-  case MotionKind::AsGiven:
-    return given;
-  case MotionKind::Resting:
-    return glm::vec2(0.0f);
-  case MotionKind::OfCamera:
-    return cameraMotionPx(frames.now, pixel);
-  case MotionKind::LacksCamera:
-    return withOther(given, cameraMotionPx(frames.now, pixel), 1.0f);
-  case MotionKind::CameraTwice:
-    return withOther(given, cameraMotionPx(frames.now, pixel), -1.0f);
-  case MotionKind::FrameLate:
-    if (!frames.after || frames.after->startsHistory || frames.after->motionPx.empty()) return {};
-    return knownMotion(frames.after->motionAt(pixel.x, pixel.y));
-  case MotionKind::FrameEarly:
-    if (frames.before.startsHistory || frames.before.motionPx.empty()) return {};
-    return knownMotion(frames.before.motionAt(pixel.x, pixel.y));
-  case MotionKind::Forward:
-    return forwardMotion(frames, pixel);
-  case MotionKind::Encoded:
-    return 2.0f * given - glm::vec2(frames.now.sizePx());
-  case MotionKind::Root:
-    return glm::abs(given) * given / glm::vec2(frames.now.sizePx());
-  case MotionKind::TwoFramesOld:
-    return withoutOlder(frames, pixel);
-  case MotionKind::CameraTurned:
-    return withoutOther(frames.others.turned, frames.now, pixel);
-  case MotionKind::CameraBeside:
-    return withoutOther(frames.others.beside, frames.now, pixel);
-  case MotionKind::CameraMirrored:
-    return withoutOther(frames.others.mirrored, frames.now, pixel);
-  case MotionKind::CameraIdentity:
-    return withoutOther(frames.others.identity, frames.now, pixel);
-  case MotionKind::CameraUnzoomed:
-    return withoutOther(frames.others.unzoomed, frames.now, pixel);
-  case MotionKind::CameraUnmoved:
-    return withoutOther(frames.others.unmoved, frames.now, pixel);
-  case MotionKind::CameraUnturned:
-    return withoutOther(frames.others.unturned, frames.now, pixel);
-  default: // by their rows
-    return {};
-  }
+  const glm::vec2 stored = frames.now.motionAt(pixel.x, pixel.y);
+  if (const auto factors = factorsOf(trial)) return glm::vec2(*factors * glm::dvec2(stored));
+  const MotionRow& row = motionRow(trial.kind);
+  if (row.madeOf == MotionMadeOf::Jitter)
+    return stored + (row.shares[0] * frames.now.jitterPx + row.shares[1] * frames.before.jitterPx);
+  return row.motion(frames, pixel);
 }
 
 } // namespace taa::doctor

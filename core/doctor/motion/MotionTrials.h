@@ -4,6 +4,7 @@
 
 #include "core/doctor/frames/DoctorFrame.h"
 #include "core/doctor/motion/OtherCameras.h"
+#include "core/settings/Faults.h"
 
 #include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
@@ -17,16 +18,12 @@
 
 namespace taa::doctor {
 
-/// What is stored as motion m of a pixel, beside what it truly moves by.
+/// What is stored as motion m of a pixel, beside what it truly moves by; in the order in which they are
+/// tried: those that say most before those that say little.
 enum class MotionKind : std::uint8_t {
   AsGiven,
-  Resting,     ///< the pixels do not move over the screen
-  OfCamera,    ///< the pixels move as what rests in the world does
-  LacksCamera, ///< m is without the camera's motion
-  CameraTwice, ///< m holds the camera's motion twice
-  Scaled,      ///< m is too long or too short by one factor for both axes
-  OtherUnit,   ///< by a factor that the picture's size explains
-  MirroredX,   ///< x has the other sign; likewise y, both
+  Resting,   ///< the pixels do not move over the screen
+  MirroredX, ///< x has the other sign; likewise y, both
   MirroredY,
   Opposite,
   SwappedAxes,
@@ -42,8 +39,12 @@ enum class MotionKind : std::uint8_t {
   FrameLate,    ///< m is that of the frame before
   FrameEarly,   ///< m is that of the frame after
   Forward,      ///< m is what the surface moves by until the frame after
+  Scaled,       ///< m is too long or too short by one factor for both axes
+  LacksCamera,  ///< m is without the camera's motion
+  CameraTwice,  ///< m holds the camera's motion twice
   Encoded,      ///< m is ½ + ½ of what it should be, in shares of the picture
   Root,         ///< m is the root of what it should be, in shares of the picture
+  OtherUnit,    ///< by a factor that the picture's size explains
   TwoFramesOld, ///< m goes back two frames
   CameraTurned, ///< m was made with a previous camera that is turned; moved; mirrored; never set
   CameraBeside,
@@ -52,6 +53,7 @@ enum class MotionKind : std::uint8_t {
   CameraUnzoomed, ///< m was made with this frame's projection for the previous position, too
   CameraUnmoved,  ///< m was made as if the previous camera had stood where this one stands; likewise as if it
   CameraUnturned, ///< had looked the same way
+  OfCamera, ///< the pixels move as what rests in the world does: whatever is wrong with that, this fits it
 };
 
 struct MotionTrial {
@@ -72,16 +74,30 @@ enum class MotionMadeOf : std::uint8_t {
   OtherCamera ///< m less what depth and matrices make with another camera than theirs
 };
 
-/// What is known of each kind.
+struct FrameNeighbors;
+
+/// A fault that the table of faults does not have, as nothing injects it.
+struct OwnFault {
+  std::string_view id, name, symptom;
+};
+
+/// All that is known of each kind: a row is an explanation.
 struct MotionRow {
   MotionKind kind;
   std::string_view id, text; ///< for files, for people; of one with a factor of its own the text is empty
-  MotionMadeOf madeOf;
-  /// What makes such frames right, as --set takes it; empty: see motionMending().
-  std::array<std::string_view, 2> mending{};
+  MotionMadeOf madeOf = MotionMadeOf::Given;
+  /// What a pixel moves by if it is so, px; null: by factors or shares.
+  std::optional<glm::vec2> (*motion)(const FrameNeighbors& frames, const glm::ivec2& pixel) = nullptr;
   /// Of Factors, unless the trial has them: what true x has of x and of y, and true y of x and of y. Of
   /// Jitter: how many times the jitter of this frame, and of the one before, are added.
   std::array<float, 4> shares{};
+  /// What makes such frames right, as --set takes it; empty: see motionMending().
+  std::array<std::string_view, 2> mending{};
+  /// What it is called and what one sees: of the table of faults, or its own; none where that depends on the
+  /// region, see motionFault().
+  std::optional<Fault> fault{};
+  OwnFault own{};
+  std::string_view change{}; ///< a sentence: what to do
 };
 const MotionRow& motionRow(MotionKind kind);
 MotionMadeOf madeOf(MotionKind kind);
@@ -89,7 +105,7 @@ MotionMadeOf madeOf(MotionKind kind);
 /// What m is multiplied with; nothing where it is no product.
 std::optional<glm::dmat2> factorsOf(const MotionTrial& trial);
 
-/// AsGiven first, then all others for pictures of a size: those that say most before those that say little.
+/// Of all kinds in their order, for pictures of a size.
 std::vector<MotionTrial> motionTrials(const glm::ivec2& sizePx);
 
 /// "jitterOfThis", for files; of Scaled with its factor, "scaled:0.5".

@@ -22,6 +22,10 @@ FaultWords ofTable(Fault fault, std::string change) {
   return {std::string(row.id), std::string(row.label), std::string(row.symptom), std::move(change)};
 }
 
+FaultWords ofOwn(const OwnFault& fault, std::string change) {
+  return {std::string(fault.id), std::string(fault.name), std::string(fault.symptom), std::move(change)};
+}
+
 FaultWords unwrittenFault(const Region& region) {
   if (region.isSky)
     return ofTable(Fault::SkyWithoutMotion,
@@ -78,114 +82,11 @@ FaultWords cameraFault(const Region& region, const RegionEvidence& evidence) {
               "the frame before, of the same camera and pass.">()};
 }
 
-FaultWords jitterLeftFault(MotionKind kind) {
-  const bool isTakenOff = kind == MotionKind::JitterTakenOff || kind == MotionKind::JitterOfThisTakenOff ||
-                          kind == MotionKind::JitterOfPreviousTakenOff;
-  if (isTakenOff)
-    return {
-        "motionJitterTakenOff", say<"Jitter taken off motion that had none">(),
-        say<"The whole picture trembles, at rest too.">(),
-        kind == MotionKind::JitterTakenOff
-            ? say<"Take no jitter off, or state that it is in motion no more: the matrices that motion is "
-                  "made with have none.">()
-        : kind == MotionKind::JitterOfThisTakenOff
-            ? say<"Take this frame's jitter off no more, or state that motion does not hold it.">()
-            : say<"Take the jitter of the frame before off no more, or state that motion does not hold "
-                  "it.">()};
-  const std::string change = say<"Make motion with both frames' projections without jitter, or state which "
-                                 "jitter is in it.">();
-  if (kind == MotionKind::JitterOfThis) return ofTable(Fault::MotionJitterThis, change);
-  return ofTable(kind == MotionKind::JitterOfPrevious ? Fault::MotionJitterLast : Fault::MotionJitterBoth,
-                 change);
-}
-
-FaultWords axesFault(MotionKind kind) {
-  if (kind == MotionKind::MirroredX)
-    return ofTable(Fault::MotionNegatedX,
-                   say<"Negate x of the motion that you write; or state the other direction, and that y goes "
-                       "the other way.">());
-  if (kind == MotionKind::MirroredY)
-    return ofTable(Fault::MotionNegatedY,
-                   say<"Negate y of the motion that you write, or state that it points the other way.">());
-  if (kind == MotionKind::Opposite)
-    return ofTable(Fault::MotionNegated,
-                   say<"Negate the motion that you write, or state the other direction.">());
-  return ofTable(Fault::MotionSwapped, say<"Exchange x and y of motion.">());
-}
-
-FaultWords frameFault(MotionKind kind) {
-  if (kind == MotionKind::FrameLate)
-    return ofTable(Fault::MotionLingers,
-                   say<"Give each frame its own motion: what you write is that of the frame before.">());
-  if (kind == MotionKind::Forward)
-    return {
-        "motionForward", say<"Motion to the next frame">(),
-        say<"Ghosts of what speeds up or slows down; the history of a pixel is looked for where it will be.">(),
-        say<"Motion has to say where a pixel was in the frame before. What you write says where it will be in the "
-            "next one (forward vectors): write the vectors to the frame before, or give each frame those that the "
-            "frame before has.">()};
-  return {"motionFrameEarly", say<"Motion a frame early">(),
-          say<"Edges break for a frame when something stops or starts.">(),
-          say<"Give each frame its own motion: what you write is that of the frame after.">()};
-}
-
-FaultWords decodedFault(MotionKind kind) {
-  if (kind == MotionKind::Encoded)
-    return ofTable(Fault::MotionEncoded,
-                   say<"Decode motion before it is used: what is stored is ½ + ½ of it, in shares of the "
-                       "picture. Or state that encoding.">());
-  return ofTable(Fault::MotionRoot,
-                 say<"Decode motion before it is used: what is stored is its root, in shares of the picture. "
-                     "Or state that encoding.">());
-}
-
 FaultWords lacksCameraFault(const Region& region, const RegionEvidence& evidence) {
   if (isUnwritten(evidence)) return unwrittenFault(region);
   return ofTable(Fault::MotionWithoutCamera,
                  say<"Add the camera's motion: the previous matrix has to be that of the frame before, not "
                      "this frame's.">());
-}
-
-FaultWords otherCameraFault(MotionKind kind) {
-  switch (kind) {
-  case MotionKind::CameraTurned:
-    return ofTable(
-        Fault::CameraTurned,
-        say<"What rests moves as if the previous camera had looked elsewhere: make motion with the "
-            "view of the frame before, unchanged.">());
-  case MotionKind::CameraBeside:
-    return ofTable(
-        Fault::CameraOfSecondView,
-        say<"What rests moves as if the previous camera had stood beside this one: make motion with "
-            "the matrices of the frame before of the same view.">());
-  case MotionKind::CameraUnzoomed:
-    return {"motionWithoutZoom", say<"The change of the field of view missing in motion">(),
-            say<"Everything smears towards the border while the camera zooms.">(),
-            say<"Motion is made with this frame's projection for the previous position, too: keep the whole "
-                "matrix of the frame before, its projection included.">()};
-  case MotionKind::CameraUnmoved:
-    return {
-        "motionWithoutCamerasWay", say<"The camera's way missing in motion">(),
-        say<"Near things smear while the camera moves; where it turns all is right.">(),
-        say<"Motion knows the turning of the camera and not its way: the previous matrix has this frame's "
-            "position. Keep the whole matrix of the frame before.">()};
-  case MotionKind::CameraUnturned:
-    return {
-        "motionWithoutCamerasTurn", say<"The camera's turning missing in motion">(),
-        say<"Everything smears while the camera turns; where it moves straight on all is right.">(),
-        say<"Motion knows the way of the camera and not its turning: the previous matrix has this frame's "
-            "rotation. Keep the whole matrix of the frame before.">()};
-  case MotionKind::CameraMirrored:
-    return ofTable(
-        Fault::CameraOfMirror,
-        say<"What rests moves as if the previous camera had been that of a mirror: keep the matrices "
-            "of each view apart.">());
-  default:
-    return ofTable(
-        Fault::PreviousIdentity,
-        say<"What rests moves as if the previous matrix were 1: set it to that of the frame before, "
-            "and in the first frame to this frame's.">());
-  }
 }
 
 /// Whether what is given is the camera's motion, or 0, at most of its pixels.
@@ -236,63 +137,12 @@ FaultWords searchedFault(const Region& region, const RegionEvidence& evidence, c
 FaultWords motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence,
                        const FrameNames& names) {
   if (!trial) return searchedFault(region, evidence, names);
-  switch (trial->kind) {
-  case MotionKind::AsGiven:
-    break;
-  case MotionKind::Resting:
-    return ofTable(Fault::InterfaceBefore,
-                   say<"It rests on the screen, and its motion is that of what is behind: draw it after TAA, "
-                       "or write 0 for it.">());
-  case MotionKind::OfCamera:
-    return cameraFault(region, evidence);
-  case MotionKind::LacksCamera:
-    return lacksCameraFault(region, evidence);
-  case MotionKind::CameraTwice:
-    return {"motionCameraTwice", say<"The camera's motion twice">(), say<"Ghosts grow with speed.">(),
-            say<"Take the camera's motion off once, or state that motion holds it: it does already.">()};
-  case MotionKind::Scaled:
-    return scaledFault(*trial);
-  case MotionKind::OtherUnit:
-    return unitFault(*trial);
-  case MotionKind::MirroredX:
-  case MotionKind::MirroredY:
-  case MotionKind::Opposite:
-  case MotionKind::SwappedAxes:
-    return axesFault(trial->kind);
-  case MotionKind::TurnedLeft:
-  case MotionKind::TurnedRight:
-    return turnedWords(
-        trial->kind == MotionKind::TurnedLeft
-            ? say<"Exchange x and y of motion, and negate x then: it is turned by a quarter.">()
-            : say<"Exchange x and y of motion, and negate y then: it is turned by a quarter.">());
-  case MotionKind::JitterOfThis:
-  case MotionKind::JitterOfPrevious:
-  case MotionKind::JitterOfBoth:
-  case MotionKind::JitterTakenOff:
-  case MotionKind::JitterOfThisTakenOff:
-  case MotionKind::JitterOfPreviousTakenOff:
-    return jitterLeftFault(trial->kind);
-  case MotionKind::FrameLate:
-  case MotionKind::FrameEarly:
-  case MotionKind::Forward:
-    return frameFault(trial->kind);
-  case MotionKind::Encoded:
-  case MotionKind::Root:
-    return decodedFault(trial->kind);
-  case MotionKind::TwoFramesOld:
-    return ofTable(
-        Fault::PreviousTwoFramesOld,
-        say<"Keep the transforms of the frame before: motion goes back to those of two frames ago.">());
-  case MotionKind::CameraTurned:
-  case MotionKind::CameraBeside:
-  case MotionKind::CameraMirrored:
-  case MotionKind::CameraIdentity:
-  case MotionKind::CameraUnzoomed:
-  case MotionKind::CameraUnmoved:
-  case MotionKind::CameraUnturned:
-    return otherCameraFault(trial->kind);
-  }
-  return {};
+  if (trial->kind == MotionKind::OfCamera) return cameraFault(region, evidence);
+  if (trial->kind == MotionKind::LacksCamera) return lacksCameraFault(region, evidence);
+  if (trial->kind == MotionKind::Scaled) return scaledFault(*trial);
+  if (trial->kind == MotionKind::OtherUnit) return unitFault(*trial);
+  const MotionRow& row = motionRow(trial->kind);
+  return row.fault ? ofTable(*row.fault, std::string(row.change)) : ofOwn(row.own, std::string(row.change));
 }
 
 FaultWords lengthWords(std::string change) {
@@ -301,8 +151,7 @@ FaultWords lengthWords(std::string change) {
 }
 
 FaultWords turnedWords(std::string change) {
-  return {"motionTurned", say<"Motion with its axes turned">(), say<"Ghosts beside what moves.">(),
-          std::move(change)};
+  return ofOwn(motionRow(MotionKind::TurnedLeft).own, std::move(change));
 }
 
 FaultWords unknownMotion() {
