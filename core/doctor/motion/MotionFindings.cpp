@@ -29,10 +29,8 @@ namespace {
 
 /// Of the pixels of regions that are decided: a fault of so many is one of the whole picture.
 constexpr double kWholeShare = 0.95;
-// The sky's motion by depth and cameras alone, where it has no detail: px, and the share of all other
-// surfaces whose motion has to be that of the camera, so that cameras are known to be right.
+/// px: the sky's motion by depth and cameras alone, where it has no detail.
 constexpr double kSkyMovesPx = 0.1;
-constexpr double kTrustedShare = 0.3;
 
 /// Pixels of regions that are right or wrong.
 double decidedPixels(const std::vector<JudgedRegion>& judged) {
@@ -143,17 +141,6 @@ void preferStated(std::vector<JudgedRegion>& judged, const std::vector<MotionTri
       region.trial = twice;
 }
 
-/// Whether the motion of surfaces is that of the cameras at so many pixels that these are right.
-bool areCamerasTrusted(const std::vector<JudgedRegion>& judged) {
-  std::size_t known = 0, ofCamera = 0;
-  for (const JudgedRegion& region : judged) {
-    if (region.region->isSky || region.evidence->cameraPx == 0.0) continue;
-    known += region.evidence->cameraKnown;
-    ofCamera += region.evidence->ofCamera;
-  }
-  return known > 0 && static_cast<double>(ofCamera) >= kTrustedShare * static_cast<double>(known);
-}
-
 /// The sky cannot move by itself: where the cameras are right, they decide, whatever its detail.
 bool isSkyUnwritten(const JudgedRegion& sky, const std::vector<JudgedRegion>& judged, bool isTrusted) {
   const RegionEvidence& evidence = *sky.evidence;
@@ -187,7 +174,7 @@ Finding skyFinding(const JudgedRegion& sky, const Patient& patient, double allPi
 /// Tells of a sky without motion, and takes it out of what is judged.
 void tellUnwrittenSky(std::vector<JudgedRegion>& judged, const Patient& patient, double allPixels,
                       Diagnosis& out) {
-  const bool isTrusted = areCamerasTrusted(judged);
+  const bool isTrusted = areCamerasRight(judged);
   const auto sky = std::ranges::find_if(
       judged, [&](const JudgedRegion& region) { return isSkyUnwritten(region, judged, isTrusted); });
   if (sky == judged.end()) return;

@@ -50,14 +50,26 @@ bool isBy(const FaultGroup& group, DecidedBy by) {
 
 } // namespace
 
+bool areCamerasRight(const std::vector<JudgedRegion>& judged) {
+  constexpr double kTrustedShare = 0.3;
+  std::size_t known = 0, ofCamera = 0;
+  for (const JudgedRegion& region : judged) {
+    if (region.region->isSky || region.evidence->cameraPx == 0.0) continue;
+    known += region.evidence->cameraKnown;
+    ofCamera += region.evidence->ofCamera;
+  }
+  return known > 0 && static_cast<double>(ofCamera) >= kTrustedShare * static_cast<double>(known);
+}
+
 std::vector<FaultGroup> groupsOf(const std::vector<JudgedRegion>& judged,
                                  const std::vector<MotionTrial>& trials, const FrameNames& names) {
+  const bool areRight = areCamerasRight(judged);
   std::vector<FaultGroup> groups;
   for (const JudgedRegion& region : judged) {
     if (region.decision.verdict != MotionVerdict::Wrong) continue;
     const MotionTrial* trial = region.trial ? &trials[*region.trial] : nullptr;
     const JudgedRegion& named = namedBy(region, judged);
-    FaultWords fault = motionFault(trial, *named.region, *named.evidence, names);
+    FaultWords fault = motionFault(trial, *named.region, *named.evidence, names, areRight);
     auto found = std::ranges::find_if(groups, [&](const FaultGroup& group) {
       return group.fault.id == fault.id && group.trial == region.trial;
     });

@@ -19,6 +19,9 @@ struct FaultGroup {
   double pixels = 0.0;
 };
 
+/// Whether the motion of surfaces is that of the cameras at so many pixels that these are right.
+bool areCamerasRight(const std::vector<JudgedRegion>& judged);
+
 /// Those that show in the most pixels first.
 std::vector<FaultGroup> groupsOf(const std::vector<JudgedRegion>& judged,
                                  const std::vector<MotionTrial>& trials, const FrameNames& names);

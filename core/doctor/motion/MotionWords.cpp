@@ -73,13 +73,19 @@ FaultWords wrongCameraFault(Fault fault) {
                             "it with the matrices of the frame before of the same view.">());
 }
 
-FaultWords cameraFault(const Region& region, const RegionEvidence& evidence) {
+FaultWords cameraFault(const Region& region, const RegionEvidence& evidence, bool areCamerasRight) {
   if (isUnwritten(evidence)) return unwrittenFault(region);
-  if (const auto fault = wrongCamera(evidence)) return wrongCameraFault(*fault);
-  return {"motionNotCameras", say<"Motion of what rests is not the camera's">(),
-          say<"A double image of what rests.">(),
-          say<"It rests in the world, and its motion is not that of the camera: make it with the matrices of "
-              "the frame before, of the same camera and pass.">()};
+  // A matrix that is wrong is so for all that a pass draws.
+  if (const auto fault = areCamerasRight ? std::nullopt : wrongCamera(evidence))
+    return wrongCameraFault(*fault);
+  return {
+      "motionNotCameras", say<"Motion of what rests is not the camera's">(),
+      say<"A double image of what rests.">(),
+      areCamerasRight
+          ? say<"It rests in the world, and its motion is not that of the camera, which is right elsewhere: "
+                "make it with the same matrices, and let nothing transparent before it write its own.">()
+          : say<"It rests in the world, and its motion is not that of the camera: make it with the matrices "
+                "of the frame before, of the same camera and pass.">()};
 }
 
 FaultWords lacksCameraFault(const Region& region, const RegionEvidence& evidence) {
@@ -135,9 +141,9 @@ FaultWords searchedFault(const Region& region, const RegionEvidence& evidence, c
 } // namespace
 
 FaultWords motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence,
-                       const FrameNames& names) {
+                       const FrameNames& names, bool areCamerasRight) {
   if (!trial) return searchedFault(region, evidence, names);
-  if (trial->kind == MotionKind::OfCamera) return cameraFault(region, evidence);
+  if (trial->kind == MotionKind::OfCamera) return cameraFault(region, evidence, areCamerasRight);
   if (trial->kind == MotionKind::LacksCamera) return lacksCameraFault(region, evidence);
   if (trial->kind == MotionKind::Scaled) return scaledFault(*trial);
   if (trial->kind == MotionKind::OtherUnit) return unitFault(*trial);

@@ -20,9 +20,10 @@ struct FaultWords {
   std::string symptom, change; ///< sentences
 };
 
-/// `trial`: what explains it; null: the pixels move as no explanation says.
+/// `trial`: what explains it; null: the pixels move as no explanation says. `areCamerasRight`: elsewhere the
+/// motion given is that of the cameras.
 FaultWords motionFault(const MotionTrial* trial, const Region& region, const RegionEvidence& evidence,
-                       const FrameNames& names = {});
+                       const FrameNames& names = {}, bool areCamerasRight = false);
 
 /// Gives a finding the words of a fault.
 /// Of motion that is longer or shorter, or turned, by what no row of the table says.
