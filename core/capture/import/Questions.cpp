@@ -270,6 +270,11 @@ std::vector<std::vector<Assignments>> searchOf(const FrameSamples& samples, cons
   return axes;
 }
 
+bool isClearlyLess(FrameSamples& samples, const TestState& one, const TestState& other) {
+  const TrialComparison comparison = compare(samples, other, one);
+  return comparison.best == 1 && comparison.isClear();
+}
+
 void search(FrameSamples& samples, TestState& state, const QuestionRules& rules, const Progress& progress) {
   std::vector<TestState> states = {state};
   for (const std::vector<Assignments>& axis : searchOf(samples, state, rules)) {
@@ -308,9 +313,7 @@ void search(FrameSamples& samples, TestState& state, const QuestionRules& rules,
   for (const Conventions& start : rules.starts) {
     const TestState begun = moving(start);
     if (roughResidual(samples, begun) >= least) continue;
-    if (const TrialComparison comparison = compare(samples, state, begun);
-        comparison.best == 1 && comparison.isClear())
-      state = begun;
+    if (isClearlyLess(samples, begun, state)) state = begun;
   }
   if (!rules.prior) return;
   const TestState prior = moving(*rules.prior);
@@ -375,6 +378,33 @@ std::optional<MotionLength> searchLength(FrameSamples& samples, const MotionConv
   return length;
 }
 
+/// Whether motion is clearly stored as an engine stores it, in another encoding than that of `state`, which
+/// becomes that engine's then.
+std::optional<Finding> askEncoding(FrameSamples& samples, TestState& state) {
+  constexpr std::string_view kPath = "motion.encoding";
+  const auto encodingOf = [](const Conventions& conventions) {
+    Assignments out;
+    for (const std::string_view path : {kPath, std::string_view("motion.notWritten")})
+      out.push_back(std::string(path) + "=" + convention(path).text(conventions));
+    return out;
+  };
+  for (const StartingPoint& engine : startingPoints()) {
+    TestState other = state;
+    other.conventions.motion = engine.conventions.motion;
+    other.conventions.jitter = engine.conventions.jitter;
+    if (other.conventions.motion.encoding == state.conventions.motion.encoding ||
+        !isClearlyLess(samples, other, state))
+      continue;
+    const ConventionQuestion question{"Encoding of motion", kPath, withMotion, nullptr, true};
+    const Trial stated = trialOf(state, say<"As stated">(), encodingOf(state.conventions));
+    const Trial as = trialOf(other, say<"As in %1">(engine.label), encodingOf(other.conventions));
+    Finding finding = ask(question, {stated, as}, samples, state, {Adopt::SureOnes, {}}).finding;
+    state = other;
+    return finding;
+  }
+  return {};
+}
+
 } // namespace
 
 bool Finding::contradicts() const {
@@ -427,11 +457,12 @@ std::vector<Finding> askStated(FrameSamples& samples, TestState& state, const Pr
   std::vector<Finding> findings = askPixels(samples, state, rules, progress);
   if (samples.pairs().empty()) return findings;
   search(samples, searched, rules, progress);
-  if (const TrialComparison comparison = compare(samples, state, searched);
-      comparison.best == 0 || !comparison.isClear())
-    return findings;
-  state = searched;
-  return askPixels(samples, state, rules, progress);
+  const bool isHidden = isClearlyLess(samples, searched, state);
+  if (isHidden) state = searched;
+  std::optional<Finding> encoding = samples.hasMotion() ? askEncoding(samples, state) : std::nullopt;
+  if (isHidden || encoding) findings = askPixels(samples, state, rules, progress);
+  if (encoding) findings.insert(findings.begin(), std::move(*encoding));
+  return findings;
 }
 
 void chooseStated(std::vector<Finding>& findings, const Conventions& stated) {

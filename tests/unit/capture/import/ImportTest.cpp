@@ -438,6 +438,30 @@ TEST_F(ImportTest, ContradictsAllThatIsStatedWrongAndNothingElse) {
   }
 }
 
+// Stored as Unreal does and said to be plain texture coordinates, motion is next to none, which fits nothing.
+TEST_F(ImportTest, ContradictsAnEncodingThatIsNotStated) {
+  scene_.wallPx = {5.3, -3.1};
+  scene_.squarePx = {-4.2, 5.4};
+  const glm::vec2 halfPx(0.5f * MovingSquare::kWidth, -0.5f * MovingSquare::kHeight);
+  changeStored(folder_, scene_, stated_, [&](const glm::vec2& px, std::size_t) {
+    const glm::vec2 ndc = px / halfPx;
+    return glm::sign(ndc) * glm::sqrt(2.0f * glm::abs(ndc)) * 0.2495f + 32767.0f / 65535.0f;
+  });
+  Manifest manifest = guessCapture(folder_, "unreal", {}).manifest;
+  EXPECT_EQ(manifest.conventions.motion.encoding, MotionEncoding::Unreal);
+  manifest.conventions.motion = startingPoint("unity").conventions.motion;
+  Conventions mended = manifest.conventions;
+  for (const Finding& finding : measureConventions(folder_, manifest)) {
+    if (finding.path == "like" || !finding.contradicts()) continue;
+    for (const std::string& assignment : finding.hypotheses.front().assignments)
+      applyAssignment(mended, assignment);
+  }
+  EXPECT_EQ(mended.motion.encoding, MotionEncoding::Unreal);
+  EXPECT_EQ(mended.motion.unit, ScreenUnit::Ndc);
+  EXPECT_EQ(mended.motion.yAxis, VerticalAxis::Up);
+  EXPECT_EQ(mended.motion.direction, MotionDirection::CurrentMinusPrevious);
+}
+
 TEST_F(ImportTest, IsWrittenBesideOrAboveItsFiles) {
   writeSquare(folder_ / "frames", scene_, stated_);
   const Guess guess = guessCapture(folder_ / "frames", "", {});
