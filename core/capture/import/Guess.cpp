@@ -75,6 +75,13 @@ void replaceUnsure(std::vector<Finding>& findings, std::optional<Finding> findin
     *found = std::move(*finding);
 }
 
+void tellUnexplained(Guess& out) {
+  if (std::ranges::any_of(out.findings, &Finding::explainsNothing))
+    out.unsure.push_back(
+        say<"no reading of motion that was tried explains much of what changes in the pictures: "
+            "it is read wrong, it is wrong, or lights and materials change more">());
+}
+
 /// The engine whose conventions are exactly these; null: none.
 const StartingPoint* engineOf(const Conventions& stated) {
   const Conventions wanted = normalized(stated);
@@ -369,6 +376,7 @@ void Guesser::askAll() {
     out_.unsure.push_back(
         say<"there are no two frames after each other: pixels say nothing of motion and jitter">());
   for (const Finding& finding : out_.findings) tell(finding);
+  tellUnexplained(out_);
   if (!restNote_.empty() && stated().motion.encoding == MotionEncoding::Offset)
     out_.unsure.push_back(restNote_);
   if (!prior || samples.pairs().empty()) return;
@@ -464,6 +472,7 @@ Guess measureCapture(const fs::path& folder, const std::string& like, std::vecto
     else if (finding.isSure && finding.path != "like")
       out.sure.push_back(finding.question + ": " + finding.hypotheses.front().text + " (" + finding.reason +
                          ")");
+  tellUnexplained(out);
   out.missing = missingInputs(out.manifest);
   return out;
 }

@@ -29,6 +29,8 @@ struct Finding {
   bool isSure = false;
   std::string reason;  ///< a sentence: what it rests on
   std::string measure; ///< what the residuals are: "|Δ luma| × 1000", "px"
+  /// With all answers that are best together motion leaves about as much as if nothing moved, or more.
+  bool explainsNothing = false;
 
   /// Whether pixels say clearly something else than what the manifest states.
   bool contradicts() const;

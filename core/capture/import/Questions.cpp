@@ -378,6 +378,24 @@ std::optional<MotionLength> searchLength(FrameSamples& samples, const MotionConv
   return length;
 }
 
+/// Of motion that explains next to nothing of what moves no answer is sure, though one leaves less than
+/// another: what makes it shorter does.
+void doubtMotion(FrameSamples& samples, const TestState& state, std::vector<Finding>& findings) {
+  constexpr double kExplainsNothing = 0.85;
+  if (!samples.hasMotion()) return;
+  const TrialComparison comparison = compare(samples, {{"", {}, state}, {"", {}, state, true}});
+  const double left = comparison.residuals[0], atRest = comparison.residuals[1];
+  if (!comparison.hasRegions() || !(left > kExplainsNothing * atRest)) return;
+  for (Finding& finding : findings) {
+    if (!finding.path.starts_with("motion.")) continue;
+    finding.explainsNothing = true;
+    if (!finding.isSure) continue;
+    finding.isSure = false;
+    finding.reason = say<"read so, motion leaves %1 times as much as if nothing moved">(
+        roundedText(left / std::max(atRest, 1e-9), 2));
+  }
+}
+
 /// Whether motion is clearly stored as an engine stores it, in another encoding than that of `state`, which
 /// becomes that engine's then.
 std::optional<Finding> askEncoding(FrameSamples& samples, TestState& state) {
@@ -447,6 +465,7 @@ std::vector<Finding> askPixels(FrameSamples& samples, TestState& state, const Qu
       findings.push_back(std::move(answer.finding));
     }
   }
+  doubtMotion(samples, state, findings);
   return findings;
 }
 

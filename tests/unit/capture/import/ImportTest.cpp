@@ -462,6 +462,23 @@ TEST_F(ImportTest, ContradictsAnEncodingThatIsNotStated) {
   EXPECT_EQ(mended.motion.direction, MotionDirection::CurrentMinusPrevious);
 }
 
+// What makes wrong motion shorter leaves less, which says nothing of the convention that does.
+TEST_F(ImportTest, IsSureOfNothingWhereMotionExplainsNothing) {
+  scene_.wallPx = {5.3, -3.1};
+  scene_.squarePx = {-4.2, 5.4};
+  // Along the other diagonal, and longer or shorter from pixel to pixel.
+  changeStored(folder_, scene_, stated_, [](const glm::vec2& px, std::size_t pixel) {
+    return (0.2f + 0.1f * static_cast<float>(pixel % 23)) * glm::vec2(px.y, px.x * px.x);
+  });
+  const Guess guess = guessCapture(folder_, "", {});
+  for (const Finding& finding : guess.findings) {
+    if (!finding.path.starts_with("motion.")) continue;
+    EXPECT_TRUE(finding.explainsNothing) << finding.question;
+    EXPECT_FALSE(finding.isSure) << finding.question << ": " << finding.reason;
+  }
+  EXPECT_TRUE(saysSomeOf(guess.unsure, "no reading of motion that was tried explains much"));
+}
+
 TEST_F(ImportTest, IsWrittenBesideOrAboveItsFiles) {
   writeSquare(folder_ / "frames", scene_, stated_);
   const Guess guess = guessCapture(folder_ / "frames", "", {});
