@@ -75,7 +75,6 @@ struct ToldOf {
   std::optional<std::size_t> guessedUnit; ///< the finding that tells it by index; none: it was fitted
   bool interface = false;                 ///< what it covers is no witness any more
   bool isJitterOpen = false;
-  double jitterMissPx = 0.0;              ///< then
   bool allDepth = false;                  ///< depth is not looked at any more, nor are cameras
   std::vector<std::string> ofMotion = {}; ///< ids of what was found beside motion that was mended
 
@@ -228,7 +227,6 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
   }
   const JitterOutcome jitter = told.jitter ? JitterOutcome() : examiner.tellJitter(hasCamera, out);
   told.isJitterOpen = jitter.isOpen;
-  told.jitterMissPx = jitter.missPx;
   hiding.jitter = jitter.mender;
   if (hiding.jitter) return hiding;
   hiding = tellPlanes(examiner, hasCamera && !told.depth, !jitter.isOpen, told, out);
@@ -279,8 +277,7 @@ void tellAll(const Examination& examination, const Examiner& first, const Bright
     }
     hiding = tellSeen(*next, examination, told, out);
   }
-  tellFlow(first.flow(), last->flow(),
-           {first.patient(), told.motion || told.unit, told.isJitterOpen, told.jitterMissPx}, out);
+  tellFlow(first.flow(), last->flow(), {first.patient(), told.motion || told.unit, told.isJitterOpen}, out);
   if (examination.known.camera && !told.allDepth && !told.depth) last->tellMissingDepth(out);
   if (!told.isJitterOpen) {
     last->tellRegionJitter(out);

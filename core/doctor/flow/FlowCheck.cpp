@@ -562,8 +562,7 @@ bool isDepthConfirmed(const FlowSeen& seen) {
 }
 
 void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient& patient, Diagnosis& out) {
-  const double tolerancePx =
-      patient.isJitterOpen ? std::max(kOffPxWithOpenJitter, 2.0 * patient.jitterMissPx) : kOffPx;
+  const double tolerancePx = patient.isJitterOpen ? kOffPxWithOpenJitter : kOffPx;
   // A curve can pass for what a mistake that is told makes of motion of nearly one length.
   const bool isExplained = patient.isMotionMended && refutedShare(mended, tolerancePx) < kDoubtsAll;
   if (!isExplained && tellWithoutRoot(asGiven, patient.patient, tolerancePx, out)) return;

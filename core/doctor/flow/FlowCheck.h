@@ -12,8 +12,7 @@ namespace taa::doctor {
 struct FlowPatient {
   const Patient& patient;
   bool isMotionMended = false; ///< by one explanation for the whole picture, which was told
-  bool isJitterOpen = false;   ///< by a pixel or so motion may be off, then, or
-  double jitterMissPx = 0.0;   ///< by as much as jitter is off in both frames
+  bool isJitterOpen = false;   ///< by a pixel or so motion may be off, then
 };
 
 /// Whether pictures move as depth and matrices make what rests move, where the motion given is another one:

@@ -494,7 +494,7 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
   } else if (!isContradicted) {
     tellNoFit(missPx, out);
     tellShort(evidence.stated, out);
-    return {{}, missPx > kMissingPx, true, missPx};
+    return {{}, missPx > kMissingPx, true};
   }
   if (trials[fit.best].kind == JitterKind::NotApplied && patient.areSurfacesJittered &&
       patient.areSurfacesJittered()) {
@@ -506,7 +506,7 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
   }
   if (trials[fit.best].kind == JitterKind::NotApplied && areSomeShifting(evidence)) {
     tellSomeShifting(evidence, out);
-    return {{}, false, true, missPx};
+    return {{}, false, true};
   }
   if (trials[fit.best].kind == JitterKind::Scaled) measureLength(evidence, trials[fit.best]);
   for (Finding& finding : otherJitter(witness, fit, trials, evidence, patient.isCameraKnown, patient.patient))

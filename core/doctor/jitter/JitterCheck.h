@@ -20,7 +20,6 @@ struct JitterOutcome {
   /// Pictures shift as neither what is stated nor anything else that was tried makes them.
   bool isContradicted = false;
   bool isOpen = false; ///< it is not decided what jitter pictures hold
-  double missPx = 0.0; ///< of one that is open: by so much shifts that are measured miss what is stated
 };
 
 /// Whose jitter it is.

@@ -261,34 +261,4 @@ TEST(FlowCheck, NamesNoRootWhereAKnownMistakeExplainsAll) {
   EXPECT_EQ(toldOf(mended, true), "motionNegatedX");
 }
 
-// Of jitter that is stated four times too short along y, all motion is off by that, and is what it should be.
-TEST(FlowCheck, BlamesNoMotionForJitterThatIsOff) {
-  std::vector<Region> regions(1);
-  regions[0].pixels = 4000.0;
-  std::vector<FlowPair> pairs(8);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    pairs[i].frame = static_cast<int>(i) + 1;
-    pairs[i].said[0] = 1.0;
-    for (int square = 0; square < 36; ++square) {
-      FlowSquare& one = pairs[i].squares.emplace_back();
-      one.region = 0;
-      one.given = {2.8 + 0.05 * square, 1.0};
-      one.px = one.given + glm::dvec2(0.0, i % 2 == 0 ? 1.9 : -1.9);
-      one.errorPx = 0.02;
-      one.left = 0.004;
-      one.leftAsGiven = one.apart = 0.03;
-    }
-  }
-  Patient patient;
-  patient.sizePx = {240, 136};
-  const auto toldWith = [&](double missPx) {
-    Diagnosis out;
-    out.sizePx = patient.sizePx;
-    tellFlow({pairs, regions}, {pairs, regions}, {patient, false, true, missPx}, out);
-    return idsOf(out);
-  };
-  EXPECT_EQ(toldWith(1.1), "");
-  EXPECT_NE(toldWith(0.2), "") << "it is more than that jitter makes";
-}
-
 } // namespace taa::doctor
