@@ -149,6 +149,11 @@ TrialComparison compare(FrameSamples& samples, const TestState& first, const Tes
   return compare(samples, {{"", {}, first}, {"", {}, second}});
 }
 
+bool isClearlyLess(FrameSamples& samples, const TestState& one, const TestState& other) {
+  const TrialComparison comparison = compare(samples, other, one);
+  return comparison.best == 1 && comparison.isClear();
+}
+
 double roughResidual(FrameSamples& samples, const TestState& state) {
   return roughResidual(samples, samples.pairs(), state);
 }

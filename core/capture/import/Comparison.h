@@ -60,6 +60,8 @@ TrialComparison compare(const FrameSamples& samples, const std::vector<Outcome>&
 
 /// What pixels say of two states.
 TrialComparison compare(FrameSamples& samples, const TestState& first, const TestState& second);
+/// Whether pixels say clearly the one, not the other.
+bool isClearlyLess(FrameSamples& samples, const TestState& one, const TestState& other);
 
 /// The mean of |luma − luma of the frame before| × 1000 over every n-th pixel of the sample; infinite where
 /// conventions contradict the capture. Faster than compare(), for many states.

@@ -379,10 +379,7 @@ void Guesser::askAll() {
   tellUnexplained(out_);
   if (!restNote_.empty() && stated().motion.encoding == MotionEncoding::Offset)
     out_.unsure.push_back(restNote_);
-  if (!prior || samples.pairs().empty()) return;
-  if (const TrialComparison comparison = compare(samples, state_, {*prior});
-      comparison.best == 0 && comparison.isClear())
-    tellOther(*prior);
+  if (prior && !samples.pairs().empty() && isClearlyLess(samples, state_, {*prior})) tellOther(*prior);
 }
 
 /// Pixels refute what the frames were said to be like.

@@ -270,11 +270,6 @@ std::vector<std::vector<Assignments>> searchOf(const FrameSamples& samples, cons
   return axes;
 }
 
-bool isClearlyLess(FrameSamples& samples, const TestState& one, const TestState& other) {
-  const TrialComparison comparison = compare(samples, other, one);
-  return comparison.best == 1 && comparison.isClear();
-}
-
 void search(FrameSamples& samples, TestState& state, const QuestionRules& rules, const Progress& progress) {
   std::vector<TestState> states = {state};
   for (const std::vector<Assignments>& axis : searchOf(samples, state, rules)) {

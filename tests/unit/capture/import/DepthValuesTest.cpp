@@ -111,6 +111,17 @@ TEST_F(DepthValuesTest, ACameraThatMovesTellsTheKindOfDepth) {
   EXPECT_LT(kindOf(guess).hypotheses.front().residual, 0.005);
 }
 
+// What Babylon.js has where nothing is would be the near plane of a depth buffer: import ended with an error.
+TEST_F(DepthValuesTest, AnotherKindThanThatOfTheEngineKeepsNoValueForNothing) {
+  camera_.step = 0.1;
+  camera_.write(folder_);
+  const Guess guess = guessCapture(folder_, "babylon", motion_);
+  EXPECT_TRUE(kindOf(guess).isSure) << kindOf(guess).reason;
+  EXPECT_EQ(guess.manifest.conventions.depth.kind, DepthKind::Window);
+  EXPECT_TRUE(guess.manifest.conventions.depth.reversed);
+  EXPECT_FALSE(guess.manifest.conventions.depth.nothing.has_value());
+}
+
 TEST_F(DepthValuesTest, WhatTheCallerStatesOfDepthStays) {
   camera_.step = 0.1;
   const Guess guess = guessed({"depth.reversed=off"});
