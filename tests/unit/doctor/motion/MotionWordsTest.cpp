@@ -77,6 +77,18 @@ TEST(MotionWords, NameTheFramesInWhichWhatMovesHasNoMotion) {
   EXPECT_NE(words.change.find("frames 2, 4, 6 (3 of 6)"), std::string::npos) << words.change;
 }
 
+// A pane that writes its own motion before a wall was called a wrong matrix of the camera, surely.
+TEST(MotionWords, BlameNoCameraThatIsRightElsewhere) {
+  RegionEvidence evidence;
+  for (int i = 0; i < 10; ++i) {
+    evidence.offCamera.add({1.5, 0.0});
+    evidence.offCameraByDistance.add({i % 2 == 0 ? 9.0 : -9.0, 0.0});
+  }
+  const MotionTrial ofCamera{MotionKind::OfCamera};
+  EXPECT_EQ(motionFault(&ofCamera, {}, evidence).id, faultInfo(Fault::CameraTurned).id);
+  EXPECT_EQ(motionFault(&ofCamera, {}, evidence, {}, true).id, "motionNotCameras");
+}
+
 TEST(MotionWords, TellDirectionAndAxesBesideAUnit) {
   const auto kindOf = [](const MotionTrial& trial, const Patient& patient) {
     const auto axes = axesBesideUnit(trial, patient);
