@@ -17,8 +17,6 @@ namespace taa::doctor {
 
 namespace {
 
-constexpr std::size_t kEnoughToFit = 12; ///< squares
-
 /// How many numbers say what is made of the motion given.
 enum class FlowModel : std::uint8_t { Factor, Factors, FactorsAndOffset };
 
@@ -130,15 +128,16 @@ bool FlowFit::isGood() const {
          static_cast<double>(followed) >= kNearlyAll * static_cast<double>(squares);
 }
 
-std::optional<FlowFit> fitFactor(const std::vector<const FlowSquare*>& squares, double tolerancePx) {
-  if (squares.size() < kEnoughToFit) return {};
+std::optional<FlowFit> fitFactor(const std::vector<const FlowSquare*>& squares, double tolerancePx,
+                                 std::size_t enough) {
+  if (squares.size() < enough) return {};
   return fitBy(squares, FlowModel::Factor, tolerancePx);
 }
 
 std::optional<FlowFit> fitFlow(const std::vector<const FlowSquare*>& squares, bool isThroughZero,
-                               double tolerancePx) {
-  if (squares.size() < kEnoughToFit) return {};
-  if (!areSpread(squares)) return isThroughZero ? fitFactor(squares, tolerancePx) : std::nullopt;
+                               double tolerancePx, std::size_t enough) {
+  if (squares.size() < enough) return {};
+  if (!areSpread(squares)) return isThroughZero ? fitFactor(squares, tolerancePx, enough) : std::nullopt;
   return fitBy(squares, isThroughZero ? FlowModel::Factors : FlowModel::FactorsAndOffset, tolerancePx);
 }
 

@@ -34,12 +34,16 @@ bool isAlongAxes(const FlowFit& fit);
 bool isTurned(const FlowFit& fit);
 bool hasOffset(const FlowFit& fit);
 
-/// `tolerancePx`: to which squares follow it. Nothing where there are too few. With `isThroughZero` there is
-/// no offset; where the motion given is along one line, it is one factor for both axes then, else nothing.
+inline constexpr std::size_t kEnoughToFit = 12; ///< squares
+
+/// `tolerancePx`: to which squares follow it. Nothing where they are fewer than `enough`. With
+/// `isThroughZero` there is no offset; where the motion given is along one line, it is one factor for both
+/// axes then, else nothing.
 std::optional<FlowFit> fitFlow(const std::vector<const FlowSquare*>& squares, bool isThroughZero,
-                               double tolerancePx);
+                               double tolerancePx, std::size_t enough = kEnoughToFit);
 /// One factor for both axes, without an offset.
-std::optional<FlowFit> fitFactor(const std::vector<const FlowSquare*>& squares, double tolerancePx);
+std::optional<FlowFit> fitFactor(const std::vector<const FlowSquare*>& squares, double tolerancePx,
+                                 std::size_t enough = kEnoughToFit);
 /// A good fit without an offset, else one with it along the axes. Nothing where no line makes what pictures
 /// move by.
 std::optional<FlowFit> explaining(const std::vector<const FlowSquare*>& squares, double tolerancePx);

@@ -5,6 +5,7 @@
 #include "core/base/Say.h"
 #include "core/capture/decode/ScreenUnits.h"
 #include "core/doctor/Mending.h"
+#include "core/doctor/jitter/JitterFactors.h"
 #include "core/doctor/jitter/JitterFit.h"
 #include "core/doctor/jitter/JitterPauses.h"
 #include "core/doctor/jitter/JitterSequence.h"
@@ -41,7 +42,7 @@ struct JitterWords {
 };
 
 /// What no fault of the table is.
-constexpr std::string_view kOtherUnitId = "jitterUnit";
+constexpr std::string_view kOtherUnitId = "jitterUnit", kOfAxisId = "jitterOfAxis";
 
 JitterWords jitterWords(const JitterTrial& trial) {
   switch (trial.kind) {
@@ -62,7 +63,7 @@ JitterWords jitterWords(const JitterTrial& trial) {
   case JitterKind::Scaled:
   case JitterKind::OtherUnit:
     return {
-        trial.factor.x < 1.0f ? Fault::JitterDoubled : Fault::JitterHalved,
+        trial.factor.x * std::abs(trial.factor.y) < 1.0f ? Fault::JitterDoubled : Fault::JitterHalved,
         say<"Multiply the jitter that you pass by %1, or state the unit that it has; or draw with what you "
             "pass.">(shortVector(glm::dvec2(trial.factor)))};
   case JitterKind::FrameLate:
@@ -130,6 +131,7 @@ std::vector<std::string> jitterMending(const JitterTrial& trial) {
   case JitterKind::SwappedAxes:
     return {"fault.jitter=swapped"};
   case JitterKind::Scaled:
+    if (trial.factor.x != trial.factor.y) break;
     return {"fault.jitterReported=" + shortNumber(static_cast<double>(trial.factor.x))};
   case JitterKind::FrameLate:
     return {"fault.jitter=early"};
@@ -144,11 +146,6 @@ Finding wordedFinding(const JitterWords& words) {
   out.change = words.change;
   out.isWholePicture = true;
   return out;
-}
-
-/// Names of the table say twice and half; factors between are told by their number.
-std::string scaledName(const glm::vec2& factor) {
-  return say<"Jitter reported %1 times as large as it is">(shortNumber(1.0 / static_cast<double>(factor.x)));
 }
 
 std::vector<Residual> jitterResiduals(const JitterFit& fit, const std::vector<JitterTrial>& trials) {
@@ -203,6 +200,10 @@ std::string witnessText(JitterWitness witness, const JitterFit& fit, const Jitte
                                                                      std::lround(100.0 * won.share()));
 }
 
+std::string withoutCameraText() {
+  return say<"Without depth and matrices it may also be motion that holds jitter.">();
+}
+
 /// Pictures shift as something else than what is stated makes them: a finding for each thing that is wrong.
 std::vector<Finding> otherJitter(JitterWitness witness, const JitterFit& fit,
                                  const std::vector<JitterTrial>& trials, const JitterEvidence& evidence,
@@ -218,7 +219,7 @@ std::vector<Finding> otherJitter(JitterWitness witness, const JitterFit& fit,
     out.residuals = jitterResiduals(fit, trials);
     if (witness == JitterWitness::Pairs) tellRivals(fit, trials, out);
     if (isCameraKnown) continue;
-    out.reason += " " + say<"Without depth and matrices it may also be motion that holds jitter.">();
+    out.reason += " " + withoutCameraText();
     out.sureness = Sureness::Likely;
   }
   return findings;
@@ -339,34 +340,36 @@ void tellTrial(const std::vector<JitterTrial>& trials, std::size_t trial, const 
   if (sky) tellSky(evidence, trials, trial, *sky, out);
 }
 
-/// The factor of a trial that says that jitter is longer or shorter, by least squares over measured shifts
-/// with Tukey's weights, where the list's lies beyond its errors.
-void measureLength(const JitterEvidence& evidence, JitterTrial& trial) {
-  constexpr int kRounds = 8;
-  constexpr double kKnownTo = 0.05, kFitErrors = 3.0, kLeastPx = 0.02;
-  const std::vector<ShiftPair> pairs = shiftPairs(evidence);
-  const double listed = static_cast<double>(trial.factor.x);
-  double factor = listed, error = 0.0;
-  for (int round = 0; round < kRounds; ++round) {
-    std::vector<double> misses;
-    for (const ShiftPair& pair : pairs)
-      misses.push_back(glm::distance(pair.shift, factor * (pair.before - pair.now)));
-    const double outlier = std::max(kLeastPx, kTukeyMedians * median(misses));
-    double product = 0.0, square = 0.0, left = 0.0, weights = 0.0;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const glm::dvec2 stated = pairs[i].before - pairs[i].now;
-      const double weight = tukeyWeight(misses[i], outlier);
-      product += weight * glm::dot(pairs[i].shift, stated);
-      square += weight * glm::dot(stated, stated);
-      left += weight * misses[i] * misses[i];
-      weights += 2.0 * weight; // x and y
-    }
-    if (!(square > 0.0) || !(weights > 1.0)) return;
-    factor = product / square;
-    error = std::sqrt(left / (weights - 1.0) / square);
-  }
-  if (!(error <= kKnownTo * factor) || std::abs(factor - listed) <= kFitErrors * error) return;
-  trial.factor = glm::vec2(static_cast<float>(factor));
+/// Whether measured shifts are those of jitter with other factors, which the list need not have. Pictures
+/// that are read softly shift by a few hundredths less.
+bool areOfFactors(const JitterFactors& factors, const JitterEvidence& evidence, double statedMissPx) {
+  constexpr double kFitsPx = 0.15, kNearerShare = 0.5, kOther = 0.1;
+  const double missPx = shiftResidual(factors.trial(), evidence);
+  const glm::dvec2 off = glm::abs(factors.factor - 1.0);
+  return factors.areBeyond(glm::dvec2(1.0)) && std::max(off.x, off.y) >= kOther && missPx <= kFitsPx &&
+         missPx <= kNearerShare * statedMissPx;
+}
+
+Finding factorsFinding(const JitterFactors& factors, const JitterEvidence& evidence,
+                       const JitterPatient& patient, double statedMissPx) {
+  const JitterTrial trial = factors.trial();
+  const double missPx = shiftResidual(trial, evidence);
+  Finding out = otherJitterFinding(trial, trial, evidence, patient.patient);
+  out.sureness = Sureness::Likely;
+  out.reason =
+      say<"By least squares over %1 pairs of frames pictures shift by %2 ± %3 times the stated jitter "
+          "along x, and %4 ± %5 times along y. Shifts that are measured are %6 px from that in the "
+          "middle, and %7 px from what is stated.">(
+          shiftPairs(evidence).size(), measuredNumber(factors.factor.x, factors.error.x),
+          errorNumber(factors.error.x), measuredNumber(factors.factor.y, factors.error.y),
+          errorNumber(factors.error.y), shortNumber(missPx), shortNumber(statedMissPx));
+  if (const std::string sides = sidesText(factors, patient.patient.sizePx); !sides.empty())
+    out.reason += " " + sides;
+  if (!patient.isCameraKnown) out.reason += " " + withoutCameraText();
+  out.measure = say<"distance of measured shifts from those that jitter makes, px">();
+  out.residuals = {{jitterTrialId(trial), jitterTrialText(trial), missPx, false, true},
+                   {"asStated", say<"as stated">(), statedMissPx, true, false}};
+  return out;
 }
 
 void tellNoFit(double missPx, Diagnosis& out) {
@@ -431,8 +434,11 @@ Finding jitterFinding(const JitterTrial& trial) {
     out.id = kOtherUnitId;
     out.name = say<"Jitter of another unit">();
   }
-  if (trial.kind == JitterKind::Scaled && trial.factor.x != 0.5f && trial.factor.x != 2.0f)
-    out.name = scaledName(trial.factor);
+  if (trial.kind != JitterKind::Scaled) return out;
+  if (trial.factor.x != trial.factor.y) out.id = kOfAxisId;
+  // Names of the table say twice and half; factors between are told by their number.
+  if (trial.factor != glm::vec2(0.5f) && trial.factor != glm::vec2(2.0f))
+    out.name = factorsName(trial.factor);
   return out;
 }
 
@@ -476,8 +482,10 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
   const double missPx = fit.missPx.front();
   const bool isContradicted = fit.isContradicted();
   const std::optional<std::size_t> atRest = trialAtRest(evidence, trials);
+  const auto factors = measureFactors(evidence);
+  const bool isOfFactors = !isContradicted && factors && areOfFactors(*factors, evidence, missPx);
   const bool isConfirmed = fit.isConfirmed() || fit.isMeasured() || (atRest == 0u && !isContradicted);
-  if (isConfirmed && missPx <= kMissingPx) {
+  if (isConfirmed && !isOfFactors && missPx <= kMissingPx) {
     out.parts.addRight(say<"Jitter">(),
                        say<"Jitter is in the pictures as it is stated, to %1 px.">(shortNumber(missPx)));
     tellLength(fit, trials, out);
@@ -491,6 +499,10 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
   if (!isContradicted && atRest && fit.missPx[*atRest] < missPx) {
     witness = JitterWitness::Rest;
     fit.best = *atRest;
+  } else if (isOfFactors) {
+    out.findings.push_back(factorsFinding(*factors, evidence, patient, missPx));
+    tellSequenceOf(trials.front(), evidence, out);
+    return {menderOf(factors->trial())};
   } else if (!isContradicted) {
     tellNoFit(missPx, out);
     tellShort(evidence.stated, out);
@@ -508,7 +520,9 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
     tellSomeShifting(evidence, out);
     return {{}, false, true};
   }
-  if (trials[fit.best].kind == JitterKind::Scaled) measureLength(evidence, trials[fit.best]);
+  if (trials[fit.best].kind == JitterKind::Scaled && factors &&
+      factors->areBeyond(glm::dvec2(trials[fit.best].factor)))
+    trials[fit.best] = factors->trial();
   for (Finding& finding : otherJitter(witness, fit, trials, evidence, patient.isCameraKnown, patient.patient))
     out.findings.push_back(std::move(finding));
   tellTrial(trials, fit.best, evidence, patient.sky, out);

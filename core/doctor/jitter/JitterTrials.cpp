@@ -156,8 +156,9 @@ std::vector<JitterTrial> jitterTrials(const glm::ivec2& sizePx) {
 std::string jitterTrialId(const JitterTrial& trial) {
   if (trial.isTwofold()) return jitterTrialId({trial.kind}) + "+" + jitterTrialId({trial.also});
   const std::string id(kJitterWords[static_cast<std::size_t>(trial.kind)].id);
-  if (trial.kind == JitterKind::Scaled) return id + ":" + shortNumber(static_cast<double>(trial.factor.x));
-  if (trial.kind != JitterKind::OtherUnit) return id;
+  if (trial.kind != JitterKind::OtherUnit && trial.kind != JitterKind::Scaled) return id;
+  if (trial.kind == JitterKind::Scaled && trial.factor.x == trial.factor.y)
+    return id + ":" + shortNumber(static_cast<double>(trial.factor.x));
   return id + ":" + shortVector(glm::dvec2(trial.factor));
 }
 
@@ -165,7 +166,8 @@ std::string jitterTrialText(const JitterTrial& trial) {
   if (trial.isTwofold())
     return say<"%1, and %2">(jitterTrialText({trial.kind}), jitterTrialText({trial.also}));
   if (trial.kind == JitterKind::Scaled)
-    return say<"times %1">(shortNumber(static_cast<double>(trial.factor.x)));
+    return say<"times %1">(trial.factor.x == trial.factor.y ? shortNumber(static_cast<double>(trial.factor.x))
+                                                            : shortVector(glm::dvec2(trial.factor)));
   if (trial.kind == JitterKind::OtherUnit)
     return say<"times %1: another unit">(shortVector(glm::dvec2(trial.factor)));
   return std::string(kJitterWords[static_cast<std::size_t>(trial.kind)].text);

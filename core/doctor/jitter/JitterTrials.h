@@ -24,7 +24,7 @@ enum class JitterKind : std::uint8_t {
   MirroredY,
   Opposite,
   SwappedAxes,
-  Scaled,     ///< too long or too short by one factor
+  Scaled,     ///< too long or too short by a factor, or one for each axis
   OtherUnit,  ///< by a factor that the picture's size explains
   FrameLate,  ///< it is that of the frame before
   FrameEarly, ///< it is that of the frame after

@@ -67,6 +67,23 @@ TEST(JitterCheck, MeasuresAFactorThatNoListHas) {
   EXPECT_EQ(diagnosis.findings[0].name.substr(0, 19), "Jitter reported 0.8") << diagnosis.findings[0].name;
 }
 
+// An engine that divides y by the width, and one with a factor of no reason.
+TEST(JitterCheck, MeasuresAFactorForEachAxis) {
+  constexpr float kWide = 160.0f / 96.0f; // of the painted pictures
+  const auto ofY = [](float factor) {
+    return diagnosisOf([factor](int frame) { return trueJitterAt(frame) * glm::vec2(1.0f, factor); });
+  };
+  const Diagnosis ofSides = ofY(1.0f / kWide);
+  ASSERT_EQ(told(ofSides), "jitterOfAxis");
+  EXPECT_EQ(ofSides.findings[0].name.substr(0, 17), "y of jitter repor") << ofSides.findings[0].name;
+  EXPECT_NE(ofSides.findings[0].reason.find("the picture's width over its height: y is divided by the wrong"),
+            std::string::npos)
+      << ofSides.findings[0].reason;
+  const Diagnosis ofNone = ofY(0.3f);
+  ASSERT_EQ(told(ofNone), "jitterOfAxis");
+  EXPECT_EQ(ofNone.findings[0].reason.find("the picture's"), std::string::npos) << ofNone.findings[0].reason;
+}
+
 TEST(JitterCheck, NamesAFrameLateOrEarly) {
   EXPECT_EQ(told(diagnosisOf([](int frame) { return trueJitterAt(frame == 0 ? 7 : frame - 1); })),
             "jitterLate");
