@@ -98,6 +98,19 @@ std::optional<FaultPart> partOf(const Finding& finding) {
   return {};
 }
 
+bool isRegionTold(std::string_view name, const Diagnosis& out) {
+  return std::ranges::any_of(out.findings, [&](const Finding& finding) {
+    return !finding.isWholePicture && std::ranges::count(finding.regions, name, &RegionPlace::name) > 0;
+  });
+}
+
+bool isMotionTold(std::string_view name, const Diagnosis& out) {
+  return isRegionTold(name, out) || std::ranges::any_of(out.findings, [](const Finding& finding) {
+           return finding.id == kFrameMissingId ||
+                  (finding.isWholePicture && partOf(finding) == FaultPart::Motion);
+         });
+}
+
 void takeOutOfMotion(const std::vector<std::string>& names, std::vector<Finding>& findings,
                      const std::function<bool(const Finding&)>& mayTake) {
   std::erase_if(findings, [&](Finding& finding) {

@@ -134,4 +134,12 @@ struct Diagnosis {
   }
 };
 
+/// Of frames between two of which pictures are missing: nothing moves from one to the other as is given.
+inline constexpr std::string_view kFrameMissingId = "frameMissing";
+
+/// Whether a finding that is not of the whole picture names a region; or one of the whole picture says why
+/// its motion is wrong.
+bool isRegionTold(std::string_view name, const Diagnosis& out);
+bool isMotionTold(std::string_view name, const Diagnosis& out);
+
 } // namespace taa::doctor

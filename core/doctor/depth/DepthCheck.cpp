@@ -388,6 +388,13 @@ std::optional<DepthRelation> otherDepth(const DepthEvidence& evidence) {
   return DepthRelation{*kind, isDistance ? kNearest * static_cast<double>(evidence.ends.least) : 1.0};
 }
 
+std::optional<DepthRelation> otherNear(const DepthEvidence& evidence) {
+  if (evidence.samples.size() < kEnoughDepths) return {};
+  const std::vector<DepthRelation> relations = depthRelations(evidence.samples);
+  const DepthRelation* best = clearRelation(relations, evidence.samples);
+  return best && best->kind == RelationKind::NearPlane ? std::optional(*best) : std::nullopt;
+}
+
 void mendDepth(const DepthRelation& relation, DoctorFrame& frame) {
   for (float& depth : frame.depth.pixels) {
     const auto stored = static_cast<double>(depth);

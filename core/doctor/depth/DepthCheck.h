@@ -57,6 +57,8 @@ std::vector<DepthRelation> depthRelations(const std::vector<DepthSample>& sample
 /// How, where depth is clearly the other way around or linear: no mistake of motion looks like that. Where
 /// nothing tells the unit of a distance, what is nearest is taken to be at ten near planes.
 std::optional<DepthRelation> otherDepth(const DepthEvidence& evidence);
+/// By which factor it is that of another near plane, where that is clear.
+std::optional<DepthRelation> otherNear(const DepthEvidence& evidence);
 /// Makes a frame's depth the one that follows from the stored one. What the same surface had a frame ago is
 /// held to be what it has now.
 void mendDepth(const DepthRelation& relation, DoctorFrame& frame);

@@ -93,14 +93,13 @@ bool MissingDepth::isFlat(std::size_t region) const {
 }
 
 void MissingDepth::tell(const FlowSeen& seen, const Patient& patient, Diagnosis& out) const {
-  const double allPixels = static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
   Finding finding;
   double px = 0.0;
   std::size_t squares = 0;
   for (const auto& [region, apart] : apartOf(seen)) {
     const Region& of = seen.regions[static_cast<std::size_t>(region)];
     if (of.isSky || !isFlat(static_cast<std::size_t>(region)) || !isApart(apart)) continue;
-    finding.regions.push_back(placeOf(of, patient, allPixels));
+    finding.regions.push_back(placeOf(of, patient, allPixels(patient, out)));
     px += apart.px;
     squares += apart.asGiven;
   }

@@ -206,6 +206,9 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
   if (hiding.allDepth) return hiding;
   const bool isDepthRight = isDepthConfirmed(examiner.flow());
   if (hasCamera && !told.depth && !isDepthRight) hiding.depth = otherDepth(examiner.depth());
+  // By another near plane the camera's motion is another one, and what that alone tells is hidden.
+  if (hasCamera && !told.depth && !hiding.depth && isMotionConfirmed(examiner.flow()))
+    hiding.depth = otherNear(examiner.depth());
   if (hiding.depth) {
     tellDepth(examiner.depth(), out);
     return hiding;
@@ -281,6 +284,7 @@ void tellAll(const Examination& examination, const Examiner& first, const Bright
   if (examination.known.camera && !told.allDepth && !told.depth) last->tellMissingDepth(out);
   if (!told.isJitterOpen) {
     last->tellRegionJitter(out);
+    last->tellPairs(out);
     last->tellStray(out);
   }
   tellInterfaceLeft(last->color(), told.interface, told.isJitterOpen, out);

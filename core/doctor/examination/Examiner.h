@@ -14,6 +14,7 @@
 #include "core/doctor/jitter/RegionJitter.h"
 #include "core/doctor/motion/MotionEvidence.h"
 #include "core/doctor/motion/MotionFindings.h"
+#include "core/doctor/motion/MotionPairs.h"
 #include "core/doctor/motion/MotionReturns.h"
 #include "core/doctor/motion/MotionRims.h"
 #include "core/doctor/resolve/ResolveEvidence.h"
@@ -47,6 +48,7 @@ class Examiner {
   void tellRegionJitter(Diagnosis& out) const {
     doctor::tellRegionJitter(regionJitter_, tracker_.regions(), patient_, out);
   }
+  void tellPairs(Diagnosis& out) const { doctor::tellPairs(motion_, tracker_.regions(), patient_, out); }
   void tellStray(Diagnosis& out) const { doctor::tellStray(color_.stray, tracker_.regions(), patient_, out); }
   const JitterEvidence& jitter() const { return jitter_; }
   JitterOutcome tellJitter(bool hasCamera, Diagnosis& out) const;

@@ -4,6 +4,7 @@
 #include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/doctor/Mending.h"
+#include "core/doctor/flow/FlowFindings.h"
 #include "core/doctor/flow/FlowFit.h"
 #include "core/doctor/flow/FlowLength.h"
 #include "core/doctor/flow/FlowReadings.h"
@@ -31,77 +32,10 @@ namespace taa::doctor {
 
 namespace {
 
-/// px: what pictures alias by is less; with jitter that is not known, that adds up.
-constexpr double kOffPx = 0.5, kOffPxWithOpenJitter = 1.5;
+/// px: with jitter that is not known, what pictures alias by adds up.
+constexpr double kOffPxWithOpenJitter = 1.5;
 /// Of all squares: as many, refuted, refute an explanation of the whole picture; or make it doubtful.
 constexpr double kRefutesAll = 0.5, kDoubtsAll = 0.25;
-
-bool isOfMotion(const Finding& finding) {
-  return partOf(finding) == FaultPart::Motion;
-}
-
-double allPixels(const Patient& patient, const Diagnosis& out) {
-  return static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
-}
-
-double medianOff(const std::vector<const FlowSquare*>& squares) {
-  std::vector<double> off;
-  for (const FlowSquare* square : squares) off.push_back(square->offPx());
-  return median(std::move(off));
-}
-
-double medianError(const std::vector<const FlowSquare*>& squares) {
-  std::vector<double> errors;
-  for (const FlowSquare* square : squares) errors.push_back(square->errorPx);
-  return median(std::move(errors));
-}
-
-double medianLeft(const std::vector<const FlowSquare*>& squares, double FlowSquare::*left) {
-  std::vector<double> all;
-  for (const FlowSquare* square : squares)
-    if (std::isfinite(square->*left)) all.push_back(1000.0 * square->*left);
-  return median(std::move(all));
-}
-
-/// Where pictures move most otherwise than is given, in numbers.
-std::string exampleOf(const std::vector<const FlowSquare*>& squares, const FlowSeen& seen,
-                      const Patient& patient) {
-  const FlowSquare* farthest = *std::ranges::max_element(
-      squares, {}, [](const FlowSquare* square) { return square->offPx() / (1.0 + 10.0 * square->errorPx); });
-  int frame = 0;
-  for (const FlowPair& pair : seen.pairs)
-    if (!pair.squares.empty() && farthest >= pair.squares.data() &&
-        farthest < pair.squares.data() + pair.squares.size())
-      frame = pair.frame;
-  return say<"For example around pixel %1, %2 of frame %3 you write %4; the pictures show %5.">(
-      farthest->pixel.x, farthest->pixel.y, patient.frameNames.of(frame),
-      shortVector(storedMotion(patient, farthest->given)), shortVector(storedMotion(patient, farthest->px)));
-}
-
-std::vector<Residual> residualsOf(const std::vector<const FlowSquare*>& squares) {
-  return {{"measured", say<"as the pictures move">(), medianLeft(squares, &FlowSquare::left), false, true},
-          {"asGiven", say<"as given">(), medianLeft(squares, &FlowSquare::leftAsGiven), true, false}};
-}
-
-/// Regions, frames and numbers, whatever explains them.
-Finding measuredFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,
-                        const Diagnosis& out) {
-  const std::vector<const FlowSquare*> squares = squaresOf(refuted);
-  Finding finding;
-  for (const Refuted& one : refuted)
-    if (one.region) finding.regions.push_back(placeOf(*one.region, patient, allPixels(patient, out)));
-  std::ranges::stable_sort(finding.regions, std::greater(), &RegionPlace::share);
-  finding.measure = say<"median difference of luma in squares that can be followed, × 1000">();
-  finding.residuals = residualsOf(squares);
-  const auto [frames, asked] = framesOf(refuted);
-  finding.reason =
-      say<"In %1 the pictures move otherwise there than is given, by %2 px in the middle of %3 squares "
-          "that can be followed to %4 px.">(patient.frameNames.of(frames, asked),
-                                            shortNumber(medianOff(squares)), squares.size(),
-                                            shortNumber(medianError(squares)));
-  finding.change = exampleOf(squares, seen, patient);
-  return finding;
-}
 
 /// Adds one of motion, of which nothing is right then.
 void addMotion(Finding finding, Diagnosis& out) {
@@ -127,74 +61,6 @@ std::string takeBackOfAll(Diagnosis& out) {
   return names;
 }
 
-bool areAllZero(const std::vector<const FlowSquare*>& squares) {
-  constexpr double kNearlyAll = 0.98;
-  const auto zero = std::ranges::count_if(
-      squares, [](const FlowSquare* square) { return square->given == glm::dvec2(0.0); });
-  return static_cast<double>(zero) >= kNearlyAll * static_cast<double>(squares.size());
-}
-
-/// Whether motion is right elsewhere: the pass that writes it does so for what moves by itself.
-bool isRightElsewhere(const FlowSeen& seen, const std::vector<Refuted>& refuted) {
-  constexpr std::size_t kEnough = 8;
-  std::size_t right = 0;
-  for (const FlowPair& pair : seen.pairs)
-    for (const FlowSquare& square : pair.squares) {
-      const Region* region = &seen.regions[static_cast<std::size_t>(square.region)];
-      if (std::ranges::count(refuted, region, &Refuted::region) > 0) continue;
-      if (glm::length(square.given) > kOffPx && square.offPx() <= kOffPx) ++right;
-    }
-  return right >= kEnough;
-}
-
-/// How many times as far as is given pictures go where they do so in one frame alone: pictures between are
-/// missing.
-std::optional<FlowFit> fitOfMissing(const std::vector<Refuted>& refuted) {
-  constexpr std::size_t kEnoughAsked = 5;
-  constexpr double kLeast = 1.6, kMost = 3.4, kRoughlyPx = 1.5; // motion changes from frame to frame
-  const auto [frames, asked] = framesOf(refuted);
-  if (frames.size() != 1 || asked.size() < kEnoughAsked) return {};
-  const auto fit = fitFactor(squaresOf(refuted), kRoughlyPx);
-  const bool isFarther = fit && fit->factors[0][0] >= kLeast && fit->factors[0][0] <= kMost;
-  return isFarther && fit->isGood() ? fit : std::nullopt;
-}
-
-/// Of what pictures refute, and whatever explains all of it best.
-Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,
-                    double tolerancePx, const Diagnosis& out) {
-  const std::vector<const FlowSquare*> squares = squaresOf(refuted);
-  Finding finding = measuredFinding(refuted, seen, patient, out);
-  finding.sureness = Sureness::Likely;
-  if (areAllZero(squares)) {
-    const bool isOfCamera = isRightElsewhere(seen, refuted);
-    const FaultInfo& row = faultInfo(isOfCamera ? Fault::MotionWithoutCamera : Fault::MotionZero);
-    nameMeasured({std::string(row.id), std::string(row.label), std::string(row.symptom),
-                  isOfCamera ? say<"Write the motion of what rests in the world, too: that of the camera.">()
-                             : say<"Write motion for it: draw it in the pass that writes motion, with the "
-                                   "transforms of this frame and of the one before.">()},
-                 finding);
-    finding.reason +=
-        " " + (isOfCamera ? say<"What is given there is 0, and where something moves by itself it is "
-                                "right: the camera's motion is missing.">()
-                          : say<"What is given there is 0.">());
-    return finding;
-  }
-  // A line that all frames follow says more than one of those in which it shows.
-  std::vector<const FlowSquare*> ofAll;
-  for (const Refuted& one : refuted) ofAll.insert(ofAll.end(), one.ofAll.begin(), one.ofAll.end());
-  auto fit = explaining(ofAll, tolerancePx);
-  if (fit && followedShare(*fit, squares, tolerancePx) < kMostSquares)
-    fit.reset(); // what is right everywhere else
-  if (!fit) fit = explaining(squares, tolerancePx);
-  if (const auto missing = fitOfMissing(refuted))
-    nameMissing(patient.frameNames.of(framesOf(refuted).first.front()), *missing, finding);
-  else if (fit)
-    nameByFit(*fit, patient, finding);
-  else
-    nameUnknown(finding);
-  return finding;
-}
-
 /// Motion of which no root was taken, and what is said of it as if one had been: all of it, as an encoding is
 /// that of all that is stored. False: it is not so.
 bool tellWithoutRoot(const FlowSeen& seen, const Patient& patient, double tolerancePx, Diagnosis& out) {
@@ -218,21 +84,6 @@ bool tellWithoutRoot(const FlowSeen& seen, const Patient& patient, double tolera
   return true;
 }
 
-/// Whether a finding tells of a region by its name.
-bool isToldAlone(const Region& region, const Patient& patient, const Diagnosis& out) {
-  const std::string name = placeOf(region, patient, 1.0).name;
-  return std::ranges::any_of(out.findings, [&](const Finding& finding) {
-    return !finding.isWholePicture && std::ranges::count(finding.regions, name, &RegionPlace::name) > 0;
-  });
-}
-
-/// The same, or one of motion of all of them.
-bool isToldOf(const Region& region, const Patient& patient, const Diagnosis& out) {
-  return isToldAlone(region, patient, out) || std::ranges::any_of(out.findings, [](const Finding& finding) {
-           return finding.isWholePicture && isOfMotion(finding);
-         });
-}
-
 /// Whether something that is sure explains motion of the whole picture, and with it that of each region.
 bool isAllExplained(const Diagnosis& out) {
   return std::ranges::any_of(out.findings, [](const Finding& finding) {
@@ -247,7 +98,8 @@ bool isOfOtherLength(const FlowSeen& seen, const FlowPatient& patient, double to
   constexpr double kMovingPx = 1.0, kShare = 0.04, kFitErrors = 5.0;
   constexpr std::size_t kEnoughMoving = 60;
   std::vector<bool> isTold;
-  for (const Region& region : seen.regions) isTold.push_back(isToldAlone(region, patient.patient, out));
+  for (const Region& region : seen.regions)
+    isTold.push_back(isRegionTold(placeOf(region, patient.patient, 1.0).name, out));
   std::vector<const FlowSquare*> moving;
   for (const FlowPair& pair : seen.pairs)
     for (const FlowSquare& square : pair.squares)
@@ -518,10 +370,7 @@ void tellWholeFrames(const FlowSeen& seen, const Patient& patient, double tolera
   Finding finding = measuredFinding(refuted, seen, patient, out);
   finding.sureness = Sureness::Likely;
   finding.isWholePicture = true;
-  if (const auto missing = fitOfMissing(refuted))
-    nameMissing(patient.frameNames.of(refuted.front().frames.front()), *missing, finding);
-  else
-    nameUnknown(finding);
+  nameAsWhole(refuted, seen, patient, tolerancePx, finding);
   addMotion(std::move(finding), out);
 }
 
@@ -545,20 +394,30 @@ void tellClipped(const FlowSeen& seen, const Patient& patient, Diagnosis& out) {
   addMotion(std::move(finding), out);
 }
 
-} // namespace
-
-bool isDepthConfirmed(const FlowSeen& seen) {
+/// Of squares of which depth and matrices say something else than the motion given: whether there are enough,
+/// and most move as one of them has it. `offPx`: how far off that is.
+bool areMost(const FlowSeen& seen, const std::function<double(const FlowSquare&)>& offPx) {
   constexpr std::size_t kEnough = 24;
   constexpr double kMost = 0.6;
-  std::size_t apart = 0, ofCamera = 0;
+  std::size_t apart = 0, moving = 0;
   for (const FlowPair& pair : seen.pairs)
     for (const FlowSquare& square : pair.squares) {
       const double tolerancePx = std::max(kOffPx, 3.0 * square.errorPx);
       if (!square.camera || glm::distance(*square.camera, square.given) <= 2.0 * tolerancePx) continue;
       ++apart;
-      if (glm::distance(*square.camera, square.px) <= tolerancePx) ++ofCamera;
+      if (offPx(square) <= tolerancePx) ++moving;
     }
-  return ofCamera >= kEnough && static_cast<double>(ofCamera) >= kMost * static_cast<double>(apart);
+  return moving >= kEnough && static_cast<double>(moving) >= kMost * static_cast<double>(apart);
+}
+
+} // namespace
+
+bool isDepthConfirmed(const FlowSeen& seen) {
+  return areMost(seen, [](const FlowSquare& square) { return glm::distance(*square.camera, square.px); });
+}
+
+bool isMotionConfirmed(const FlowSeen& seen) {
+  return areMost(seen, [](const FlowSquare& square) { return square.offPx(); });
 }
 
 void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient& patient, Diagnosis& out) {
@@ -596,7 +455,9 @@ void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient
     tellOtherObjects(refuted, mended, patient.patient, out);
     tellSlipped(mended, patient.patient, out);
   }
-  std::erase_if(refuted, [&](const Refuted& one) { return isToldOf(*one.region, patient.patient, out); });
+  std::erase_if(refuted, [&](const Refuted& one) {
+    return isMotionTold(placeOf(*one.region, patient.patient, 1.0).name, out);
+  });
   if (refuted.empty()) {
     if (!patient.isJitterOpen) tellWholeFrames(mended, patient.patient, tolerancePx, out);
     return;

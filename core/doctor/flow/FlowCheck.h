@@ -18,6 +18,8 @@ struct FlowPatient {
 /// Whether pictures move as depth and matrices make what rests move, where the motion given is another one:
 /// of the four, motion is the one that is wrong.
 bool isDepthConfirmed(const FlowSeen& seen);
+/// Whether they move as the motion given there: depth or matrices are wrong.
+bool isMotionConfirmed(const FlowSeen& seen);
 
 /// Adds findings, by what is measured where it can be, of the regions that pictures refute, and takes back
 /// those that pictures refute. `asGiven`: of the frames as they are; `mended`: as they are once all that was

@@ -121,7 +121,7 @@ void nameWithoutRoot(const FlowFit& fit, Finding& finding) {
 
 void nameMissing(const std::string& frame, const FlowFit& fit, Finding& finding) {
   nameMeasured(
-      {"frameMissing", say<"A frame missing before frame %1">(frame),
+      {std::string(kFrameMissingId), say<"A frame missing before frame %1">(frame),
        say<"Things jump, and history is looked for where they would have been.">(),
        say<"Write all frames one after the other, or start history anew in that one: \"cut\": true in the manifest.">()},
       finding);

@@ -91,6 +91,14 @@ Refuted wholeFrames(const FlowSeen& seen, double tolerancePx) {
   return out;
 }
 
+int frameOf(const FlowSquare& square, const FlowSeen& seen) {
+  const auto pair = std::ranges::find_if(seen.pairs, [&](const FlowPair& one) {
+    const FlowSquare* first = one.squares.data();
+    return &square >= first && &square < first + one.squares.size();
+  });
+  return pair == seen.pairs.end() ? 0 : pair->frame;
+}
+
 std::vector<const FlowSquare*> squaresOf(const std::vector<Refuted>& refuted) {
   std::vector<const FlowSquare*> out;
   for (const Refuted& one : refuted) out.insert(out.end(), one.squares.begin(), one.squares.end());

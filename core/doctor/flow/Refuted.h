@@ -38,6 +38,9 @@ Refuted wholePicture(const FlowSeen& seen);
 /// say: no light moves over all of the picture. Empty where that is so of most frames.
 Refuted wholeFrames(const FlowSeen& seen, double tolerancePx);
 
+/// Of the pair that a square of `seen` is of.
+int frameOf(const FlowSquare& square, const FlowSeen& seen);
+
 std::vector<const FlowSquare*> squaresOf(const std::vector<Refuted>& refuted);
 /// Frames of any of them: in which they are refuted, and that were asked.
 std::pair<std::vector<int>, std::vector<int>> framesOf(const std::vector<Refuted>& refuted);

@@ -47,11 +47,17 @@ bool isLongerThanPicture(const glm::vec2& motionPx, const glm::ivec2& sizePx) {
 struct CellSums {
   std::size_t pixels = 0, asked = 0, said = 0; ///< see TrialEvidence
   double given = 0.0, tried = 0.0;
+  float mostGained = 0.0f; ///< at …
+  glm::ivec2 pixel{0};     ///< … this one
 
-  void add(const CellPixel& pixel, const Image& previousLuma, const glm::vec2& place) {
+  void add(const CellPixel& one, const Image& previousLuma, const glm::vec2& place) {
+    const float left = std::abs(one.luma - capture::betweenPixels(previousLuma, place));
     ++pixels;
-    given += static_cast<double>(pixel.error);
-    tried += static_cast<double>(std::abs(pixel.luma - capture::betweenPixels(previousLuma, place)));
+    given += static_cast<double>(one.error);
+    tried += static_cast<double>(left);
+    if (one.error - left <= mostGained) return;
+    mostGained = one.error - left;
+    pixel = one.pixel;
   }
 };
 
@@ -64,6 +70,10 @@ void addCell(TrialEvidence& out, CellSums& pair, const CellSums& cell) {
   pair.given += cell.given;
   pair.tried += cell.tried;
   pair.pixels += cell.pixels;
+  if (cell.mostGained > pair.mostGained) {
+    pair.mostGained = cell.mostGained;
+    pair.pixel = cell.pixel;
+  }
   if (cell.pixels < kLeastInCell) return;
   ++out.cells;
   if (cell.tried < cell.given) ++out.cellsWon;
@@ -273,6 +283,7 @@ class PairEvidence {
     PairTrace out{frames_.now.frame, sums.pixels, sums.lengthPx};
     for (std::size_t t = 0; t < sums.trials.size(); ++t) {
       const CellSums& trial = sums.trials[t];
+      out.trials.push_back({trial.pixels, trial.given, trial.tried, trial.pixel});
       const bool isOfOther =
           trials_[t].kind == MotionKind::FrameLate || trials_[t].kind == MotionKind::FrameEarly;
       if (!isOfOther || trial.given - trial.tried <= out.given - out.tried) continue;

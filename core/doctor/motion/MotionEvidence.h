@@ -58,6 +58,14 @@ struct EvenVectors {
   double spread() const;
 };
 
+/// An explanation against the motion given in one pair of frames, at the pixels where the two lead to
+/// different places.
+struct TrialOfPair {
+  std::size_t pixels = 0;
+  double given = 0.0, tried = 0.0; ///< as TrialEvidence
+  glm::ivec2 pixel{0};             ///< the one at which it leaves most less than the motion given
+};
+
 /// One pair of frames of a region.
 struct PairTrace {
   int frame = 0;          ///< the later one
@@ -67,6 +75,7 @@ struct PairTrace {
   /// given leave there: of the two, which leaves less.
   std::size_t compared = 0;
   double given = 0.0, tried = 0.0;
+  std::vector<TrialOfPair> trials = {}; ///< as motionTrials()
 
   double meanPx() const { return pixels == 0 ? 0.0 : lengthPx / static_cast<double>(pixels); }
 };

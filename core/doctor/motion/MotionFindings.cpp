@@ -254,6 +254,10 @@ void tellWay(const WayShare& way, Diagnosis& out) {
 
 } // namespace
 
+double allPixels(const Patient& patient, const Diagnosis& out) {
+  return static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
+}
+
 RegionPlace placeOf(const Region& region, const Patient& patient, double allPixels) {
   RegionPlace out;
   const auto named = patient.objectNames.find(region.objectId);
@@ -300,16 +304,16 @@ Finding unitFinding(const MotionTrial& unit) {
 
 MotionTold tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
                       const Patient& patient, const RimsSeen& rims, Diagnosis& out) {
-  const double allPixels = static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
-  tellMarks(evidence, regions, patient, allPixels, out);
+  const double all = allPixels(patient, out);
+  tellMarks(evidence, regions, patient, all, out);
   Judged judged = judgeMotion(evidence, regions, rims);
-  tellUnwrittenSky(judged.regions, patient, allPixels, out);
+  tellUnwrittenSky(judged.regions, patient, all, out);
   preferStated(judged.regions, evidence.trials(), patient);
   MotionTold told;
   const bool isOfOneFrame = identityFrame(evidence.pairs()).has_value();
   for (const FaultGroup& group : groupsOf(judged.regions, evidence.trials(), patient.frameNames)) {
     if (isOfOneFrame && isOfMiddles(group)) continue; // its way over all frames holds that of the one
-    const std::vector<Finding> findings = findingsOf(group, judged.regions, evidence, patient, allPixels);
+    const std::vector<Finding> findings = findingsOf(group, judged.regions, evidence, patient, all);
     std::ranges::copy(findings, std::back_inserter(out.findings));
     if (!told.all && group.trial && breaksNothing(*group.trial, judged.regions))
       told.all = {evidence.trials()[*group.trial], findings};
@@ -317,12 +321,12 @@ MotionTold tellMotion(const MotionEvidence& evidence, const std::vector<Region>&
   const Finding late = lateFinding();
   if (judged.isLate && std::ranges::count(out.findings, late.id, &Finding::id) == 0)
     out.findings.push_back(late);
-  tellJumps(evidence, regions, patient, allPixels, out);
+  tellJumps(evidence, regions, patient, all, out);
   if (judged.contradicted)
     out.parts.leaveOpen(contradictedMatrices(evidence.trials()[*judged.contradicted],
-                                             namesOf(judged.contradictedIn, patient, allPixels),
+                                             namesOf(judged.contradictedIn, patient, all),
                                              !judged.areMatricesTrusted));
-  tellOthers(judged, evidence.trials(), patient, allPixels, out);
+  tellOthers(judged, evidence.trials(), patient, all, out);
   constexpr double kLeastShare = 0.05;
   if (const auto way = evidence.wayShare(); way && way->share > kLeastShare) tellWay(*way, out);
   told.isOfCameraOrDepth =

@@ -12,7 +12,9 @@
 
 namespace taa::doctor {
 
-/// `allPixels`: of all frames that were looked at.
+/// Of all frames that were looked at.
+double allPixels(const Patient& patient, const Diagnosis& out);
+/// `allPixels`: these, of which its pixels are a share.
 RegionPlace placeOf(const Region& region, const Patient& patient, double allPixels);
 
 /// One explanation of the motion of all or most of the picture, with the findings that tell it.

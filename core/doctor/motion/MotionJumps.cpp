@@ -24,10 +24,14 @@ constexpr double kJumpLeaves = 2.0, kJumpLuma = 0.01;
 /// Of the pixels of all regions that were measured: a jump of so many is one of the whole picture.
 constexpr double kJumpWholeShare = 0.9;
 
-bool isJump(const PairTrace& trace, double usualPx) {
+bool isLong(const PairTrace& trace, double usualPx) {
+  return trace.meanPx() >= kJumpFactor * usualPx + kJumpPx;
+}
+
+bool isRefuted(const PairTrace& trace) {
   const auto compared = static_cast<double>(trace.compared);
-  return trace.compared >= kEnoughJumping && trace.meanPx() >= kJumpFactor * usualPx + kJumpPx &&
-         trace.given >= kJumpLeaves * trace.tried && trace.given - trace.tried >= kJumpLuma * compared;
+  return trace.compared >= kEnoughJumping && trace.given >= kJumpLeaves * trace.tried &&
+         trace.given - trace.tried >= kJumpLuma * compared;
 }
 
 std::string jumpChange(bool isWhole) {
@@ -62,13 +66,13 @@ std::optional<int> jumpOf(const RegionEvidence& evidence) {
   std::vector<double> lengths;
   for (const PairTrace& trace : evidence.traces) lengths.push_back(trace.meanPx());
   const double usualPx = median(lengths);
-  std::optional<int> found;
+  const PairTrace* found = nullptr;
   for (const PairTrace& trace : evidence.traces) {
-    if (!isJump(trace, usualPx)) continue;
+    if (!isLong(trace, usualPx)) continue;
     if (found) return {};
-    found = trace.frame;
+    found = &trace;
   }
-  return found;
+  return found && isRefuted(*found) ? std::optional(found->frame) : std::nullopt;
 }
 
 Finding lateFinding() {

@@ -87,9 +87,9 @@ void tellReturns(std::vector<Return> returns, const std::vector<Region>& regions
   Finding finding = faultFinding(Fault::OldTransformOnReturn);
   std::erase_if(out.findings, [&](const Finding& other) { return other.id == finding.id; });
   finding.sureness = Sureness::Likely;
-  const double allPixels = static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
   for (const Return& one : returns) {
-    const RegionPlace place = placeOf(regions[static_cast<std::size_t>(one.region)], patient, allPixels);
+    const RegionPlace place =
+        placeOf(regions[static_cast<std::size_t>(one.region)], patient, allPixels(patient, out));
     finding.reason +=
         (finding.reason.empty() ? "" : " ") +
         say<"In frame %1 %2 is drawn and in the frame before it is not; you write %3 for it there, and "

@@ -171,9 +171,9 @@ void tellBadValues(const ValueEvidence& evidence, const std::vector<Region>& reg
   finding.id = "motionNotFinite";
   finding.name = say<"Motion that is no number">();
   finding.symptom = say<"Pixels that flash, or spread black.">();
-  const double allPixels = static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
   for (const RegionIndex region : motion.regions)
-    finding.regions.push_back(placeOf(regions[static_cast<std::size_t>(region)], patient, allPixels));
+    finding.regions.push_back(
+        placeOf(regions[static_cast<std::size_t>(region)], patient, allPixels(patient, out)));
   std::ranges::stable_sort(finding.regions, std::greater(), &RegionPlace::share);
   finding.reason =
       say<"In %1 motion is NaN at %2 pixels and infinite at %3, for example at pixel %4, %5 of frame %6.">(

@@ -19,7 +19,7 @@ namespace {
 constexpr float kComparedPx = 1.0f; ///< what moves by less looks the same a frame later
 constexpr float kRimShare = 0.1f;   ///< of the nearer distance
 constexpr float kDetailStep = 0.04f;
-constexpr std::size_t kEnoughInFrame = 20, kEnoughRims = 300;
+constexpr std::size_t kEnoughInFrame = 20, kEnoughRimPixels = 300;
 constexpr int kEnoughFrames = 4;
 /// Rims on another picture's make its steps so many times as high; an output is so much nearer to it.
 constexpr double kHigher = 1.2, kNearer = 0.8, kVotes = 0.85;
@@ -128,7 +128,7 @@ std::vector<PlaneTime> PlaneTimes::found() const {
   std::vector<PlaneTime> out;
   for (std::size_t plane = 0; plane < kTimedPlanes; ++plane) {
     const Sums& of = planes_[plane];
-    if (of.frames < kEnoughFrames || of.count < kEnoughRims) continue;
+    if (of.frames < kEnoughFrames || of.count < kEnoughRimPixels) continue;
     const auto kind = static_cast<TimedPlane>(plane);
     const bool isNear = kind == TimedPlane::Output;
     for (const int delay : {1, -1}) {

@@ -52,7 +52,7 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
               "isfinite isinf isnan ldexp log log10 log1p log2 lround modf nan nanf nextafter pow remainder "
               "nearbyint round signbit "
               "sin sqrt tan trunc erf"},
-    {"complex", "complex norm polar"},
+    {"complex", "arg complex conj norm polar"},
     {"concepts", "integral same_as invocable floating_point convertible_to"},
     {"condition_variable", "condition_variable"},
     {"csignal", "raise sig_atomic_t signal"},

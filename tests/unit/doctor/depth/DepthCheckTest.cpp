@@ -70,6 +70,21 @@ TEST(DepthCheck, SaysByHowMuchTheNearPlaneIsWrong) {
       << diagnosis.findings[0].change;
 }
 
+// What all else is looked at by, then: other mistakes are not another near plane.
+TEST(DepthCheck, MendsDepthOfAnotherNearPlaneAlone) {
+  const auto nearOf = [](const DepthChange& stored) {
+    DepthEvidence evidence;
+    evidence.add(passingFrame(stored));
+    return otherNear(evidence);
+  };
+  const auto near = nearOf([](double depth) { return 0.37 * depth; });
+  ASSERT_TRUE(near);
+  EXPECT_NEAR(near->factor, 1.0 / 0.37, 0.01);
+  EXPECT_FALSE(nearOf([](double depth) { return depth; }));
+  EXPECT_FALSE(nearOf([](double depth) { return 1.0 - depth; }));
+  EXPECT_FALSE(nearOf([](double depth) { return 0.001 / depth; }));
+}
+
 // Everything half as far away moves as it would before a camera that has gone twice as far.
 TEST(DepthCheck, LeavesOpenWhetherTheCameraWasAnother) {
   DepthEvidence evidence;

@@ -55,6 +55,26 @@ bool isRight(const Diagnosis& diagnosis, const std::string& part) {
 
 } // namespace
 
+// Of depth with matrices and of motion one is wrong: pictures say which.
+TEST(FlowCheck, AsksPicturesWhichOfTwoWitnessesIsRight) {
+  const auto seenWith = [](const glm::dvec2& px, std::size_t count) {
+    FlowSquare square;
+    square.px = px;
+    square.given = {4.0, 0.0};
+    square.camera = glm::dvec2(1.5, 0.0);
+    return std::vector<FlowPair>{{1, std::vector<FlowSquare>(count, square), {}, {}, 0}};
+  };
+  const std::vector<Region> none;
+  const auto asGiven = seenWith({4.1, 0.0}, 24), asCamera = seenWith({1.4, 0.0}, 24);
+  EXPECT_TRUE(isMotionConfirmed({asGiven, none}));
+  EXPECT_FALSE(isDepthConfirmed({asGiven, none}));
+  EXPECT_TRUE(isDepthConfirmed({asCamera, none}));
+  EXPECT_FALSE(isMotionConfirmed({asCamera, none}));
+  const auto asNeither = seenWith({9.0, 0.0}, 24), few = seenWith({4.1, 0.0}, 23);
+  EXPECT_FALSE(isMotionConfirmed({asNeither, none}) || isDepthConfirmed({asNeither, none}));
+  EXPECT_FALSE(isMotionConfirmed({few, none}));
+}
+
 TEST(FlowCheck, FindsNothingInHealthyFrames) {
   const Diagnosis diagnosis = diagnosisOf({}, {}, true);
   EXPECT_EQ(idsOf(diagnosis), "");

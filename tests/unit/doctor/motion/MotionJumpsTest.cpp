@@ -27,6 +27,10 @@ TEST(MotionJumps, AreOfOneFrameAlone) {
   RegionEvidence twice = tracesWith(5, 20.0, 0.05);
   twice.traces[6] = twice.traces[4];
   EXPECT_EQ(jumpOf(twice), std::nullopt);
+  // It stays as long: the frames after it have no better one beside them.
+  RegionEvidence onset = tracesWith(7, 20.0, 0.05);
+  onset.traces[7].lengthPx = 100.0 * 20.0;
+  EXPECT_EQ(jumpOf(onset), std::nullopt);
 }
 
 TEST(MotionJumps, AreLongerAndFitWorse) {

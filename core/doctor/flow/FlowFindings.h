@@ -1,0 +1,36 @@
+// Findings of what pictures refute: where, when, by how much, and the best explanation of it, or none.
+#pragma once
+
+#include "core/doctor/Diagnosis.h"
+#include "core/doctor/Patient.h"
+#include "core/doctor/flow/Refuted.h"
+
+#include <string>
+#include <vector>
+
+namespace taa::doctor {
+
+inline constexpr double kOffPx = 0.5; ///< what pictures alias by is less
+
+bool isOfMotion(const Finding& finding);
+
+/// Whether what is given is 0 in nearly all of them.
+bool areAllZero(const std::vector<const FlowSquare*>& squares);
+
+/// Where pictures move most otherwise than is given, in numbers. Expects squares of `seen`.
+std::string exampleOf(const std::vector<const FlowSquare*>& squares, const FlowSeen& seen,
+                      const Patient& patient);
+
+/// Regions, frames and numbers, whatever explains them; its change is an example.
+Finding measuredFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,
+                        const Diagnosis& out);
+
+/// Names it by what explains a picture as a whole: a frame that is missing, a zoom; else as unknown.
+void nameAsWhole(const std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,
+                 double tolerancePx, Finding& finding);
+
+/// Of what pictures refute, and whatever explains all of it best.
+Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,
+                    double tolerancePx, const Diagnosis& out);
+
+} // namespace taa::doctor
