@@ -11,11 +11,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace taa::doctor {
@@ -115,12 +117,22 @@ bool moves(const Image& motionPx) {
          kMovingShare * static_cast<double>(motionPx.width) * static_cast<double>(motionPx.height);
 }
 
+std::size_t hashOf(const Image& image) {
+  return std::hash<std::string_view>()(
+      {reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size() * sizeof(float)});
+}
+
 FaultWords wordsOf(OrderFault fault) {
   switch (fault) {
   case OrderFault::Doubled:
     return {"frameDoubled", say<"A frame twice">(), say<"Things stand for a frame and then jump.">(),
             say<"Write each frame once; where the picture was not drawn anew, motion is 0 and history does "
                 "not go on.">()};
+  case OrderFault::Older:
+    return {
+        "frameOlder", say<"An old frame again">(), say<"Things jump back for a frame.">(),
+        say<"Wait until a picture is drawn before it is read or handed on: of a ring of pictures an old one "
+            "is taken otherwise.">()};
   case OrderFault::Swapped:
     return {"framesSwapped", say<"Frames in each other's place">(), say<"Things jump back for a frame.">(),
             say<"Number frames in the order in which they were drawn.">()};
@@ -186,6 +198,13 @@ std::string reasonOf(const std::vector<OrderFound>& found, const std::vector<int
   case OrderFault::Doubled:
     return say<"In %1 each pixel has the color that it had in the frame before, to the last bit, and motion "
                "says that the picture moves.">(framesOf(found, asked, names));
+  case OrderFault::Older:
+    for (const OrderFound& one : found)
+      text +=
+          (text.empty() ? "" : " ") +
+          say<"Frame %1 has in each pixel the color of frame %2, to the last bit, and does not continue the "
+              "frame before.">(names.of(one.frame), names.of(one.earlier));
+    return text;
   case OrderFault::Swapped:
     for (const OrderFound& one : found) text += (text.empty() ? "" : " ") + swappedReason(one, names);
     return text;
@@ -208,6 +227,9 @@ void OrderEvidence::add(const DoctorFrame& frame) {
   if (kept_.size() > kMostKept) kept_.pop_front();
   Followed& followed = frames_[frame.frame];
   followed.startsHistory = frame.startsHistory;
+  const auto [shown, isNew] = pictures_.try_emplace(hashOf(frame.luma), frame.frame);
+  if (!isNew && shown->second < frame.frame - 1 && moves(frame.motionPx)) followed.earlier = shown->second;
+  shown->second = frame.frame;
   const Kept& now = kept_.back();
   const auto compare = [&](const Kept& one, const Kept& other) {
     if (one.luma.width != other.luma.width || one.luma.height != other.luma.height) return;
@@ -264,6 +286,14 @@ bool OrderEvidence::isCut(int frame) const {
          frames_.at(frame).alike < kAlikeDetail;
 }
 
+bool OrderEvidence::follows(int frame) const {
+  std::vector<double> left;
+  for (const auto& [other, followed] : frames_)
+    if (other != frame && std::isfinite(leftOf(other, -1))) left.push_back(leftOf(other, -1));
+  const double own = leftOf(frame, -1);
+  return left.empty() || !(own >= kFollowsFactor * median(std::move(left)) && own >= kFollowsLuma);
+}
+
 // What stands in all frames is an interface, or the frame around a picture.
 bool OrderEvidence::changesDrawnPart() const {
   std::vector<std::optional<glm::ivec2>> sizes;
@@ -287,6 +317,8 @@ std::vector<OrderFound> OrderEvidence::found() const {
       others.push_back({OrderFault::Partial, frame, 0.0, 0.0, *followed.drawnPx});
     else if (followed.isBefore)
       others.push_back({OrderFault::Doubled, frame, leftOf(frame, -1), 0.0, {}});
+    else if (followed.earlier && !follows(frame))
+      others.push_back({OrderFault::Older, frame, leftOf(frame, -1), 0.0, {}, *followed.earlier});
     else if (squares_.contains(frame) && isCut(frame))
       others.push_back({OrderFault::Cut, frame, leftOf(frame, -1), 0.0, {}});
   }
@@ -303,7 +335,7 @@ std::vector<int> OrderEvidence::asked() const {
 
 void tellOrder(const std::vector<OrderFound>& found, const std::vector<int>& asked, Diagnosis& out) {
   for (const OrderFault fault :
-       {OrderFault::Doubled, OrderFault::Swapped, OrderFault::Cut, OrderFault::Partial}) {
+       {OrderFault::Doubled, OrderFault::Older, OrderFault::Swapped, OrderFault::Cut, OrderFault::Partial}) {
     std::vector<OrderFound> alike;
     std::ranges::copy_if(found, std::back_inserter(alike),
                          [fault](const OrderFound& one) { return one.fault == fault; });
@@ -328,7 +360,7 @@ FrameReader inOrder(FrameReader read, const std::vector<OrderFound>& found) {
       starts.insert(starts.end(), {one.frame, one.frame + 1, one.frame + 2});
     } else {
       starts.push_back(one.frame);
-      if (one.fault == OrderFault::Partial) starts.push_back(one.frame + 1);
+      if (one.fault == OrderFault::Partial || one.fault == OrderFault::Older) starts.push_back(one.frame + 1);
     }
   }
   return [read = std::move(read), places = std::move(places), starts = std::move(starts)](int frame) {

@@ -16,6 +16,7 @@ namespace taa::doctor {
 
 enum class OrderFault : std::uint8_t {
   Doubled, ///< the frame is the one before once more, though its motion says that things move
+  Older,   ///< the frame is an earlier one once more, and does not follow the one before it
   Swapped, ///< the frame and the next one stand in each other's place
   Cut,     ///< nothing of the frame before is found again, and nobody states a cut
   Partial, ///< right and below it holds what the frame before holds, though its motion says that it moves:
@@ -29,6 +30,7 @@ struct OrderFound {
   /// the frame that it follows.
   double asNumbered = 0.0, asFound = 0.0;
   glm::ivec2 drawnPx{0}; ///< of Partial: what was drawn, from the upper left corner
+  int earlier = 0;       ///< of Older: the frame that it shows
 };
 
 /// What squares of a pair of frames say of whether one shows what the other does.
@@ -58,18 +60,21 @@ class OrderEvidence {
   struct Followed {
     bool startsHistory = false, isBefore = false; ///< isBefore: all of its luma is that of the frame before
     std::optional<glm::ivec2> drawnPx{};          ///< nothing: all of it
+    std::optional<int> earlier{};                 ///< a frame before the one before whose luma it has
     std::map<int, double> left;
     double alike = 0.0; ///< how much its detail is that of the frame before, see alikeDetail()
   };
 
   std::vector<OrderFound> swapped() const;
   bool isCut(int frame) const;
+  bool follows(int frame) const; ///< the one before, about as well as frames do
   bool changesDrawnPart() const;
   double leftOf(int frame, int distance) const;
 
   std::deque<Kept> kept_;
   std::map<int, Followed> frames_;
   std::map<int, FoundAgain> squares_;
+  std::map<std::size_t, int> pictures_; ///< the last frame, by the hash of its luma
 };
 
 /// A finding for each fault, with all of its frames. `asked`: the frames that were.

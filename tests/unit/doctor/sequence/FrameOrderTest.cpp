@@ -52,6 +52,39 @@ TEST(FrameOrder, NamesAFrameThatIsThereTwice) {
       << diagnosis.findings[0].reason;
 }
 
+// A ring of three pictures that nobody has waited for: motion is right, and color alone is an old one.
+TEST(FrameOrder, NamesAnOldFrameThatIsShownAgain) {
+  Examination examination = test::paintedExamination({}, kFrames);
+  examination.read = [read = examination.read](int frame) {
+    DoctorFrame out = read(frame);
+    if (frame == 7) out.luma = read(4).luma;
+    return out;
+  };
+  const Diagnosis diagnosis = examine(examination);
+  ASSERT_EQ(idsOf(diagnosis), "frameOlder");
+  EXPECT_NE(diagnosis.findings[0].reason.find("Frame 7 has in each pixel the color of frame 4"),
+            std::string::npos)
+      << diagnosis.findings[0].reason;
+}
+
+// What comes back to where it was, under a jitter that does, too, shows what it has shown.
+TEST(FrameOrder, OfWhatRepeatsIsNotOld) {
+  Examination examination = test::paintedExamination({}, kFrames);
+  examination.read = [read = examination.read](int frame) {
+    constexpr int kTurn = 4; // there and back again
+    const int place = frame <= kTurn ? frame : std::max(0, 2 * kTurn - frame);
+    DoctorFrame out = read(place);
+    if (frame > kTurn && place < kTurn) { // it goes the way of the frame after, the other way
+      out.motionPx = read(place + 1).motionPx;
+      for (float& motion : out.motionPx.pixels) motion = -motion;
+    }
+    out.frame = frame;
+    out.startsHistory = frame == 0;
+    return out;
+  };
+  EXPECT_EQ(idsOf(examine(examination)).find("frameOlder"), std::string::npos);
+}
+
 // A picture that rests is the same in each frame, and nothing is wrong with that.
 TEST(FrameOrder, OfWhatRestsIsNotDoubled) {
   test::PaintedShot shot;
