@@ -410,6 +410,12 @@ bool areMost(const FlowSeen& seen, const std::function<double(const FlowSquare&)
   return moving >= kEnough && static_cast<double>(moving) >= kMost * static_cast<double>(apart);
 }
 
+/// What is told of motion of the whole picture does not make what pictures move by.
+void leaveUnsure(Diagnosis& out) {
+  for (Finding& finding : out.findings)
+    if (finding.isWholePicture && isOfMotion(finding)) finding.sureness = Sureness::Likely;
+}
+
 } // namespace
 
 bool isDepthConfirmed(const FlowSeen& seen) {
@@ -433,7 +439,10 @@ void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient
     std::vector<Refuted> refuted{wholePicture(asGiven)};
     if (!isOtherLength && !explaining(refuted.front().squares, tolerancePx))
       refuted = refutedRegions(asGiven, tolerancePx);
-    if (refuted.empty()) return;
+    if (refuted.empty()) {
+      leaveUnsure(out);
+      return;
+    }
     const std::string told = takeBackOfAll(out);
     Finding finding = bestFinding(refuted, asGiven, patient.patient, tolerancePx, out);
     finding.isWholePicture = true;
@@ -442,9 +451,7 @@ void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient
     addMotion(std::move(finding), out);
     return;
   }
-  if (patient.isMotionMended && !isExplained)
-    for (Finding& finding : out.findings)
-      if (finding.isWholePicture && isOfMotion(finding)) finding.sureness = Sureness::Likely;
+  if (patient.isMotionMended && !isExplained) leaveUnsure(out);
   std::vector<Refuted> refuted = refutedRegions(mended, tolerancePx);
   takeBackRefuted(mended, patient.patient, out);
   tellClipped(mended, patient.patient, out);

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace taa::doctor {
 
@@ -114,6 +115,15 @@ bool isNear(double value, double expected, double error) {
          std::max(kFitErrors * error, kShare * std::max(1.0, std::abs(expected)));
 }
 
+/// Whether the numbers of a fit are those, within its errors.
+bool areNear(const FlowFit& fit, const glm::dmat2& factors) {
+  for (int column = 0; column < 2; ++column)
+    for (int row = 0; row < 2; ++row)
+      if (!isNear(fit.factors[column][row], factors[column][row], fit.factorErrors[column][row]))
+        return false;
+  return true;
+}
+
 } // namespace
 
 bool FlowFit::isGood() const {
@@ -160,17 +170,20 @@ bool hasOffset(const FlowFit& fit) {
          std::abs(fit.offsetPx.y) > std::max(kOffsetPx, 3.0 * fit.offsetErrorsPx.y);
 }
 
+std::optional<double> turnedBy(const FlowFit& fit) {
+  const glm::dmat2& f = fit.factors;
+  const double angle = std::atan2(f[0][1] - f[1][0], f[0][0] + f[1][1]), c = std::cos(angle),
+               s = std::sin(angle);
+  if (!areNear(fit, glm::dmat2(glm::dvec2(c, s), glm::dvec2(-s, c)))) return {};
+  return angle * 180.0 / std::numbers::pi;
+}
+
 std::optional<MotionTrial> knownTrial(const FlowFit& fit, const glm::ivec2& sizePx) {
   if (hasOffset(fit)) return {};
   for (const MotionTrial& trial : motionTrials(sizePx)) {
     const auto factors = factorsOf(trial);
     if (!factors) continue;
-    bool isWithin = true;
-    for (int column = 0; column < 2; ++column)
-      for (int row = 0; row < 2; ++row)
-        isWithin = isWithin &&
-                   isNear(fit.factors[column][row], (*factors)[column][row], fit.factorErrors[column][row]);
-    if (isWithin) return trial;
+    if (areNear(fit, *factors)) return trial;
   }
   return {};
 }
@@ -179,12 +192,14 @@ std::optional<FlowFit> explaining(const std::vector<const FlowSquare*>& squares,
   // Where motion hardly varies, turned and scaled axes make anything of it.
   constexpr double kVaries = 0.8;
   const auto scaled = fitFlow(squares, true, tolerancePx);
+  const glm::dmat2 asGiven(1.0);
+  const auto saysMore = [&](const FlowFit& fit) { return hasOffset(fit) || !areNear(fit, asGiven); };
   const auto isOfAxes = [](const FlowFit& fit) {
     return isAlongAxes(fit) || (isTurned(fit) && fit.explainedShare >= kVaries);
   };
-  if (scaled && scaled->isGood() && isOfAxes(*scaled)) return scaled;
+  if (scaled && scaled->isGood() && isOfAxes(*scaled)) return saysMore(*scaled) ? scaled : std::nullopt;
   const auto shifted = fitFlow(squares, false, tolerancePx);
-  return shifted && shifted->isGood() && isAlongAxes(*shifted) ? shifted : std::nullopt;
+  return shifted && shifted->isGood() && isAlongAxes(*shifted) && saysMore(*shifted) ? shifted : std::nullopt;
 }
 
 std::optional<FlowFit> explainingWithoutRoot(const std::vector<const FlowSquare*>& squares,

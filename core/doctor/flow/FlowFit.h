@@ -33,6 +33,8 @@ bool isAlongAxes(const FlowFit& fit);
 /// Whether axes are turned, exchanged or mirrored: they are still across each other, and none is much longer.
 bool isTurned(const FlowFit& fit);
 bool hasOffset(const FlowFit& fit);
+/// Degrees, clockwise as one sees it, where all that it does is to turn motion; within its errors.
+std::optional<double> turnedBy(const FlowFit& fit);
 
 inline constexpr std::size_t kEnoughToFit = 12; ///< squares
 
@@ -45,7 +47,7 @@ std::optional<FlowFit> fitFlow(const std::vector<const FlowSquare*>& squares, bo
 std::optional<FlowFit> fitFactor(const std::vector<const FlowSquare*>& squares, double tolerancePx,
                                  std::size_t enough = kEnoughToFit);
 /// A good fit without an offset, else one with it along the axes. Nothing where no line makes what pictures
-/// move by.
+/// move by, or what is given does.
 std::optional<FlowFit> explaining(const std::vector<const FlowSquare*>& squares, double tolerancePx);
 /// Where Unreal's encoding is stated, and what is stored is its argument and not its root: of what would be
 /// read without undoing one, a factor.

@@ -31,6 +31,8 @@ std::string fitText(const FlowFit& fit, const glm::ivec2& sizePx) {
   } else {
     text = say<"motion in pictures is (%1 x + %2 y, %3 x + %4 y) of what is given">(
         shortNumber(f[0][0]), shortNumber(f[1][0]), shortNumber(f[0][1]), shortNumber(f[1][1]));
+    if (const auto degrees = turnedBy(fit))
+      text += say<", which turns it by %1° clockwise and keeps its length">(shortNumber(*degrees));
   }
   if (hasOffset(fit))
     text += say<", and (%1, %2) px more, which is (%3, %4) of the picture">(

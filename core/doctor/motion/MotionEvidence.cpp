@@ -47,17 +47,14 @@ bool isLongerThanPicture(const glm::vec2& motionPx, const glm::ivec2& sizePx) {
 struct CellSums {
   std::size_t pixels = 0, asked = 0, said = 0; ///< see TrialEvidence
   double given = 0.0, tried = 0.0;
-  float mostGained = 0.0f; ///< at …
-  glm::ivec2 pixel{0};     ///< … this one
 
-  void add(const CellPixel& one, const Image& previousLuma, const glm::vec2& place) {
-    const float left = std::abs(one.luma - capture::betweenPixels(previousLuma, place));
+  /// Returns what the trial leaves of a pixel.
+  float add(const CellPixel& pixel, const Image& previousLuma, const glm::vec2& place) {
+    const float left = std::abs(pixel.luma - capture::betweenPixels(previousLuma, place));
     ++pixels;
-    given += static_cast<double>(one.error);
+    given += static_cast<double>(pixel.error);
     tried += static_cast<double>(left);
-    if (one.error - left <= mostGained) return;
-    mostGained = one.error - left;
-    pixel = one.pixel;
+    return left;
   }
 };
 
@@ -70,10 +67,6 @@ void addCell(TrialEvidence& out, CellSums& pair, const CellSums& cell) {
   pair.given += cell.given;
   pair.tried += cell.tried;
   pair.pixels += cell.pixels;
-  if (cell.mostGained > pair.mostGained) {
-    pair.mostGained = cell.mostGained;
-    pair.pixel = cell.pixel;
-  }
   if (cell.pixels < kLeastInCell) return;
   ++out.cells;
   if (cell.tried < cell.given) ++out.cellsWon;
@@ -124,6 +117,7 @@ class PairEvidence {
  private:
   struct PairSums {
     std::vector<CellSums> trials;
+    std::vector<TrialOfPair> ofPair; ///< as trials
     CellSums found;
     std::size_t pixels = 0;
     double lengthPx = 0.0;
@@ -219,6 +213,7 @@ class PairEvidence {
     PairSums& pair = pairs_[region];
     out.trials.resize(trials_.size());
     pair.trials.resize(trials_.size());
+    pair.ofPair.resize(trials_.size());
     for (std::size_t t = 0; t < trials_.size(); ++t) {
       CellSums sums;
       for (const CellPixel& pixel : pixels) {
@@ -227,7 +222,12 @@ class PairEvidence {
         if (motionPx) ++sums.said;
         if (!motionPx || glm::distance(*motionPx, pixel.given) <= kSameTrialPx) continue;
         const glm::vec2 place = placeOf(pixel.pixel, *motionPx);
-        if (isInPicture(place, frames_.now.sizePx())) sums.add(pixel, frames_.before.luma, place);
+        if (!isInPicture(place, frames_.now.sizePx())) continue;
+        const bool isSeen = wasSeen(pixel.pixel, pixel.given) && wasSeen(pixel.pixel, *motionPx);
+        // What a frame beside holds there is another motion where something uncovers what is behind it.
+        if (!isSeen && madeOf(trials_[t].kind) == MotionMadeOf::OtherFrame) continue;
+        const float left = sums.add(pixel, frames_.before.luma, place);
+        if (isSeen) pair.ofPair[t].add(pixel.pixel, pixel.error, left);
       }
       addCell(out.trials[t], pair.trials[t], sums);
     }
@@ -271,6 +271,12 @@ class PairEvidence {
            labels_[static_cast<std::size_t>(pixel.y) * size.x + pixel.x];
   }
 
+  /// Where no depth says what hid a pixel (see wasHidden()), what was of another region may have.
+  bool wasSeen(const glm::ivec2& pixel, const glm::vec2& motionPx) const {
+    const bool isDepthKnown = !frames_.now.depth.empty() && !frames_.before.depth.empty();
+    return isDepthKnown || wasOfRegion(pixel, motionPx);
+  }
+
   void finish(RegionIndex region, const PairSums& sums) {
     RegionEvidence& out = regions_[static_cast<std::size_t>(region)];
     ++out.pairs;
@@ -281,9 +287,9 @@ class PairEvidence {
 
   PairTrace traceOf(const PairSums& sums) const {
     PairTrace out{frames_.now.frame, sums.pixels, sums.lengthPx};
+    out.trials = sums.ofPair;
     for (std::size_t t = 0; t < sums.trials.size(); ++t) {
       const CellSums& trial = sums.trials[t];
-      out.trials.push_back({trial.pixels, trial.given, trial.tried, trial.pixel});
       const bool isOfOther =
           trials_[t].kind == MotionKind::FrameLate || trials_[t].kind == MotionKind::FrameEarly;
       if (!isOfOther || trial.given - trial.tried <= out.given - out.tried) continue;

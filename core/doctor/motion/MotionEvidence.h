@@ -59,11 +59,21 @@ struct EvenVectors {
 };
 
 /// An explanation against the motion given in one pair of frames, at the pixels where the two lead to
-/// different places.
+/// different places; without depth, both of the same region: what was behind something else says nothing.
 struct TrialOfPair {
   std::size_t pixels = 0;
   double given = 0.0, tried = 0.0; ///< as TrialEvidence
-  glm::ivec2 pixel{0};             ///< the one at which it leaves most less than the motion given
+  glm::ivec2 pixel{0};             ///< the one at which it leaves most less than the motion given …
+  float gained = 0.0f;             ///< … by this
+
+  void add(const glm::ivec2& at, float leftGiven, float leftTried) {
+    ++pixels;
+    given += static_cast<double>(leftGiven);
+    tried += static_cast<double>(leftTried);
+    if (leftGiven - leftTried <= gained) return;
+    gained = leftGiven - leftTried;
+    pixel = at;
+  }
 };
 
 /// One pair of frames of a region.

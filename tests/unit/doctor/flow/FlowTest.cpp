@@ -126,6 +126,31 @@ TEST(FlowFit, IsTheLineThatMostFollow) {
   EXPECT_TRUE(fit->isGood());
 }
 
+// A camera whose roll is left out turns all motion; y points down.
+TEST(FlowFit, SaysByWhichAngleMotionIsTurned) {
+  const double angle = 0.3;
+  const glm::dmat2 turn({std::cos(angle), std::sin(angle)}, {-std::sin(angle), std::cos(angle)});
+  const auto of = [](const glm::dmat2& factors) {
+    const std::vector<FlowSquare> squares = squaresBy(factors, {0.0, 0.0}, 2);
+    return *fitFlow(pointersTo(squares), true, 0.5);
+  };
+  ASSERT_TRUE(turnedBy(of(turn)));
+  EXPECT_NEAR(*turnedBy(of(turn)), 17.19, 0.01);
+  EXPECT_FALSE(turnedBy(of(1.2 * turn)));
+  EXPECT_FALSE(turnedBy(of(glm::dmat2({1.0, 0.3}, {0.3, 1.0}))));
+}
+
+// That pictures move as is given explains nothing of what is wrong.
+TEST(FlowFit, ExplainsNothingWhereItIsWhatIsGiven) {
+  const auto explains = [](const glm::dmat2& factors, const glm::dvec2& offset) {
+    const std::vector<FlowSquare> squares = squaresBy(factors, offset, 2);
+    return explaining(pointersTo(squares), 0.5).has_value();
+  };
+  EXPECT_FALSE(explains(glm::dmat2(1.0), {0.0, 0.0}));
+  EXPECT_TRUE(explains(glm::dmat2(1.3), {0.0, 0.0}));
+  EXPECT_TRUE(explains(glm::dmat2(1.0), {2.0, 0.0}));
+}
+
 TEST(FlowFit, IsNoneOfWhatIsGivenAlike) {
   std::vector<FlowSquare> squares = squaresBy(glm::dmat2(0.5), {}, 0);
   const auto scaled = fitFlow(pointersTo(squares), true, 0.5);

@@ -34,7 +34,7 @@ RegionEvidence evidenceOf(MotionKind kind, const std::vector<int>& won, std::siz
     PairTrace pair{frame, 1000, 0.0, 0, 0.0, 0.0, std::vector<TrialOfPair>(kTrials.size())};
     const auto count = static_cast<double>(pixels);
     if (std::ranges::count(won, frame) > 0)
-      pair.trials[trialOf(kind)] = {pixels, given * count, 0.01 * count, {frame, 7}};
+      pair.trials[trialOf(kind)] = {pixels, given * count, 0.01 * count, {frame, 7}, 0.1f};
     out.traces.push_back(std::move(pair));
   }
   return out;
@@ -83,6 +83,23 @@ TEST(MotionPairs, AreNotWonByWhatAllFramesHave) {
   EXPECT_FALSE(wonOf(MotionKind::JitterOfThis, {3, 6}, 500, 0.05));
   EXPECT_TRUE(wonOf(MotionKind::Resting, {3, 6}, 500, 0.05));
   EXPECT_TRUE(wonOf(MotionKind::OfCamera, {3, 6}, 500, 0.05));
+}
+
+// Without depth nothing says what hid a pixel; one whose motion leads to another region may have been behind
+// it.
+TEST(MotionPairs, AreNotOfWhatUncovers) {
+  test::PaintedShot shot;
+  shot.boardPx = {9.0, 0.0};
+  const Diagnosis diagnosis = examine(test::paintedExamination(shot, 10, [](DoctorFrame& frame) {
+    frame.depth = frame.depthView = frame.previousDepthView = {};
+    frame.previousClipFromClip.reset();
+    for (std::size_t i = 0; i < frame.objectId.size(); ++i) // a sky around the board, with little detail
+      if (frame.objectId[i] == test::kGroundId) {
+        frame.objectId[i] = 0;
+        frame.luma.pixels[i] = 0.45f + 0.1f * frame.luma.pixels[i];
+      }
+  }));
+  EXPECT_EQ(test::idsOf(diagnosis), "");
 }
 
 // A part of an object alone jumps: over the whole of it, and over all frames, its motion is right.
