@@ -1,3 +1,4 @@
+// Factors of jitter along both axes: made-up shifts whose factors are known.
 #include "core/doctor/jitter/JitterFactors.h"
 
 #include <gtest/gtest.h>
