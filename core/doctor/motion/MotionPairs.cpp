@@ -5,6 +5,8 @@
 #include "core/doctor/motion/MotionFindings.h"
 #include "core/doctor/motion/MotionWords.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -87,13 +89,24 @@ FaultWords wordsOf(const MotionTrial& trial, const WonPairs& won, const Region& 
           "let the previous one be this one, too, where it is not brought up to date.">()};
 }
 
+/// Where most is gained: what is known of the region's own place is that of another frame.
+void pointAt(const WonPairs& won, const glm::ivec2& sizePx, RegionPlace& place) {
+  constexpr int kHalfPx = 8;
+  const glm::ivec2 first = glm::max(won.pixel - kHalfPx, glm::ivec2(0)),
+                   end = glm::min(won.pixel + kHalfPx + 1, sizePx);
+  place.frame = won.frame;
+  place.pixel = won.pixel;
+  place.box = {first, end};
+  place.pixels.clear();
+  for (int y = first.y; y < end.y; ++y) place.pixels.push_back({y, first.x, end.x});
+}
+
 /// Adds a region, and what is said of it, to the finding of its id.
 void addTo(std::vector<Finding>& findings, const WonPairs& won, const MotionTrial& trial,
            const Region& region, const RegionEvidence& evidence, const Patient& patient, double allPixels) {
   const auto perPixel = [&](double sum) { return 1000.0 * sum / static_cast<double>(won.pixels); };
   RegionPlace place = placeOf(region, patient, allPixels);
-  place.frame = won.frame;
-  place.pixel = won.pixel;
+  pointAt(won, patient.sizePx, place);
   const std::string reason = say<
       "In %1, at %2 of its pixels in the mean, the motion given of %3 leaves %4 thousandths of the pixels' "
       "luma, and what comes nearest leaves %5: %6.">(

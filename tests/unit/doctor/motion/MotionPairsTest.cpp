@@ -113,7 +113,15 @@ TEST(MotionPairs, NameTheFramesInWhichAPartJumps) {
   ASSERT_EQ(test::idsOf(diagnosis), "motionJumps");
   const Finding& finding = diagnosis.findings[0];
   ASSERT_EQ(finding.regions.size(), 1u);
-  EXPECT_EQ(finding.regions[0].objectId, test::kBoardId);
+  const RegionPlace& place = finding.regions[0];
+  EXPECT_EQ(place.objectId, test::kBoardId);
+  // What is outlined is the place in the frame that is named.
+  EXPECT_TRUE(place.frame == 4 || place.frame == 8);
+  EXPECT_GE(place.pixel.x, 70 + 20);
+  ASSERT_FALSE(place.pixels.empty());
+  EXPECT_TRUE(std::ranges::any_of(place.pixels, [&](const PixelRun& run) {
+    return run.y == place.pixel.y && run.from <= place.pixel.x && place.pixel.x < run.to;
+  }));
   EXPECT_NE(finding.reason.find("frames 4, 8"), std::string::npos) << finding.reason;
 }
 
