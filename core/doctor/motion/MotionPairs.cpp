@@ -15,8 +15,8 @@ namespace taa::doctor {
 
 namespace {
 
-/// Pixels of a pair, and their share of the region's: healthy captures of four exams have at most 140 such in
-/// a pair, beside what uncovers and where cameras stop.
+/// Pixels of a pair, and their share of the region's: twelve healthy captures of strangers have at most 140
+/// such in a pair, beside what uncovers and where cameras stop.
 constexpr std::size_t kEnoughOfPair = 150;
 constexpr double kLeastOfRegion = 0.05;
 /// Of the sum of two pairs, or of one alone: one thing may happen to a light in one frame.
