@@ -98,8 +98,7 @@ void Examiner::add(const DoctorFrame* before, const DoctorFrame& now, const Doct
 std::optional<RegionPlace> Examiner::skyPlace(const Diagnosis& out) const {
   const auto sky = std::ranges::find(tracker_.regions(), true, &Region::isSky);
   if (sky == tracker_.regions().end()) return {};
-  const double pixels = static_cast<double>(patient_.sizePx.x) * patient_.sizePx.y;
-  return placeOf(*sky, patient_, pixels * out.frames);
+  return placeOf(*sky, patient_, allPixels(patient_, out));
 }
 
 bool Examiner::areSurfacesJittered() const {

@@ -127,24 +127,23 @@ std::optional<PictureChange> changeOf(const std::vector<const FlowSquare*>& squa
   return out;
 }
 
-std::map<int, std::optional<PictureChange>> changesOf(const std::vector<Refuted>& refuted,
-                                                      const FlowSeen& seen, const glm::ivec2& sizePx,
-                                                      double tolerancePx) {
+PictureChanges changesOf(const std::vector<Refuted>& refuted, const FlowSeen& seen, const glm::ivec2& sizePx,
+                         double tolerancePx) {
   std::map<int, std::vector<const FlowSquare*>> byFrame;
   for (const FlowSquare* square : squaresOf(refuted)) byFrame[frameOf(*square, seen)].push_back(square);
-  std::map<int, std::optional<PictureChange>> out;
+  PictureChanges out;
   for (const auto& [frame, squares] : byFrame)
     if (squares.size() >= kEnoughSquares) out[frame] = changeOf(squares, sizePx, tolerancePx);
   return out;
 }
 
-bool areZooms(const std::map<int, std::optional<PictureChange>>& changes, const glm::ivec2& sizePx) {
+bool areZooms(const PictureChanges& changes, const glm::ivec2& sizePx) {
   const auto zooms = std::ranges::count_if(
       changes, [&](const auto& entry) { return entry.second && entry.second->isZoom(sizePx); });
   return areNearlyAll(static_cast<std::size_t>(zooms), changes.size());
 }
 
-std::string zoomText(const std::map<int, std::optional<PictureChange>>& changes) {
+std::string zoomText(const PictureChanges& changes) {
   const PictureChange *least = nullptr, *most = nullptr;
   for (const auto& [frame, change] : changes) {
     if (!change || !change->isGood()) continue;
@@ -158,7 +157,7 @@ std::string zoomText(const std::map<int, std::optional<PictureChange>>& changes)
       percent(least->growth), percent(least->error), percent(most->growth), percent(most->error));
 }
 
-std::string changeText(const std::map<int, std::optional<PictureChange>>& changes, const FrameNames& names) {
+std::string changeText(const PictureChanges& changes, const FrameNames& names) {
   std::size_t good = 0;
   const PictureChange* most = nullptr;
   int where = 0;

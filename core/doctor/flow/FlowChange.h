@@ -31,14 +31,18 @@ struct PictureChange {
 std::optional<PictureChange> changeOf(const std::vector<const FlowSquare*>& squares, const glm::ivec2& sizePx,
                                       double tolerancePx);
 
-/// By frame, of those whose squares of the regions that are refuted are enough to tell.
-std::map<int, std::optional<PictureChange>> changesOf(const std::vector<Refuted>& refuted,
-                                                      const FlowSeen& seen, const glm::ivec2& sizePx,
-                                                      double tolerancePx);
-/// Whether nearly all frames zoom; a sentence on how, and another one on what else is lacking where they
-/// do not; empty where nearly all frames follow no such change.
-bool areZooms(const std::map<int, std::optional<PictureChange>>& changes, const glm::ivec2& sizePx);
-std::string zoomText(const std::map<int, std::optional<PictureChange>>& changes);
-std::string changeText(const std::map<int, std::optional<PictureChange>>& changes, const FrameNames& names);
+/// By frame; nothing of one whose squares lie in one place.
+using PictureChanges = std::map<int, std::optional<PictureChange>>;
+/// Of frames whose squares in the regions that are refuted are enough to tell.
+PictureChanges changesOf(const std::vector<Refuted>& refuted, const FlowSeen& seen, const glm::ivec2& sizePx,
+                         double tolerancePx);
+
+/// Whether nearly all frames zoom.
+bool areZooms(const PictureChanges& changes, const glm::ivec2& sizePx);
+/// By how much, in a sentence. Expects zooms.
+std::string zoomText(const PictureChanges& changes);
+/// What is lacking in the frame in which that is most, in a sentence; empty where many frames follow no such
+/// change.
+std::string changeText(const PictureChanges& changes, const FrameNames& names);
 
 } // namespace taa::doctor

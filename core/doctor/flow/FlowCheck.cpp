@@ -370,7 +370,7 @@ void tellWholeFrames(const FlowSeen& seen, const Patient& patient, double tolera
   Finding finding = measuredFinding(refuted, seen, patient, out);
   finding.sureness = Sureness::Likely;
   finding.isWholePicture = true;
-  nameAsWhole(refuted, seen, patient, tolerancePx, finding);
+  nameBest({}, refuted, seen, patient, tolerancePx, finding);
   addMotion(std::move(finding), out);
 }
 

@@ -5,7 +5,6 @@
 #include "core/base/Say.h"
 #include "core/doctor/Mending.h"
 #include "core/doctor/flow/FlowChange.h"
-#include "core/doctor/flow/FlowFit.h"
 #include "core/doctor/flow/FlowWords.h"
 #include "core/doctor/motion/MotionFindings.h"
 #include "core/doctor/motion/MotionWords.h"
@@ -114,13 +113,17 @@ Finding measuredFinding(const std::vector<Refuted>& refuted, const FlowSeen& see
   return finding;
 }
 
-void nameAsWhole(const std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,
-                 double tolerancePx, Finding& finding) {
+void nameBest(const std::optional<FlowFit>& fit, const std::vector<Refuted>& refuted, const FlowSeen& seen,
+              const Patient& patient, double tolerancePx, Finding& finding) {
   if (const auto missing = fitOfMissing(refuted)) {
     nameMissing(patient.frameNames.of(framesOf(refuted).first.front()), *missing, finding);
     return;
   }
-  const auto changes = changesOf(refuted, seen, patient.sizePx, tolerancePx);
+  if (fit) {
+    nameByFit(*fit, patient, finding);
+    return;
+  }
+  const PictureChanges changes = changesOf(refuted, seen, patient.sizePx, tolerancePx);
   if (!areZooms(changes, patient.sizePx)) {
     nameUnknown(finding);
     if (const std::string text = changeText(changes, patient.frameNames); !text.empty())
@@ -158,10 +161,7 @@ Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, c
   if (fit && followedShare(*fit, squares, tolerancePx) < kMostSquares)
     fit.reset(); // what is right everywhere else
   if (!fit) fit = explaining(squares, tolerancePx);
-  if (fit && !fitOfMissing(refuted))
-    nameByFit(*fit, patient, finding);
-  else
-    nameAsWhole(refuted, seen, patient, tolerancePx, finding);
+  nameBest(fit, refuted, seen, patient, tolerancePx, finding);
   return finding;
 }
 

@@ -3,8 +3,10 @@
 
 #include "core/doctor/Diagnosis.h"
 #include "core/doctor/Patient.h"
+#include "core/doctor/flow/FlowFit.h"
 #include "core/doctor/flow/Refuted.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,9 +27,9 @@ std::string exampleOf(const std::vector<const FlowSquare*>& squares, const FlowS
 Finding measuredFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,
                         const Diagnosis& out);
 
-/// Names it by what explains a picture as a whole: a frame that is missing, a zoom; else as unknown.
-void nameAsWhole(const std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,
-                 double tolerancePx, Finding& finding);
+/// Names it by a frame that is missing, else by `fit`, which may be none, else by a zoom, else as unknown.
+void nameBest(const std::optional<FlowFit>& fit, const std::vector<Refuted>& refuted, const FlowSeen& seen,
+              const Patient& patient, double tolerancePx, Finding& finding);
 
 /// Of what pictures refute, and whatever explains all of it best.
 Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,

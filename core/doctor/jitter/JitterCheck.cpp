@@ -340,16 +340,6 @@ void tellTrial(const std::vector<JitterTrial>& trials, std::size_t trial, const 
   if (sky) tellSky(evidence, trials, trial, *sky, out);
 }
 
-/// Whether measured shifts are those of jitter with other factors, which the list need not have. Pictures
-/// that are read softly shift by a few hundredths less.
-bool areOfFactors(const JitterFactors& factors, const JitterEvidence& evidence, double statedMissPx) {
-  constexpr double kFitsPx = 0.15, kNearerShare = 0.5, kOther = 0.1;
-  const double missPx = shiftResidual(factors.trial(), evidence);
-  const glm::dvec2 off = glm::abs(factors.factor - 1.0);
-  return factors.areBeyond(glm::dvec2(1.0)) && std::max(off.x, off.y) >= kOther && missPx <= kFitsPx &&
-         missPx <= kNearerShare * statedMissPx;
-}
-
 Finding factorsFinding(const JitterFactors& factors, const JitterEvidence& evidence,
                        const JitterPatient& patient, double statedMissPx) {
   const JitterTrial trial = factors.trial();
@@ -483,7 +473,7 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
   const bool isContradicted = fit.isContradicted();
   const std::optional<std::size_t> atRest = trialAtRest(evidence, trials);
   const auto factors = measureFactors(evidence);
-  const bool isOfFactors = !isContradicted && factors && areOfFactors(*factors, evidence, missPx);
+  const bool isOfFactors = !isContradicted && factors && explainShifts(*factors, evidence);
   const bool isConfirmed = fit.isConfirmed() || fit.isMeasured() || (atRest == 0u && !isContradicted);
   if (isConfirmed && !isOfFactors && missPx <= kMissingPx) {
     out.parts.addRight(say<"Jitter">(),

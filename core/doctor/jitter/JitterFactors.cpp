@@ -16,10 +16,8 @@ namespace taa::doctor {
 
 namespace {
 
-/// px: shifts that are measured from whole pictures lie so near to those that are true, if something
-/// explains them; as many pairs of frames are enough.
-constexpr double kFollowsPx = 0.15;
-constexpr std::size_t kEnoughPairs = 6;
+constexpr double kFollowsPx = 0.15;     ///< to which a shift is measured: pictures alias
+constexpr std::size_t kEnoughPairs = 6; ///< of frames: eight frames have seven
 constexpr double kWithinErrors = 3.0;
 /// Pictures alias: a factor is measured no better, whatever its standard error is.
 constexpr double kLeastError = 0.01;
@@ -69,6 +67,15 @@ std::optional<JitterFactors> measureFactors(const JitterEvidence& evidence) {
   const auto alike = fitFactor(all, kFollowsPx, kEnoughPairs);
   if (!alike || !alike->isGood() || !areKnown(factorsIn(*alike))) return {};
   return factorsIn(*alike);
+}
+
+bool explainShifts(const JitterFactors& factors, const JitterEvidence& evidence) {
+  // Pictures that are read softly shift by a few hundredths less.
+  constexpr double kNearerShare = 0.5, kOther = 0.1;
+  const double missPx = shiftResidual(factors.trial(), evidence), statedPx = shiftResidual({}, evidence);
+  const glm::dvec2 off = glm::abs(factors.factor - 1.0);
+  return factors.areBeyond(glm::dvec2(1.0)) && std::max(off.x, off.y) >= kOther && missPx <= kFollowsPx &&
+         missPx <= kNearerShare * statedPx;
 }
 
 std::string factorsName(const glm::vec2& factor) {

@@ -24,7 +24,11 @@ struct JitterFactors {
 /// shifts, or they are not known to a twentieth.
 std::optional<JitterFactors> measureFactors(const JitterEvidence& evidence);
 
-/// "y reported 0.23 times as large as it is": axes whose factor is 1 are left out. Of JitterKind::Scaled.
+/// Whether measured shifts are those of jitter with these factors, and not those of what is stated.
+bool explainShifts(const JitterFactors& factors, const JitterEvidence& evidence);
+
+/// "y of jitter reported 0.23 times as large as it is": axes whose factor is 1 are left out. Of
+/// JitterKind::Scaled.
 std::string factorsName(const glm::vec2& factor);
 
 /// The ratio of the picture's sides where one axis has it for a factor and the other none, in a sentence;

@@ -78,7 +78,6 @@ void tellRegionJitter(const RegionJitter& jitter, const std::vector<Region>& reg
   Finding found;
   std::string shares;
   double lacking = 0.0, having = 0.0, worst = 0.0; // pixels, and the largest standard error
-  const double all = static_cast<double>(patient.sizePx.x) * patient.sizePx.y * std::max(1, out.frames);
   for (const auto& [index, missing] : jitter.regions()) {
     const Region& region = regions[static_cast<std::size_t>(index)];
     if (missing.pairs < kEnoughJitterPairs || missing.error > kMostShareError || region.isSky) continue;
@@ -86,7 +85,7 @@ void tellRegionJitter(const RegionJitter& jitter, const std::vector<Region>& reg
     if (missing.share < kLacksJitter || missing.share > 2.0 - kLacksJitter) continue;
     lacking += region.pixels;
     worst = std::max(worst, missing.error);
-    found.regions.push_back(placeOf(region, patient, all));
+    found.regions.push_back(placeOf(region, patient, allPixels(patient, out)));
     shares +=
         (shares.empty() ? "" : ", ") + say<"%1 ± %2">(shortNumber(missing.share), shortNumber(missing.error));
   }

@@ -41,6 +41,18 @@ TEST(JitterFactors, AreOneWhereTwoLieWithinTheirErrors) {
   EXPECT_NEAR(one->factor.x, 1.7, 0.05);
 }
 
+TEST(JitterFactors, ExplainShiftsThatAreNotThoseStated) {
+  const auto explain = [](const glm::vec2& factor) {
+    const JitterEvidence evidence = evidenceOf(factor, 0.01f);
+    const auto factors = measureFactors(evidence);
+    return factors && explainShifts(*factors, evidence);
+  };
+  EXPECT_TRUE(explain({1.0f, 1.4f}));
+  EXPECT_TRUE(explain({0.8f, 0.8f}));
+  EXPECT_FALSE(explain({1.0f, 1.0f}));
+  EXPECT_FALSE(explain({0.95f, 0.95f})); // as of pictures that are read softly
+}
+
 TEST(JitterFactors, AreNoneOfShiftsThatFollowNoFactor) {
   EXPECT_FALSE(measureFactors(evidenceOf({1.0f, 1.0f}, 0.4f)));
   EXPECT_FALSE(measureFactors(evidenceOf({1.0f, 2.0f}, 0.0f, 5))); // too few

@@ -1,13 +1,14 @@
 // What a whole picture changes by, predicted from where its places were.
 #include "core/doctor/flow/FlowChange.h"
 
+#include "tests/support/doctor/FlowSquares.h"
+
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -41,9 +42,7 @@ std::vector<FlowSquare> squaresOfPicture(double growth, double turn, const glm::
 }
 
 std::optional<PictureChange> changed(const std::vector<FlowSquare>& squares) {
-  std::vector<const FlowSquare*> all;
-  for (const FlowSquare& square : squares) all.push_back(&square);
-  return changeOf(all, kSizePx, kTolerancePx);
+  return changeOf(test::pointersTo(squares), kSizePx, kTolerancePx);
 }
 
 /// Of two frames, 3 and 4, all of whose squares are refuted.
@@ -55,7 +54,7 @@ struct Seen {
     pairs.push_back({3, std::move(third), {}, {}, 0});
     pairs.push_back({4, std::move(fourth), {}, {}, 0});
   }
-  std::map<int, std::optional<PictureChange>> changes() const {
+  PictureChanges changes() const {
     const FlowSeen seen{pairs, regions};
     return changesOf({wholePicture(seen)}, seen, kSizePx, kTolerancePx);
   }
