@@ -141,7 +141,7 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
   std::vector<std::string> pages;
   for (int page = 0; page < kLowerPageCount; ++page)
     pages.push_back(lowerPageId(static_cast<LowerPage>(page)).toStdString());
-  for (const char* page : {"colorspace", "whatif", "scene", "learn"}) pages.emplace_back(page);
+  for (const char* page : {"colorspace", "whatif", "sensitivity", "scene", "learn"}) pages.emplace_back(page);
   app.add_option(
          "--panel", arguments.panel,
          "Show this page above the timeline, or of the probe, too, or the scene's tree in place of the "

@@ -6,6 +6,7 @@
 #include "app/style/Text.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
+#include "app/views/plots/SensitivityPage.h"
 #include "app/views/plots/WhatIfPage.h"
 #include "core/report/ProbeReport.h"
 #include "core/report/verdicts/VerdictReport.h"
@@ -90,18 +91,19 @@ void ProbeCommands::copy(ProbeFormat format) {
                             status.driver.renderer + ", " + status.driver.version, status.width,
                             status.height},
                            {result->x, result->y},
-                           {{{"", session_.presets().presetId(), result->settings, result->info},
-                             result->around[result->around.size() / 2],
-                             {},
-                             result->details,
-                             panel_.comparison() ? result->compared : std::nullopt}},
+                           {{.lane = {"", session_.presets().presetId(), result->settings, result->info},
+                             .record = result->around[result->around.size() / 2],
+                             .details = result->details,
+                             .compared = panel_.comparison() ? result->compared : std::nullopt}},
                            panel_.comparison()};
   const std::string text = format == ProbeFormat::Json       ? probeJson(report).dump(2) + "\n"
                            : format == ProbeFormat::Markdown ? probeMarkdown(report)
                                                              : probeText(report);
-  QApplication::clipboard()->setText(panel_.tab() == ProbeTab::WhatIf && format == ProbeFormat::Text
-                                         ? panel_.whatIf()->text()
-                                         : QString::fromStdString(text));
+  QString copied = QString::fromStdString(text);
+  if (format == ProbeFormat::Text && panel_.tab() == ProbeTab::WhatIf) copied = panel_.whatIf()->text();
+  if (format == ProbeFormat::Text && panel_.tab() == ProbeTab::Sensitivity)
+    copied = panel_.sensitivity()->text();
+  QApplication::clipboard()->setText(copied);
 }
 
 } // namespace taa::app

@@ -12,6 +12,7 @@
 #include "app/views/Viewport.h"
 #include "app/views/plots/ColorSpacePage.h"
 #include "app/views/plots/ColorSpaceView.h"
+#include "app/views/plots/SensitivityPage.h"
 #include "app/views/plots/WhatIfPage.h"
 #include "app/widgets/ValueTable.h"
 #include "app/widgets/probe/VerdictDetails.h"
@@ -166,6 +167,10 @@ void ProbeMenu::addPages(ProbePanel& panel) {
   };
   add(tr("&What if"), keys({"F4"}), openWhatIf)
       ->setToolTip(tr("Arrows choose one of the other choices, Enter tries it"));
+  add(tr("&Sensitivity"), keys({"Shift+F3"}), [&panel] {
+    panel.openTab(ProbeTab::Sensitivity);
+    panel.sensitivity()->table()->setFocus();
+  })->setToolTip(tr("How much the pixel moves with each sample, each texel of history and each number"));
   add(tr("Measure the pictures of w&hat if"), keys({"Ctrl+F4"}), [&panel, openWhatIf] {
     openWhatIf();
     Q_EMIT panel.whatIf()->measuringRequested();

@@ -6,6 +6,7 @@
 #include "app/style/Theme.h"
 #include "app/views/plots/ColorSpacePage.h"
 #include "app/views/plots/ColorSpaceView.h"
+#include "app/views/plots/SensitivityPage.h"
 #include "app/views/plots/WhatIfPage.h"
 #include "app/widgets/IconButton.h"
 #include "app/widgets/Line.h"
@@ -44,7 +45,7 @@ namespace taa::app {
 
 namespace {
 
-constexpr std::array<const char*, 3> kTabs{"values", "colorSpace", "whatIf"};
+constexpr std::array<const char*, 4> kTabs{"values", "colorSpace", "whatIf", "sensitivity"};
 constexpr std::array<const char*, 2> kSpaces{"rgb", "ycocg"};
 
 /// Place of a text in a list, or nothing.
@@ -115,11 +116,14 @@ void ProbePanel::makePages() {
   tabs_->setExpanding(false);
   tabs_->setDrawBase(false);
   tabs_->setAccessibleName(tr("Pages of the probe"));
-  for (const QString& label : {tr("Values"), tr("Color space"), tr("What if")}) tabs_->addTab(label);
+  for (const QString& label : {tr("Values"), tr("Color space"), tr("What if"), tr("Sensitivity")})
+    tabs_->addTab(label);
   pages_ = new QStackedWidget;
   colorSpace_ = new ColorSpacePage;
   whatIf_ = new WhatIfPage;
-  for (QWidget* page : {makeValues(), static_cast<QWidget*>(colorSpace_), static_cast<QWidget*>(whatIf_)})
+  sensitivity_ = new SensitivityPage;
+  for (QWidget* page : {makeValues(), static_cast<QWidget*>(colorSpace_), static_cast<QWidget*>(whatIf_),
+                        static_cast<QWidget*>(sensitivity_)})
     pages_->addWidget(page);
   column->addWidget(tabs_);
   column->addWidget(new Line);
@@ -285,6 +289,7 @@ void ProbePanel::setPixel(std::optional<glm::ivec2> pixel) {
     model_->setRecord({});
     colorSpace_->setResult({});
     whatIf_->setResult({});
+    sensitivity_->setResult({});
     return;
   }
   place_->setWhole(QStringLiteral("(%1, %2)").arg(pixel->x).arg(pixel->y));
@@ -307,6 +312,7 @@ void ProbePanel::setResult(const ProbeResult& result) {
   showColors();
   colorSpace_->setResult(result);
   whatIf_->setResult(result);
+  sensitivity_->setResult(result);
   describeCurrentRow();
   if (isPlaying_)
     conclusions_->setMinimumHeight(
@@ -339,6 +345,7 @@ void ProbePanel::setGlimpse(const Glimpse& known) {
   for (Swatches* swatches : swatches_) swatches->setColors({});
   colorSpace_->setResult({});
   whatIf_->setResult({});
+  sensitivity_->setResult({});
   describeCurrentRow();
 }
 
@@ -368,6 +375,7 @@ void ProbePanel::showLost(const ProbeResult& result) {
   for (Swatches* swatches : swatches_) swatches->setColors({});
   colorSpace_->setResult({});
   whatIf_->setResult({});
+  sensitivity_->setResult({});
 }
 
 void ProbePanel::describeCurrentRow() {

@@ -30,12 +30,13 @@ class FittingArea;
 class IconButton;
 class ProbeBar;
 class ProbeTable;
+class SensitivityPage;
 class Swatches;
 class VerdictDetails;
 class VerdictLine;
 class WhatIfPage;
 
-enum class ProbeTab { Values, ColorSpace, WhatIf };
+enum class ProbeTab { Values, ColorSpace, WhatIf, Sensitivity };
 
 class ProbePanel : public QWidget {
   Q_OBJECT
@@ -69,6 +70,7 @@ class ProbePanel : public QWidget {
   QWidget* head() const { return head_; }
   ColorSpacePage* colorSpace() const { return colorSpace_; }
   WhatIfPage* whatIf() const { return whatIf_; }
+  SensitivityPage* sensitivity() const { return sensitivity_; }
   /// What the selected row tells: what happened, and its formula with the pixel's numbers.
   QString story() const;
   ProbeModel* model() const { return model_; }
@@ -126,6 +128,7 @@ class ProbePanel : public QWidget {
   QStackedWidget* pages_ = nullptr;
   ColorSpacePage* colorSpace_ = nullptr;
   WhatIfPage* whatIf_ = nullptr;
+  SensitivityPage* sensitivity_ = nullptr;
   IconButton *copy_ = nullptr, *remove_ = nullptr;
   std::array<Swatches*, 3> swatches_{};
   ProbeTable* table_ = nullptr;

@@ -486,6 +486,7 @@ void MainWindow::openPage(const std::string& name) {
   if (const auto page = lowerPageWithId(QString::fromStdString(name))) lower_->setShown(*page, true);
   if (name == "colorspace") probe_->openTab(ProbeTab::ColorSpace);
   if (name == "whatif") probe_->openTab(ProbeTab::WhatIf);
+  if (name == "sensitivity") probe_->openTab(ProbeTab::Sensitivity);
   if (name == "scene") left_->openPage(LeftPage::Scene);
   if (name == "learn") learning_->open();
 }

@@ -80,8 +80,8 @@ class MainWindow : public QMainWindow {
   void setTextPercent(int percent);
   /// Opens the page Learn at a step, counted from 1.
   void openLesson(const std::string& lesson, int step);
-  /// Opens a page by its name: "profiler", "plots" … below, "colorspace" or "whatif" of the probe, "scene" on
-  /// the left, "learn"; anything else: nothing.
+  /// Opens a page by its name: "profiler", "plots" … below, "colorspace", "whatif" or "sensitivity" of the
+  /// probe, "scene" on the left, "learn"; anything else: nothing.
   void openPage(const std::string& name);
   /// One of dialogNames(); expects an open source.
   void openDialog(const std::string& name);

@@ -11,7 +11,7 @@
 namespace taa {
 
 /// Of linear red, green, blue (Rec. 709), added in the order of the shaders.
-template <std::floating_point T>
+template <typename T>
 T luminance(const glm::vec<3, T>& linear) {
   constexpr T kRed = static_cast<T>(0.2126), kGreen = static_cast<T>(0.7152), kBlue = static_cast<T>(0.0722);
   return (kRed * linear.x + kGreen * linear.y) + kBlue * linear.z;

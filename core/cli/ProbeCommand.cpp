@@ -37,6 +37,7 @@ struct ProbeCommand final : Command {
   int frame = -1; ///< −1: that of the session
   bool json = false;
   bool whatIf = false;                    ///< also the pixel under other choices
+  bool sensitivity = false;               ///< also how much it moves with what it is made of
   std::string compare;                    ///< the other side; empty: none
   std::string region;                     ///< X,Y,WxH instead of a pixel; empty: none
   std::string find;                       ///< of kFindSteps, instead of a pixel; empty: none
@@ -66,6 +67,9 @@ struct ProbeCommand final : Command {
     addJson(*this, json);
     add_flag("--what-if", whatIf,
              "Also print the pixel under every rectification, box, history filter and preset");
+    add_flag("--sensitivity", sensitivity,
+             "Also print how much the pixel moves with each sample, each texel of history and each number of "
+             "the settings: exact derivatives of the resolve, on the history it had");
     add_option(
         "--compare", compare,
         "Also print each row of what the pixel is compared with, and their difference: preset:NAME, frame:N, "
@@ -86,8 +90,8 @@ void ProbeCommand::checkPlace() const {
   if (places != 1)
     throw UsageError(
         "one of --pixel, --find and --region is required; taa-batch probe --help says what they are");
-  if (!region.empty() && (whatIf || !compare.empty()))
-    throw UsageError("--what-if and --compare are of a pixel, not of a region");
+  if (!region.empty() && (whatIf || sensitivity || !compare.empty()))
+    throw UsageError("--what-if, --sensitivity and --compare are of a pixel, not of a region");
   if (region.empty() && !emit.empty())
     throw UsageError("--emit is of a region: probe prints all rows of a pixel");
 }
@@ -127,6 +131,19 @@ void printWhatIf(std::ostream& out, const std::vector<WhatIfRow>& variants) {
     rows.push_back(std::move(cells));
   }
   out << "What if\n";
+  printTable(out, rows, "  ");
+}
+
+void printSensitivities(std::ostream& out, const std::vector<Sensitivity>& all) {
+  std::vector<std::vector<std::string>> rows{{"", "", "luma by that step", "d R", "d G", "d B", ""}};
+  for (const Sensitivity& each : all) {
+    const bool isFirst = &each == all.data() || (&each - 1)->to != each.to;
+    rows.push_back({std::string(isFirst ? sensitivityLabel(each.to) : ""), sensitivityText(each),
+                    significantText(each.lumaChange(), 3), significantText(each.slope.x, 4),
+                    significantText(each.slope.y, 4), significantText(each.slope.z, 4),
+                    each.isOneSided ? "one-sided" : ""});
+  }
+  out << "Sensitivity\n";
   printTable(out, rows, "  ");
 }
 
@@ -232,6 +249,7 @@ int ProbeCommand::run(std::ostream& out, const Progress& progress) const {
     ProbedLane probed{laneFacts(inspector, plan, lane), inspector.probes().probe(at.x, at.y, lane)};
     probed.details = std::make_shared<twin::Details>(inspector.probes().details(at.x, at.y, lane));
     if (whatIf) probed.whatIf = inspector.probes().whatIf(at.x, at.y, lane);
+    if (sensitivity) probed.sensitivities = inspector.probes().sensitivities(at.x, at.y, lane);
     addOtherSide(inspector, other, at, lane, probed, progress);
     report.lanes.push_back(std::move(probed));
   }
@@ -245,6 +263,7 @@ int ProbeCommand::run(std::ostream& out, const Progress& progress) const {
     if (probed.compared) out << comparedText(other, *probed.compared) << '\n';
     out << probeTable(probed, at);
     if (!probed.whatIf.empty()) printWhatIf(out, probed.whatIf);
+    if (sensitivity) printSensitivities(out, probed.sensitivities);
   }
   return kDone;
 }

@@ -10,12 +10,14 @@
 #include "core/replay/ShotPlayer.h"
 #include "core/taa/TaaPass.h"
 #include "core/taa/twin/SampleStages.h"
+#include "core/taa/twin/Traced.h"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -156,6 +158,7 @@ twin::Details Probes::details(int x, int y, int lane) {
   if (const History* resolved = player_.lane(lane).current.get())
     twin.resolved = twinTexels(resolved->color, TwinReading::Parts);
   twin::resolvePixel(twin, player_.settings(lane), {x, y}, details);
+  details.trace = std::make_shared<const twin::Trace>(twin::traceOf(twin, player_.settings(lane), {x, y}));
   return details;
 }
 
@@ -163,6 +166,13 @@ std::vector<WhatIfRow> Probes::whatIf(int x, int y, int lane) {
   const gl::PassGroup group(pass_group::kProbe);
   return taa::whatIf(twinInputs(player_.inputs(lane), player_.lane(lane).previous.get(), TwinReading::Parts),
                      player_.settings(lane), {x, y});
+}
+
+std::vector<Sensitivity> Probes::sensitivities(int x, int y, int lane) {
+  const gl::PassGroup group(pass_group::kProbe);
+  return sensitivitiesOf(
+      twinInputs(player_.inputs(lane), player_.lane(lane).previous.get(), TwinReading::Parts),
+      player_.settings(lane), {x, y});
 }
 
 Probe Probes::anchored(const Probe& probe) {

@@ -7,6 +7,7 @@
 #include "core/picture/PictureSource.h"
 #include "core/probe/PixelTrace.h"
 #include "core/probe/Probe.h"
+#include "core/probe/Sensitivity.h"
 #include "core/probe/WhatIf.h"
 #include "core/replay/TraceCursor.h"
 #include "core/taa/twin/Details.h"
@@ -39,6 +40,8 @@ class Probes {
   /// The pixel under other choices. The row of the present ones has the bits of probe() where the driver
   /// rounds as IEEE 754 says.
   std::vector<WhatIfRow> whatIf(int x, int y, int lane = 0);
+  /// How much the pixel moves with each thing that it is made of.
+  std::vector<Sensitivity> sensitivities(int x, int y, int lane = 0);
   /// The probe with the surface it follows looked up, in the frame it was set in; others as they are.
   Probe anchored(const Probe& probe);
   /// Where a probe is in the frame on show. Expects an anchored one.

@@ -248,7 +248,7 @@ std::string listedName(const HeaderLine& line, std::span<const std::string_view>
 }
 
 constexpr std::array<std::string_view, 5> kLessonPages{"profiler", "plots", "jitter", "weights", "lineage"};
-constexpr std::array<std::string_view, 3> kLessonTabs{"values", "colorSpace", "whatIf"};
+constexpr std::array<std::string_view, 4> kLessonTabs{"values", "colorSpace", "whatIf", "sensitivity"};
 constexpr std::array<std::string_view, 2> kOnOff{"on", "off"};
 
 struct LessonKey {

@@ -66,8 +66,8 @@ struct LessonState {
   std::vector<IntermediateId>
       values{}; ///< of the probe that are read: other stages are folded; none: all are
   std::optional<LessonLook> look{};
-  std::string page{};      ///< below the views: "plots", "jitter" …; empty: none
-  std::string tab{};       ///< of the probe: "values", "colorSpace", "whatIf"; empty: the first
+  std::string page{}; ///< below the views: "plots", "jitter" …; empty: none
+  std::string tab{};  ///< of the probe: "values", "colorSpace", "whatIf", "sensitivity"; empty: the first
   std::string highlight{}; ///< one of kLessonParts; empty: none
   /// Unfolded in the pipeline, which is scrolled to the last one; those of the settings that a step sets,
   /// where it names none.

@@ -77,6 +77,25 @@ ordered_json whatIfJson(const WhatIfRow& row) {
   return json;
 }
 
+ordered_json colorJson(const glm::dvec3& color) {
+  return {{"R", color.x}, {"G", color.y}, {"B", color.z}};
+}
+
+ordered_json sensitivityJson(const Sensitivity& each) {
+  ordered_json json;
+  if (each.to == SensitivityTo::Parameter) {
+    json = {{"parameter", each.path}, {"value", each.value}};
+  } else {
+    json = {{each.to == SensitivityTo::Sample ? "sample" : "history", {each.texel.x, each.texel.y}},
+            {"offset", {each.offset.x, each.offset.y}}};
+  }
+  json["slope"] = colorJson(each.slope);
+  json["step"] = each.step();
+  json["lumaChange"] = each.lumaChange();
+  json["oneSided"] = each.isOneSided;
+  return json;
+}
+
 /// Bars would end the cell.
 std::string inMarkdown(const std::string& text) {
   std::string escaped;
@@ -197,6 +216,7 @@ ordered_json probeJson(const ProbeReport& report) {
     if (lane.details) row["stories"] = storiesJson(lane, report.pixel);
     if (lane.compared) row["compared"] = comparedJson(report.comparison, lane);
     for (const WhatIfRow& variant : lane.whatIf) row["whatIf"].push_back(whatIfJson(variant));
+    for (const Sensitivity& each : lane.sensitivities) row["sensitivity"].push_back(sensitivityJson(each));
     json["lanes"].push_back(row);
   }
   return json;

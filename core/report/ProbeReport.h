@@ -4,6 +4,7 @@
 
 #include "core/inspect/Comparison.h"
 #include "core/measure/compare/ComparedPixel.h"
+#include "core/probe/Sensitivity.h"
 #include "core/probe/WhatIf.h"
 #include "core/render/FrameInputs.h"
 #include "core/settings/Settings.h"
@@ -41,6 +42,7 @@ struct ProbedLane {
   LaneFacts lane;
   twin::PixelRecord record{};
   std::vector<WhatIfRow> whatIf{};                ///< empty: not asked for
+  std::vector<Sensitivity> sensitivities{};       ///< likewise
   std::shared_ptr<const twin::Details> details{}; ///< what stories are made from; null: none are told
   std::optional<ComparedPixel> compared{};        ///< the other side; nothing: there is none
 };

@@ -212,7 +212,7 @@ struct SetViews {
 struct SetProbes {
   std::vector<Probe> all;
   int active = -1;                  ///< of which more is wanted
-  bool whatIf = false;              ///< also the active pixel under other choices
+  bool whatIf = false;              ///< also the active pixel under other choices, and what moves it
   std::optional<OtherSide> other{}; ///< that the active pixel comes with, whatever its row
   bool reference = false;           ///< has the first lane's reference drawn, so that pixels come with it
   static constexpr RequestRule kRule{.kind = RequestKind::Probes};

@@ -38,6 +38,7 @@ struct ProbeResult {
   // Of the active probe.
   std::shared_ptr<const twin::Details> details{}; ///< by the CPU twin
   std::vector<WhatIfRow> whatIf{};                ///< when it is asked for
+  std::vector<Sensitivity> sensitivities{};       ///< likewise
   std::optional<ComparedPixel> compared{};        ///< when it is asked for and there
 };
 

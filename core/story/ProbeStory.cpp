@@ -2,6 +2,7 @@
 
 #include "core/base/Say.h"
 #include "core/scene/ObjectClass.h"
+#include "core/story/FormulaText.h"
 #include "core/story/StoryText.h"
 #include "core/taa/ChannelNames.h"
 #include "core/taa/twin/Color.h"
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace taa {
 
@@ -33,6 +35,27 @@ std::string percentText(double share) {
 std::string Teller::equals(const std::string& expression, Id id) const {
   const int channels = intermediate(id).channels;
   return expression + " = " + (channels == 1 ? number(id) : channels == 2 ? tuple(pair(id)) : tuple(id));
+}
+
+Teller::Expression Teller::expression(Id id, bool unfolds) const {
+  if (!details().trace) return {};
+  const FormulaStyle style{digits, unfolds};
+  if (auto all = formulaText(*details().trace, id, style)) return {std::move(*all), -1};
+  return {formulaText(*details().trace, id, 0, style), 0};
+}
+
+std::string Teller::formula(Id id, int channel) const {
+  if (!details().trace) return {};
+  return formulaText(*details().trace, id, channel, {digits}) + " = " +
+         number(twin::at(probed.record, id)[channel]);
+}
+
+RowStory Teller::story(const std::string& words, Id id, bool unfolds) const {
+  const Expression made = expression(id, unfolds);
+  if (made.text.empty()) return {words, "", ""};
+  if (made.channel < 0) return {words, equals(made.text, id), ""};
+  return {words, made.text + " = " + number(twin::at(probed.record, id)[made.channel]),
+          std::string(channelNames(intermediate(id), settings().space).front())};
 }
 
 glm::vec3 Teller::box(const glm::vec3& color) const {
@@ -91,13 +114,7 @@ std::string objectWords(const Teller& t) {
 RowStory viewDepthStory(const Teller& t) {
   const float depth = t.value(Id::depth);
   if (depth == 0.0f) return {depthWords(depth), "", ""};
-  const glm::vec4& p = t.details().depthTerms;
-  const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
-  return {say<"distance along the view axis">(),
-          t.equals("(" + n(depth) + " × " + n(p.x) + " − " + n(p.y) + ") / (" + n(depth) + " × " + n(p.z) +
-                       " − " + n(p.w) + ")",
-                   Id::depthView),
-          ""};
+  return t.story(say<"distance along the view axis">(), Id::depthView);
 }
 
 /// Of inputs that are read as they are.
@@ -168,13 +185,10 @@ std::optional<RowStory> storyWithoutTaa(Id id, const Teller& t) {
 
 } // namespace story
 
-RowStory storyOf(IntermediateId id, const ProbedPixel& whole, int digits) {
-  Settings settings = whole.settings;
-  if (!isTaaOn(settings)) settings.output = {}; // nothing of it is done
-  const ProbedPixel probed{whole.record, whole.details, settings, whole.info, whole.pixel};
-  const story::Teller teller{probed, digits};
-  if (!isTaaOn(settings))
-    if (const auto other = story::storyWithoutTaa(id, teller)) return *other;
+namespace {
+
+/// What its stage has to say of a row.
+RowStory stageStory(IntermediateId id, const story::Teller& teller) {
   switch (intermediate(id).stage) {
   case Stage::Inputs:
     return story::inputStory(id, teller);
@@ -202,6 +216,20 @@ RowStory storyOf(IntermediateId id, const ProbedPixel& whole, int digits) {
     break;
   }
   return {};
+}
+
+} // namespace
+
+RowStory storyOf(IntermediateId id, const ProbedPixel& whole, int digits) {
+  Settings settings = whole.settings;
+  if (!isTaaOn(settings)) settings.output = {}; // nothing of it is done
+  const ProbedPixel probed{whole.record, whole.details, settings, whole.info, whole.pixel};
+  const story::Teller teller{probed, digits};
+  if (!isTaaOn(settings))
+    if (const auto other = story::storyWithoutTaa(id, teller)) return *other;
+  RowStory told = stageStory(id, teller);
+  if (!told.words.empty()) return told;
+  return teller.story(std::string(intermediate(id).description), id); // the table's own words
 }
 
 } // namespace taa

@@ -21,9 +21,9 @@ struct ProbedPixel {
 };
 
 /// One row. The formula reads "expression = value", in plain arithmetic: + − × / ^ √( |…| min( max( clamp(x,
-/// low, high) smooth( length( exp( floor( half(, and (a, b, c) for colors and positions. `subject` says of
-/// what, where that is not the row's value as it stands: a channel, or a color before it goes back from box
-/// space.
+/// low, high) smooth( length( exp( log₂( floor( half(, and (a, b, c) for colors and positions. `subject` says
+/// of what, where that is not the row's value as it stands: a channel, or a color before it goes back from
+/// box space.
 struct RowStory {
   std::string words;   ///< "history was pulled 31 % of the way",
   std::string formula; ///< empty where the row is read or searched for, which `words` say

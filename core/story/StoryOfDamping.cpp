@@ -12,96 +12,72 @@ namespace taa::story {
 
 namespace {
 
+/// Whether there is anything to compare with.
+std::string whyNot(const Teller& t, Switch isUsed) {
+  if (!isOn(isUsed)) return say<"off">();
+  return t.details().weighed.hasHistory ? "" : say<"there is no history yet">();
+}
+
 RowStory lumaFlickerStory(const Teller& t) {
-  const WeightSettings& weight = t.settings().weight;
-  const twin::WeightInputs& weighed = t.details().weighed;
-  if (!isOn(weight.lumaFlicker)) return {say<"off">(), "", ""};
-  if (!weighed.hasHistory) return {say<"there is no history yet">(), "", ""};
-  const bool isCompressed = weight.flickerScale == FlickerScale::Compressed;
-  const std::string now =
-      t.number(static_cast<double>(isCompressed ? weighed.compressedCurrent : weighed.lumaCurrent));
-  const std::string then =
-      t.number(static_cast<double>(isCompressed ? weighed.compressedHistory : weighed.lumaHistory));
-  const std::string most =
-      isCompressed ? call("max", {now, then, "1.001"}) : "(0.001 + " + call("max", {now, then}) + ")";
+  if (std::string why = whyNot(t, t.settings().weight.lumaFlicker); !why.empty()) return {why, "", ""};
   return {t.value(Id::alphaLumaFlicker) < 1.0f ? say<"less where luma differs from history">()
                                                : say<"luma is that of history">(),
-          t.equals("(1 − |" + now + " − " + then + "| / " + most + ")^2", Id::alphaLumaFlicker), ""};
+          t.formula(Id::alphaLumaFlicker), ""};
 }
 
 RowStory clampStory(const Teller& t) {
   const twin::WeightInputs& weighed = t.details().weighed;
-  if (!isOn(t.settings().weight.nearClamp)) return {say<"off">(), "", ""};
-  if (!weighed.hasHistory) return {say<"there is no history yet">(), "", ""};
-  const float width = weighed.boxHigh - weighed.boxLow > 0.0f ? weighed.boxHigh - weighed.boxLow : 0.0f;
-  const float past = weighed.boxHistoryRaw;
-  const float wall = std::fmin(std::fabs(past - weighed.boxLow), std::fabs(past - weighed.boxHigh));
-  if (!(wall + width > 0.0f)) return {say<"the box has no width">(), "", ""};
-  const std::string far = t.number(static_cast<double>(wall));
-  return {
-      t.value(Id::alphaNearClamp) < 1.0f ? say<"less where history is near a wall of the box">()
-                                         : say<"history is far from the walls of the box">(),
-      t.equals(far + " / (" + far + " + " + t.number(static_cast<double>(width)) + ")", Id::alphaNearClamp),
-      ""};
+  if (std::string why = whyNot(t, t.settings().weight.nearClamp); !why.empty()) return {why, "", ""};
+  const bool isFlat = !(weighed.boxHigh > weighed.boxLow);
+  if (isFlat && weighed.boxHistoryRaw == weighed.boxLow) return {say<"the box has no width">(), "", ""};
+  return {t.value(Id::alphaNearClamp) < 1.0f ? say<"less where history is near a wall of the box">()
+                                             : say<"history is far from the walls of the box">(),
+          t.formula(Id::alphaNearClamp), ""};
 }
 
 RowStory contrastStory(const Teller& t) {
-  const twin::WeightInputs& weighed = t.details().weighed;
-  if (!isOn(t.settings().weight.historyContrast)) return {say<"off">(), "", ""};
-  if (!weighed.hasHistory) return {say<"there is no history yet">(), "", ""};
-  if (!(weighed.boxHistory > 0.0f)) return {say<"history is black">(), "", ""};
-  const float width = weighed.boxHigh - weighed.boxLow > 0.0f ? weighed.boxHigh - weighed.boxLow : 0.0f;
+  if (std::string why = whyNot(t, t.settings().weight.historyContrast); !why.empty()) return {why, "", ""};
+  if (!(t.details().weighed.boxHistory > 0.0f)) return {say<"history is black">(), "", ""};
   return {t.value(Id::alphaHistoryContrast) < 1.0f ? say<"less where the box is large against history">()
                                                    : say<"the box has no width">(),
-          t.equals("1 / (1 + " + t.number(static_cast<double>(width)) + " / " +
-                       t.number(static_cast<double>(weighed.boxHistory)) + ")",
-                   Id::alphaHistoryContrast),
-          ""};
+          t.formula(Id::alphaHistoryContrast), ""};
+}
+
+std::string sampleDistanceWords(const Teller& t) {
+  const bool isLess = t.value(Id::alphaSampleDistance) < 1.0f;
+  const bool isCentered = t.details().weighed.jitterPx == glm::vec2(0.0f);
+  switch (t.settings().weight.sampleDistance) {
+  case SampleDistance::None:
+    break;
+  case SampleDistance::Gaussian:
+    return isLess ? say<"less the farther the sample is from the center">()
+                  : say<"the sample lies at the center">();
+  case SampleDistance::GaussianMoving:
+    return isLess       ? say<"it moves: less the farther the sample is from the center">()
+           : isCentered ? say<"the sample lies at the center">()
+                        : say<"all samples count alike where little moves">();
+  case SampleDistance::Parabola:
+    return isLess       ? say<"less the farther the sample is from the center, unless it moves">()
+           : isCentered ? say<"the sample lies at the center">()
+                        : say<"it moves">();
+  }
+  return say<"off">();
 }
 
 RowStory sampleDistanceStory(const Teller& t) {
-  const glm::vec2 jitter = t.details().weighed.jitterPx;
-  const std::string squared = "(" + t.number(static_cast<double>(jitter.x)) + ")^2 + (" +
-                              t.number(static_cast<double>(jitter.y)) + ")^2";
-  switch (t.settings().weight.sampleDistance) {
-  case SampleDistance::None:
-    return {say<"off">(), "", ""};
-  case SampleDistance::Gaussian:
-    return {t.value(Id::alphaSampleDistance) < 1.0f ? say<"less the farther the sample is from the center">()
-                                                    : say<"the sample lies at the center">(),
-            t.equals("exp(−(" + squared + ") / 0.44)", Id::alphaSampleDistance), ""};
-  case SampleDistance::GaussianMoving: {
-    const std::string moving = "smooth(" + t.number(Id::speed) + ")";
-    return {t.value(Id::alphaSampleDistance) < 1.0f
-                ? say<"it moves: less the farther the sample is from the center">()
-            : jitter == glm::vec2(0.0f) ? say<"the sample lies at the center">()
-                                        : say<"all samples count alike where little moves">(),
-            t.equals("1 + " + moving + " × (exp(−(" + squared + ") / 0.44) − 1)", Id::alphaSampleDistance),
-            ""};
-  }
-  case SampleDistance::Parabola:
-    return {t.value(Id::alphaSampleDistance) < 1.0f
-                ? say<"less the farther the sample is from the center, unless it moves">()
-            : jitter == glm::vec2(0.0f) ? say<"the sample lies at the center">()
-                                        : say<"it moves">(),
-            t.equals(call("max", {"smooth(" + t.number(Id::speed) + ")",
-                                  call("max", {"1 − (" + squared + ")", "0"})}),
-                     Id::alphaSampleDistance),
-            ""};
-  }
-  return {};
+  const bool isUsed = t.settings().weight.sampleDistance != SampleDistance::None;
+  return {sampleDistanceWords(t), isUsed ? t.formula(Id::alphaSampleDistance) : "", ""};
 }
 
 RowStory relaxStory(const Teller& t) {
   if (!isOn(t.settings().neighborhood.maskRelax)) return {say<"off">(), "", ""};
   return {t.value(Id::alphaRelax) < 1.0f ? say<"less where the mask relaxes the box">() : say<"not masked">(),
-          t.equals("1 / (1 + 0.5 × " + t.number(t.details().weighed.relax) + ")", Id::alphaRelax), ""};
+          t.formula(Id::alphaRelax), ""};
 }
 
 RowStory featureStory(const Teller& t) {
   if (t.value(Id::geometricFlicker) == 0.0f) return {say<"no geometric flicker">(), "", ""};
-  return {say<"a single frame may miss a thin feature">(),
-          t.equals(t.number(t.settings().weight.flickerShare), Id::alphaFlicker), ""};
+  return {say<"a single frame may miss a thin feature">(), t.formula(Id::alphaFlicker), ""};
 }
 
 } // namespace

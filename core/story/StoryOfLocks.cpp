@@ -24,14 +24,6 @@ std::string lifeWords(const Teller& t) {
                  : say<"no thin feature, mean luma %1, no lock before">(luma);
 }
 
-/// The life that the rule gives, from the one before.
-std::string lifeText(const Teller& t) {
-  const twin::LockState& lockState = t.details().lockState;
-  if (lockState.isChanged) return "0";
-  if (lockState.isThin) return lockState.storedLock.x == 0.0f ? "1" : "2";
-  return t.number(lockState.storedLock.x);
-}
-
 RowStory instabilityStory(const Teller& t) {
   const twin::LockState& lockState = t.details().lockState;
   const std::string now = t.number(std::round(lockState.keptLumas.x * 255.0f));
@@ -50,9 +42,9 @@ RowStory lockStory(Id id, const Teller& t) {
   const bool isLock = id == Id::lock || id == Id::lockLife;
   if (!isOn(isLock ? rectify.locks : rectify.instability)) return {say<"off">(), "", ""};
   if (id == Id::instability) return instabilityStory(t);
-  if (id == Id::lockLife) return {lifeWords(t), t.equals(lifeText(t), id), ""};
-  return {t.value(id) > 0 ? say<"a thin feature keeps its history">() : say<"no lock holds history">(),
-          t.equals("clamp(4 × clamp(" + t.number(Id::lockLife) + " − 1, 0, 1), 0, 1)", id), ""};
+  if (id == Id::lockLife) return t.story(lifeWords(t), id);
+  return t.story(t.value(id) > 0 ? say<"a thin feature keeps its history">() : say<"no lock holds history">(),
+                 id);
 }
 
 } // namespace taa::story

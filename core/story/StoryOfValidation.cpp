@@ -26,24 +26,16 @@ RowStory mismatchStory(const Teller& t) {
                                 : say<"more than a depth test would allow, but none runs">()
             : isTested ? say<"no more than is allowed">()
                      : say<"no more than a depth test would allow">(),
-          t.equals("|" + t.number(Id::depthExpected) + " − " + t.number(Id::historyDepth) + "| / " +
-                       t.number(Id::depthExpected),
-                   Id::depthMismatch),
-          ""};
+          t.formula(Id::depthMismatch), ""};
 }
 
 RowStory allowedStory(const Teller& t) {
   const ValidateSettings& validate = t.settings().validate;
-  const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
-  std::string text = n(validate.depthTolerance);
   const bool hasSlope = t.value(Id::depthExpected) != 0.0f && t.value(Id::dilatedDepth) != 0.0f;
-  if (hasSlope)
-    text += " + " + n(validate.slopeAllowance) + " × " + n(t.details().slope) + " / " +
-            t.number(Id::depthExpected);
   std::string words =
       hasSlope ? say<"the tolerance, and more for the surface's slope">() : say<"the tolerance">();
   if (!isOn(validate.depth)) words = say<"%1, of a depth test that does not run">(words);
-  return {words, t.equals(text, Id::depthAllowed), ""};
+  return t.story(words, Id::depthAllowed);
 }
 
 RowStory geometricFlickerStory(const Teller& t) {
@@ -118,10 +110,8 @@ RowStory normalStory(const Teller& t) {
   if (then == glm::vec3(0.0f) && t.value(Id::normalAgreement) == 1.0f)
     return {say<"history keeps no normals yet">(), "", ""};
   const double cosine = std::fmax(-1.0, std::fmin(1.0, static_cast<double>(t.value(Id::normalAgreement))));
-  std::string dot;
-  for (int i = 0; i < 3; ++i) dot += (i == 0 ? "" : " + ") + t.number(now[i]) + " × " + t.number(then[i]);
   return {say<"the surface turned by %1 degrees">(t.number(std::acos(cosine) * 57.29577951)),
-          t.equals(dot, Id::normalAgreement), ""};
+          t.formula(Id::normalAgreement), ""};
 }
 
 RowStory velocityStory(const Teller& t) {
@@ -136,11 +126,7 @@ RowStory velocityStory(const Teller& t) {
   const std::string words = t.value(Id::velocityChange) == 0.0f
                                 ? say<"its motion is the same as a frame ago">()
                                 : say<"its motion is another than a frame ago">();
-  const std::string text =
-      test == VelocityTest::Length
-          ? "|" + call("length", {t.tuple(now)}) + " − " + call("length", {t.tuple(then)}) + "|"
-          : call("length", {t.tuple(now) + " − " + t.tuple(then)});
-  return {words, t.equals(text, Id::velocityChange), ""};
+  return t.story(words, Id::velocityChange);
 }
 
 } // namespace

@@ -50,6 +50,17 @@ struct Teller {
   std::string percent(Id id) const { return percent(static_cast<double>(value(id))); }
   /// "expression = value"
   std::string equals(const std::string& expression, Id id) const;
+  /// How the twin made the row: all channels at once, or the first where they were not made alike; empty
+  /// where it was not traced.
+  struct Expression {
+    std::string text;
+    int channel = -1; ///< all
+  };
+  Expression expression(Id id, bool unfolds = false) const;
+  /// "expression = value" of a channel.
+  std::string formula(Id id, int channel = 0) const;
+  /// `words` with the formula of the whole expression.
+  RowStory story(const std::string& words, Id id, bool unfolds = false) const;
 
   /// A color in box space.
   glm::vec3 box(const glm::vec3& color) const;
@@ -60,17 +71,12 @@ struct Teller {
 /// "max(a, b)"
 std::string call(const std::string& function, std::initializer_list<std::string> arguments);
 std::string call(const std::string& function, std::span<const std::string> arguments);
-/// "(a × b + c × d) / (a + c)", without those that weigh nothing; "a × b + c × d" where they are not divided.
-std::string weightedMean(const Teller& teller, std::span<const float> weights, std::span<const float> values,
-                         bool isDivided = true);
 /// The color as it is mixed, before it is stored.
 glm::vec3 mixedColor(const Teller& teller);
 /// `words`, and what storing the color does to it.
 std::string storedWords(const Teller& teller, const std::string& words);
 /// An expression of the color, or of one channel of it, as it is stored: rounded.
 std::string storedText(const Teller& teller, const std::string& expression, int channel = -1);
-/// The pixel's speed in a unit.
-std::string speedText(const Teller& teller, SpeedUnit unit);
 /// Label of the choice that the settings have.
 std::string choiceLabel(std::string_view path, const Settings& settings);
 

@@ -1,6 +1,7 @@
 #include "tests/app/FakeRenderer.h"
 
 #include "core/render/CaptureFacts.h"
+#include "core/taa/twin/Traced.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -403,6 +404,24 @@ const Probe* FakeRenderer::activeProbe() const {
   return probes.active < 0 ? nullptr : &probes.all[static_cast<std::size_t>(probes.active)];
 }
 
+namespace {
+
+/// How a history position is made of a motion whose components are both `motion`.
+std::shared_ptr<const twin::Details> madeDetails(const glm::ivec2& pixel, float motion) {
+  twin::Tracing tracing;
+  const auto read = [](float value) { return twin::Traced::made(twin::Operation::Read, value, value); };
+  twin::Trace trace;
+  for (int i = 0; i < 2; ++i)
+    trace.rows[static_cast<std::size_t>(IntermediateId::historyPosition)][static_cast<std::size_t>(i)] =
+        (twin::Traced(static_cast<float>(pixel[i]) + 0.5f) - read(motion)).operand();
+  trace.nodes = tracing.take();
+  twin::Details details;
+  details.trace = std::make_shared<const twin::Trace>(std::move(trace));
+  return std::make_shared<const twin::Details>(std::move(details));
+}
+
+} // namespace
+
 void FakeRenderer::deliverProbe(const Probe& probe) {
   ProbeResult result{.probe = probe, .spot = spotOf(probe), .around = {}};
   if (probe.follow == Follow::Surface) result.probe.anchor = SurfaceAnchor{.object = 1};
@@ -420,13 +439,21 @@ void FakeRenderer::deliverProbe(const Probe& probe) {
     }
   const request::SetProbes& probes = last<request::SetProbes>();
   const bool isActive = activeProbe() && *activeProbe() == probe;
-  if (isActive && !result.around.empty()) result.details = std::make_shared<const twin::Details>();
+  if (isActive && !result.around.empty())
+    result.details = madeDetails({result.x, result.y}, valueAt(result.x, result.y, status.info.frame));
   if (isActive && probes.other && !result.around.empty()) {
     ComparedPixel& compared = result.compared.emplace();
     compared.frame = frameOf(*probes.other);
     for (PartialValue& value : compared.other)
       value.value = glm::vec4(valueAt(result.x, result.y, compared.frame));
   }
+  if (isActive && probes.whatIf)
+    result.sensitivities = {{.to = SensitivityTo::Sample, .slope = glm::dvec3(0.25)},
+                            {.to = SensitivityTo::Parameter,
+                             .path = "weight.minimum",
+                             .value = 0.1,
+                             .slope = glm::dvec3(-0.5),
+                             .isOneSided = true}};
   if (isActive && probes.whatIf)
     for (const Variant& variant : variantsOf(status.settings))
       result.whatIf.push_back({variant.group,

@@ -4,6 +4,7 @@
 #include "app/panels/ProbePanel.h"
 #include "app/views/plots/ColorSpacePage.h"
 #include "app/views/plots/ColorSpaceView.h"
+#include "app/views/plots/SensitivityPage.h"
 #include "app/views/plots/WhatIfPage.h"
 #include "app/widgets/ValueTable.h"
 #include "core/gl/Turn.h"
@@ -55,6 +56,27 @@ TEST_F(ProbePages, AreOpenedByKeysAndAskForWhatTheyShow) {
   EXPECT_TRUE(window.probe()->table()->isVisible());
 }
 
+TEST_F(ProbePages, ShowWhatMovesThePixel) {
+  session.probes().setPixel(glm::ivec2(12, 7));
+  settle();
+  key(Qt::Key_F3, Qt::ShiftModifier);
+  EXPECT_EQ(window.probe()->tab(), ProbeTab::Sensitivity);
+  EXPECT_TRUE(renderer->last<request::SetProbes>().whatIf);
+  settle();
+  const auto& rows = window.probe()->sensitivity()->table()->rows();
+  ASSERT_EQ(rows.size(), 4u) << "two groups of one";
+  EXPECT_TRUE(rows[0].isSum);
+  EXPECT_EQ(rows[0].cells[0], QStringLiteral("Samples of this frame"));
+  EXPECT_EQ(rows[1].cells,
+            (QStringList{QStringLiteral("sample (0, 0) + 1"), QStringLiteral("0.25"), QStringLiteral("0.25"),
+                         QStringLiteral("0.25"), QStringLiteral("0.25")}));
+  EXPECT_EQ(rows[2].cells[0], QStringLiteral("Parameters"));
+  EXPECT_EQ(rows[3].cells[0], QStringLiteral("Least α 0.1 → 0.11 *")) << "a corner";
+  EXPECT_EQ(rows[3].cells[1].toDouble(), -0.005) << "of the step, not of 1";
+  key(Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(QApplication::clipboard()->text().startsWith(QStringLiteral("What moves")));
+}
+
 TEST_F(ProbePages, TellWhatHappenedAtTheSelectedRow) {
   session.probes().setPixel(glm::ivec2(12, 7));
   settle();
@@ -102,14 +124,13 @@ TEST(ProbeReport, OfTheWindowIsThatOfTheCommandLine) {
     inspector.shot().setSize(64, 36);
     inspector.shot().open("builtin:fan");
     inspector.shot().seek(5);
-    const ProbeReport report{{inspector.shot().source(), inspector.shot().camera(),
-                              inspector.shot().driver().renderer + ", " + inspector.shot().driver().version,
-                              64, 36},
-                             {40, 14},
-                             {{{"", "balanced", inspector.shot().settings(), inspector.shot().info()},
-                               inspector.probes().probe(40, 14),
-                               {},
-                               std::make_shared<twin::Details>(inspector.probes().details(40, 14))}}};
+    const ProbeReport report{
+        {inspector.shot().source(), inspector.shot().camera(),
+         inspector.shot().driver().renderer + ", " + inspector.shot().driver().version, 64, 36},
+        {40, 14},
+        {{.lane = {"", "balanced", inspector.shot().settings(), inspector.shot().info()},
+          .record = inspector.probes().probe(40, 14),
+          .details = std::make_shared<twin::Details>(inspector.probes().details(40, 14))}}};
     return probeJson(report).dump(2) + "\n";
   };
   EXPECT_EQ(copied, std::async(std::launch::async, printed).get());

@@ -4,6 +4,7 @@
 #include "core/settings/Presets.h"
 #include "core/taa/twin/Color.h"
 #include "core/taa/twin/Known.h"
+#include "core/taa/twin/Traced.h"
 #include "tests/support/Calculator.h"
 #include "tests/support/SmallInspector.h"
 #include "tests/support/StoryPhrases.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -271,28 +273,24 @@ TEST_F(ProbeStoryTest, ErrorsAgainstTheReferenceAreDifferencesOfWhatIsShown) {
   EXPECT_NE(told(IntermediateId::relativeError).formula, "");
 }
 
-TEST_F(ProbeStoryTest, AlphaIsToldAsTheSettingsMakeIt) {
+TEST_F(ProbeStoryTest, WordsOfAlphaSayWhatRaisedIt) {
   twin::PixelRecord record{};
-  twin::Details details;
+  const twin::Details details;
   Settings settings;
   const auto set = [&](IntermediateId id, float value) { twin::at(record, id).x = value; };
   for (const IntermediateId damping : {IntermediateId::alphaLumaFlicker, IntermediateId::alphaNearClamp,
                                        IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax,
                                        IntermediateId::alphaSampleDistance, IntermediateId::alphaFlicker})
     set(damping, 1.0f);
-  set(IntermediateId::historyKeptLength, 7.0f);
   set(IntermediateId::alphaBase, 0.125f);
   set(IntermediateId::alphaFloor, 0.1f);
-  set(IntermediateId::alpha, 0.125f);
-  const ProbedPixel probed{record, details, settings, {}, {}};
-  EXPECT_EQ(storyOf(IntermediateId::alpha, probed).formula, "max(1 / (7 + 1), 0.1) = 0.125");
   set(IntermediateId::alphaMotion, 0.2f);
   set(IntermediateId::speed, 4.2f);
   set(IntermediateId::alpha, 0.3f);
   settings.weight.motion = MotionAlpha::Linear;
-  const RowStory raised = storyOf(IntermediateId::alpha, probed);
-  EXPECT_EQ(raised.formula, "1 − (1 − (max(1 / (7 + 1), 0.1))) × (1 − 0.2) = 0.3");
+  const RowStory raised = storyOf(IntermediateId::alpha, {record, details, settings, {}, {}});
   EXPECT_NE(raised.words.find("raised by motion of 4.2 px"), std::string::npos) << raised.words;
+  EXPECT_EQ(raised.formula, "") << "what was not traced has none";
 }
 
 TEST_F(ProbeStoryTest, WhatThePrintedWayBackCutsOffIsTold) {
@@ -303,8 +301,12 @@ TEST_F(ProbeStoryTest, WhatThePrintedWayBackCutsOffIsTold) {
   settings.rectify.method = RectifyMethod::Clamp;
   const glm::vec3 wall = twin::toBox({4.0f, 2.0f, 0.5f}, settings.space);
   details.isFirst = false;
-  details.neighborhood.boxMin = details.neighborhood.boxMax = wall;
+  twin::Trace trace;
+  for (int i = 0; i < 3; ++i)
+    trace.rectifiedBox[static_cast<std::size_t>(i)] = {.value = static_cast<double>(wall[i])};
+  details.trace = std::make_shared<const twin::Trace>(trace);
   twin::at(record, IntermediateId::historyRaw) = glm::vec4(8.0f, 2.0f, 0.5f, 0.0f);
+  twin::at(record, IntermediateId::historyRectified) = glm::vec4(twin::fromBox(wall, settings.space), 0.0f);
   twin::at(record, IntermediateId::rectifyStrength).x = 1.0f;
   const auto told = [&] {
     return storyOf(IntermediateId::historyRectified, {record, details, settings, {}, {}});

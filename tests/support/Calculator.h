@@ -27,6 +27,7 @@ class Calculator {
     replace("−", "-");
     replace("×", "*");
     replace("√", "sqrt");
+    replace("log₂", "logtwo");
   }
   Values result() {
     const Values value = sum();
@@ -138,6 +139,8 @@ class Calculator {
       return each([&](double a) {
         return static_cast<double>(roundedToHalf(static_cast<float>(a * (1.0 + bias_))));
       });
+    if (name == "logtwo") return each([](double a) { return std::log2(a); });
+    if (name == "cos") return each([](double a) { return std::cos(a); });
     if (name == "exp") return each([](double a) { return std::exp(a); });
     if (name == "smooth")
       return each([](double a) {

@@ -68,7 +68,10 @@ ProbeResult ShownProbes::resultOf(Probe& probe, bool isActive) {
   if (result.spot.state == ProbeState::Seen || result.spot.state == ProbeState::Hidden) {
     result.around = probes.probeAround(result.x, result.y, 1);
     if (isActive) result.details = std::make_shared<const twin::Details>(probes.details(result.x, result.y));
-    if (isActive && wanted_.probes.whatIf) result.whatIf = probes.whatIf(result.x, result.y);
+    if (isActive && wanted_.probes.whatIf) {
+      result.whatIf = probes.whatIf(result.x, result.y);
+      result.sensitivities = probes.sensitivities(result.x, result.y);
+    }
     if (isActive && wanted_.probes.other) addOther(result, *wanted_.probes.other);
   }
   result.exact = shot.isExact();

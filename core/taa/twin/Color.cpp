@@ -1,5 +1,6 @@
 // Color arithmetic of the CPU twin; order of operations as in the definition of the resolve.
 #include "core/taa/twin/Color.h"
+#include "core/taa/twin/Instances.h"
 
 #include "core/base/Light.h"
 #include "core/taa/twin/ToneCurves.h"
@@ -15,20 +16,21 @@ constexpr float kLargestHalf = 65504.0f;
 /// Least denominator of the inverse tone curve: caps the result at 10⁵ times the box color.
 constexpr float kMinToneDenominator = 1e-5f;
 
-float largestChannel(const glm::vec3& c) {
-  const float redGreen = c.x > c.y ? c.x : c.y;
-  return redGreen > c.z ? redGreen : c.z;
+template <typename Real>
+Real largestChannel(const Vec3<Real>& c) {
+  return maximum(maximum(c.x, c.y), c.z);
 }
 
-template <typename Curve>
-glm::vec3 eachChannel(const glm::vec3& c, Curve curve) {
+template <typename Real, typename Curve>
+Vec3<Real> eachChannel(const Vec3<Real>& c, Curve curve) {
   return {curve(c.x), curve(c.y), curve(c.z)};
 }
 
 /// Of the inverse of c/(1 + x).
-float inverseDivisor(float brightness) {
-  const float rest = 1.0f - brightness;
-  return rest > kMinToneDenominator ? rest : kMinToneDenominator;
+template <typename Real>
+Real inverseDivisor(Real brightness) {
+  const Real rest = 1.0f - brightness;
+  return maximum(rest, kMinToneDenominator);
 }
 
 int within(int value, int count) {
@@ -37,34 +39,37 @@ int within(int value, int count) {
 
 } // namespace
 
-bool isBad(float value) {
+template <typename Real>
+bool isBad(Real value) {
   return !(value >= 0.0f && value <= kLargestHalf);
 }
 
-glm::vec3 saneOr(const glm::vec3& other, const glm::vec3& color) {
-  glm::vec3 result;
+template <typename Real>
+Vec3<Real> saneOr(const Vec3<Real>& other, const Vec3<Real>& color) {
+  Vec3<Real> result;
   for (int i = 0; i < 3; ++i) result[i] = isBad(color[i]) ? other[i] : color[i];
   return result;
 }
 
-glm::vec3 sanitized(const glm::vec3& color) {
-  return saneOr(glm::vec3(0.0f), color);
+template <typename Real>
+Vec3<Real> sanitized(const Vec3<Real>& color) {
+  return saneOr(Vec3<Real>(0.0f), color);
 }
 
-glm::vec3 storable(const glm::vec3& color) {
-  glm::vec3 result;
-  for (int i = 0; i < 3; ++i) {
-    const float positive = color[i] > 0.0f ? color[i] : 0.0f;
-    result[i] = positive < kLargestHalf ? positive : kLargestHalf;
-  }
+template <typename Real>
+Vec3<Real> storable(const Vec3<Real>& color) {
+  Vec3<Real> result;
+  for (int i = 0; i < 3; ++i) result[i] = minimum(maximum(color[i], 0.0f), kLargestHalf);
   return result;
 }
 
-float luma(const glm::vec3& color) {
+template <typename Real>
+Real luma(const Vec3<Real>& color) {
   return luminance(color);
 }
 
-float weightLuma(const glm::vec3& color, WeightLuma chosen) {
+template <typename Real>
+Real weightLuma(const Vec3<Real>& color, WeightLuma chosen) {
   switch (chosen) {
   case WeightLuma::Rec709:
     return luma(color);
@@ -74,11 +79,13 @@ float weightLuma(const glm::vec3& color, WeightLuma chosen) {
   return luma(color);
 }
 
-float saturated(float x) {
+template <typename Real>
+Real saturated(Real x) {
   return x > 0.0f ? (x < 1.0f ? x : 1.0f) : 0.0f;
 }
 
-glm::vec3 compress(const glm::vec3& c, ToneSpace tone) {
+template <typename Real>
+Vec3<Real> compress(const Vec3<Real>& c, ToneSpace tone) {
   switch (tone) {
   case ToneSpace::Linear:
     return c;
@@ -89,31 +96,33 @@ glm::vec3 compress(const glm::vec3& c, ToneSpace tone) {
   case ToneSpace::MaxChannel:
     return c / (1.0f + largestChannel(c));
   case ToneSpace::Pq:
-    return eachChannel(c, pq);
+    return eachChannel(c, [](Real x) { return pq(x); });
   case ToneSpace::Logarithm:
-    return eachChannel(c, logarithm);
+    return eachChannel(c, [](Real x) { return logarithm(x); });
   case ToneSpace::Gamma:
-    return eachChannel(c, gammaEncoded);
+    return eachChannel(c, [](Real x) { return gammaEncoded(x); });
   }
   return c;
 }
 
-glm::vec3 decompress(const glm::vec3& y, ToneSpace tone) {
+template <typename Real>
+Vec3<Real> decompress(const Vec3<Real>& y, ToneSpace tone) {
   switch (tone) {
   case ToneSpace::Linear:
     return y;
   case ToneSpace::ReinhardLuma:
-    return y / inverseDivisor(luma(y));
+    return y / inverseDivisor(named(luma(y)));
   case ToneSpace::ReinhardChannel:
-    return {y.x / inverseDivisor(y.x), y.y / inverseDivisor(y.y), y.z / inverseDivisor(y.z)};
+    return {y.x / inverseDivisor(named(y.x)), y.y / inverseDivisor(named(y.y)),
+            y.z / inverseDivisor(named(y.z))};
   case ToneSpace::MaxChannel:
-    return y / inverseDivisor(largestChannel(y));
+    return y / inverseDivisor(named(largestChannel(y)));
   case ToneSpace::Pq:
-    return eachChannel(y, inversePq);
+    return eachChannel(y, [](Real x) { return inversePq(x); });
   case ToneSpace::Logarithm:
-    return eachChannel(y, inverseLogarithm);
+    return eachChannel(y, [](Real x) { return inverseLogarithm(x); });
   case ToneSpace::Gamma:
-    return eachChannel(y, gammaDecoded);
+    return eachChannel(y, [](Real x) { return gammaDecoded(x); });
   }
   return y;
 }
@@ -158,47 +167,51 @@ ToneSpace sameCurve(ToneWeight tone) {
 
 } // namespace
 
-glm::vec3 compress(const glm::vec3& color, const BlendSettings& blend) {
+template <typename Real>
+Vec3<Real> compress(const Vec3<Real>& color, const BlendSettings& blend) {
   if (blend.tone == ToneWeight::WhitePoint)
-    return eachChannel(color, [&](float c) { return whitePoint(c, blend.white); });
+    return eachChannel(color, [&](Real c) { return whitePoint(c, number<Real>(blend.white)); });
   return compress(color, sameCurve(blend.tone));
 }
 
-glm::vec3 decompress(const glm::vec3& color, const BlendSettings& blend) {
+template <typename Real>
+Vec3<Real> decompress(const Vec3<Real>& color, const BlendSettings& blend) {
   if (blend.tone == ToneWeight::WhitePoint)
-    return eachChannel(color, [&](float y) { return inverseWhitePoint(y, blend.white); });
+    return eachChannel(color, [&](Real y) { return inverseWhitePoint(y, number<Real>(blend.white)); });
   return decompress(color, sameCurve(blend.tone));
 }
 
 namespace {
 
 /// The chosen axes (manual §9), and back.
-glm::vec3 toAxes(const glm::vec3& c, ColorSpace space) {
+template <typename Real>
+Vec3<Real> toAxes(const Vec3<Real>& c, ColorSpace space) {
   switch (space) {
   case ColorSpace::Rgb:
     return c;
   case ColorSpace::YCoCg:
   case ColorSpace::YCoCgAsPrinted: {
-    const float y = (0.25f * c.x + 0.5f * c.y) + 0.25f * c.z;
-    const float co = 0.5f * c.x - 0.5f * c.z;
-    const float cg = (-0.25f * c.x + 0.5f * c.y) - 0.25f * c.z;
+    const Real y = (0.25f * c.x + 0.5f * c.y) + 0.25f * c.z;
+    const Real co = 0.5f * c.x - 0.5f * c.z;
+    const Real cg = (-0.25f * c.x + 0.5f * c.y) - 0.25f * c.z;
     return {y, co, cg};
   }
   case ColorSpace::YCoCgLifting: {
-    const float co = c.x - c.z;
-    const float t = c.z + 0.5f * co;
-    const float cg = c.y - t;
+    const Real co = c.x - c.z;
+    const Real t = c.z + 0.5f * co;
+    const Real cg = c.y - t;
     return {t + 0.5f * cg, co, cg};
   }
   case ColorSpace::YCbCr: {
-    const float y = luma(c);
+    const Real y = luma(c);
     return {y, (c.z - y) / 1.8556f, (c.x - y) / 1.5748f};
   }
   }
   return c;
 }
 
-glm::vec3 fromAxes(const glm::vec3& axes, ColorSpace space) {
+template <typename Real>
+Vec3<Real> fromAxes(const Vec3<Real>& axes, ColorSpace space) {
   const auto& [y, first, second] = std::array{axes.x, axes.y, axes.z};
   switch (space) {
   case ColorSpace::Rgb:
@@ -208,13 +221,13 @@ glm::vec3 fromAxes(const glm::vec3& axes, ColorSpace space) {
   case ColorSpace::YCoCgAsPrinted: // D7: clamped, compressed or not
     return {saturated((y + first) - second), saturated(y + second), saturated((y - first) - second)};
   case ColorSpace::YCoCgLifting: {
-    const float t = y - 0.5f * second;
-    const float blue = t - 0.5f * first;
+    const Real t = y - 0.5f * second;
+    const Real blue = t - 0.5f * first;
     return {blue + first, second + t, blue};
   }
   case ColorSpace::YCbCr: {
-    const float red = y + 1.5748f * second;
-    const float blue = y + 1.8556f * first;
+    const Real red = y + 1.5748f * second;
+    const Real blue = y + 1.8556f * first;
     return {red, ((y - 0.2126f * red) - 0.0722f * blue) / 0.7152f, blue};
   }
   }
@@ -223,11 +236,13 @@ glm::vec3 fromAxes(const glm::vec3& axes, ColorSpace space) {
 
 } // namespace
 
-glm::vec3 toBox(const glm::vec3& color, const SpaceSettings& space) {
+template <typename Real>
+Vec3<Real> toBox(const Vec3<Real>& color, const SpaceSettings& space) {
   return toAxes(compress(color, space.tone), space.color);
 }
 
-glm::vec3 fromBox(const glm::vec3& box, const SpaceSettings& space) {
+template <typename Real>
+Vec3<Real> fromBox(const Vec3<Real>& box, const SpaceSettings& space) {
   return decompress(fromAxes(box, space.color), space.tone);
 }
 
@@ -236,33 +251,35 @@ SpaceSettings withoutClamp(const SpaceSettings& space) {
           space.luma};
 }
 
-float boxLuma(const glm::vec3& box, const SpaceSettings& space) {
+template <typename Real>
+Real boxLuma(const Vec3<Real>& box, const SpaceSettings& space) {
   return space.color == ColorSpace::Rgb ? luma(box) : box.x;
 }
 
-glm::vec3 minimum(const glm::vec3& a, const glm::vec3& b) {
-  glm::vec3 result;
-  for (int i = 0; i < 3; ++i) result[i] = a[i] < b[i] ? a[i] : b[i];
+template <typename Real>
+Vec3<Real> minimum(const Vec3<Real>& a, const Vec3<Real>& b) {
+  Vec3<Real> result;
+  for (int i = 0; i < 3; ++i) result[i] = minimum(a[i], b[i]);
   return result;
 }
 
-glm::vec3 maximum(const glm::vec3& a, const glm::vec3& b) {
-  glm::vec3 result;
-  for (int i = 0; i < 3; ++i) result[i] = a[i] > b[i] ? a[i] : b[i];
+template <typename Real>
+Vec3<Real> maximum(const Vec3<Real>& a, const Vec3<Real>& b) {
+  Vec3<Real> result;
+  for (int i = 0; i < 3; ++i) result[i] = maximum(a[i], b[i]);
   return result;
 }
 
-glm::vec3 clamped(const glm::vec3& value, const glm::vec3& low, const glm::vec3& high) {
-  glm::vec3 result;
-  for (int i = 0; i < 3; ++i) {
-    const float atLeast = value[i] < low[i] ? low[i] : value[i]; // the upper wall has the last word
-    result[i] = atLeast > high[i] ? high[i] : atLeast;
-  }
+template <typename Real>
+Vec3<Real> clamped(const Vec3<Real>& value, const Vec3<Real>& low, const Vec3<Real>& high) {
+  Vec3<Real> result;
+  for (int i = 0; i < 3; ++i) result[i] = bounded(value[i], low[i], high[i]);
   return result;
 }
 
-glm::ivec2 texelOf(const glm::vec2& position) {
-  return {static_cast<int>(std::floor(position.x)), static_cast<int>(std::floor(position.y))};
+template <typename Real>
+glm::ivec2 texelOf(const Vec2<Real>& position) {
+  return {whole(position.x), whole(position.y)};
 }
 
 glm::ivec2 clampedToPicture(const glm::ivec2& pixel, const Inputs& inputs) {
@@ -273,9 +290,33 @@ glm::ivec2 clampedToDrawn(const glm::ivec2& texel, const Inputs& inputs) {
   return {within(texel.x, inputs.width()), within(texel.y, inputs.height())};
 }
 
-glm::vec3 currentColor(const Inputs& inputs, const glm::ivec2& texel) {
+template <typename Real>
+Vec3<Real> currentColor(const Inputs& inputs, const glm::ivec2& texel) {
   const glm::ivec2 p = clampedToDrawn(texel, inputs);
-  return sanitized(glm::vec3(inputs.color.texel(p.x, p.y)));
+  return sanitized(Vec3<Real>(read<Real>(inputs.color, p)));
 }
+
+#define TAA_COLOR(Real)                                                                                      \
+  template bool isBad(Real value);                                                                           \
+  template Vec3<Real> saneOr(const Vec3<Real>& other, const Vec3<Real>& color);                              \
+  template Vec3<Real> sanitized(const Vec3<Real>& color);                                                    \
+  template Vec3<Real> storable(const Vec3<Real>& color);                                                     \
+  template Real luma(const Vec3<Real>& color);                                                               \
+  template Real weightLuma(const Vec3<Real>& color, WeightLuma chosen);                                      \
+  template Real saturated(Real x);                                                                           \
+  template Vec3<Real> compress(const Vec3<Real>& color, ToneSpace tone);                                     \
+  template Vec3<Real> decompress(const Vec3<Real>& color, ToneSpace tone);                                   \
+  template Vec3<Real> compress(const Vec3<Real>& color, const BlendSettings& blend);                         \
+  template Vec3<Real> decompress(const Vec3<Real>& color, const BlendSettings& blend);                       \
+  template Vec3<Real> toBox(const Vec3<Real>& color, const SpaceSettings& space);                            \
+  template Vec3<Real> fromBox(const Vec3<Real>& box, const SpaceSettings& space);                            \
+  template Real boxLuma(const Vec3<Real>& box, const SpaceSettings& space);                                  \
+  template Vec3<Real> minimum(const Vec3<Real>& a, const Vec3<Real>& b);                                     \
+  template Vec3<Real> maximum(const Vec3<Real>& a, const Vec3<Real>& b);                                     \
+  template Vec3<Real> clamped(const Vec3<Real>& value, const Vec3<Real>& low, const Vec3<Real>& high);       \
+  template glm::ivec2 texelOf(const Vec2<Real>& position);                                                   \
+  template Vec3<Real> currentColor(const Inputs& inputs, const glm::ivec2& texel);
+TAA_EACH_NUMBER(TAA_COLOR)
+#undef TAA_COLOR
 
 } // namespace taa::twin

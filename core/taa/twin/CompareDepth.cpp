@@ -2,6 +2,7 @@
 #include "core/taa/twin/CompareDepth.h"
 
 #include "core/taa/twin/Color.h"
+#include "core/taa/twin/Instances.h"
 #include "core/taa/twin/Upsample.h"
 
 #include <algorithm>
@@ -17,21 +18,24 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// The sky lies infinitely far.
-float distance(float depth) {
+template <typename Real>
+Real distance(Real depth) {
   return depth == 0.0f ? kInfinity : depth;
 }
 
 /// |z − z′| / z; the sky differs from everything by 1, but not from itself.
-float depthMismatch(const ValidateSettings& settings, float expected, float stored) {
+template <typename Real>
+Real depthMismatch(const ValidateSettings& settings, Real expected, Real stored) {
   if (settings.depthDirection == DepthDirection::Nearer && !(distance(stored) < distance(expected)))
     return 0.0f;
   if (expected == 0.0f || stored == 0.0f) return expected == stored ? 0.0f : 1.0f;
-  return std::fabs(expected - stored) / expected;
+  return fabs(expected - stored) / expected;
 }
 
-float storedDepth(const Inputs& inputs, const glm::ivec2& place) {
+template <typename Real>
+Real storedDepth(const Inputs& inputs, const glm::ivec2& place) {
   const glm::ivec2 texel = clampedToPicture(place, inputs);
-  return inputs.historySurface.texel(texel.x, texel.y).y;
+  return read<Real>(inputs.historySurface, texel).y;
 }
 
 /// 3×3 in reading order.
@@ -43,21 +47,23 @@ std::vector<glm::ivec2> square(const glm::ivec2& middle) {
 }
 
 /// Texels of the square whose center is less than a pixel away along both axes: those with a bilinear weight.
-std::vector<glm::ivec2> readTexels(const glm::vec2& position) {
+template <typename Real>
+std::vector<glm::ivec2> readTexels(const Vec2<Real>& position) {
   std::vector<glm::ivec2> texels = square(texelOf(position));
   std::erase_if(texels, [&](const glm::ivec2& texel) {
-    const glm::vec2 center(static_cast<float>(texel.x) + 0.5f, static_cast<float>(texel.y) + 0.5f);
-    return !(std::fabs(center.x - position.x) < 1.0f && std::fabs(center.y - position.y) < 1.0f);
+    const Vec2<Real> center = Vec2<Real>(texel) + 0.5f;
+    return !(fabs(center.x - position.x) < 1.0f && fabs(center.y - position.y) < 1.0f);
   });
   return texels;
 }
 
+template <typename Real>
 void takeBest(const Inputs& inputs, const ValidateSettings& settings, const std::vector<glm::ivec2>& texels,
-              DepthTest& result) {
-  std::optional<float> least;
+              DepthTestOf<Real>& result) {
+  std::optional<Real> least;
   for (const glm::ivec2& texel : texels) {
-    const float stored = storedDepth(inputs, texel);
-    const float mismatch = depthMismatch(settings, result.expected, stored);
+    const Real stored = storedDepth<Real>(inputs, texel);
+    const Real mismatch = depthMismatch(settings, result.expected, stored);
     if (least && !(mismatch < *least)) continue;
     least = mismatch;
     result.stored = stored;
@@ -67,45 +73,51 @@ void takeBest(const Inputs& inputs, const ValidateSettings& settings, const std:
 
 /// The smaller step to two opposite neighbors where the surface goes on from one to the other; the step of a
 /// ridge or of a groove leads to something else.
-float slopeBetween(const Inputs& inputs, const glm::ivec2& drawn, const glm::ivec2& direction) {
+template <typename Real>
+Real slopeBetween(const Inputs& inputs, const glm::ivec2& drawn, const glm::ivec2& direction) {
   const auto depthAt = [&](const glm::ivec2& place) {
     const glm::ivec2 texel = clampedToDrawn(place, inputs);
-    return distance(viewDepth(inputs.depth.texel(texel.x, texel.y).x, inputs.depthTerms));
+    return distance(viewDepth(read<Real>(inputs.depth, texel).x, inputs.depthTerms));
   };
-  const float before = depthAt(drawn - direction), own = depthAt(drawn), after = depthAt(drawn + direction);
+  const Real before = depthAt(drawn - direction), own = depthAt(drawn), after = depthAt(drawn + direction);
   const bool isBetween = (before <= own && own <= after) || (after <= own && own <= before);
-  return isBetween ? std::min(std::fabs(own - before), std::fabs(after - own)) : 0.0f;
+  return isBetween ? minimum(fabs(after - own), fabs(own - before)) : 0.0f;
 }
 
 /// τ and the share of the surface's slope (manual 12.1: grazing surfaces need a slope term).
-float allowedMismatch(const Inputs& inputs, const ValidateSettings& settings, const glm::ivec2& chosen,
-                      float expected) {
-  if (expected == 0.0f || inputs.depth.texel(chosen.x, chosen.y).x == 0.0f) return settings.depthTolerance;
-  return settings.depthTolerance + (settings.slopeAllowance * depthSlope(inputs, chosen)) / expected;
+template <typename Real>
+Real allowedMismatch(const Inputs& inputs, const ValidateSettings& settings, const glm::ivec2& chosen,
+                     Real expected) {
+  if (expected == 0.0f || read<Real>(inputs.depth, chosen).x == 0.0f)
+    return number<Real>(settings.depthTolerance);
+  return number<Real>(settings.depthTolerance) +
+         (number<Real>(settings.slopeAllowance) * named(depthSlope<Real>(inputs, chosen))) / expected;
 }
 
 /// Nothing that history shows there moved otherwise a frame ago, but for the limit. NaN moves.
-bool isAtRest(const Inputs& inputs, const ValidateSettings& settings, const glm::vec2& motion,
-              const glm::vec2& position) {
+template <typename Real>
+bool isAtRest(const Inputs& inputs, const ValidateSettings& settings, const Vec2<Real>& motion,
+              const Vec2<Real>& position) {
   if (inputs.historyMotion.empty()) return false;
   return std::ranges::all_of(readTexels(position), [&](const glm::ivec2& place) {
     const glm::ivec2 texel = clampedToPicture(place, inputs);
-    const glm::vec2 change = motion - glm::vec2(inputs.historyMotion.texel(texel.x, texel.y));
-    const float length = std::sqrt(change.x * change.x + change.y * change.y);
-    return std::min(length, kNoPreviousPosition) <= settings.restLimit;
+    const Vec2<Real> change = motion - Vec2<Real>(read<Real>(inputs.historyMotion, texel));
+    const Real length = sqrt(change.x * change.x + change.y * change.y);
+    return minimum(length, kNoPreviousPosition) <= number<Real>(settings.restLimit);
   });
 }
 
 /// Of the nearer of the two surfaces, in its own frame: seen past on opposite sides, in history, which is
 /// dilated by a texel to all sides, a texel farther out. Now the pixel's own sample may see past it too.
-bool isNearerThin(const Inputs& inputs, const DepthTest& depth, const glm::ivec2& drawn,
+template <typename Real>
+bool isNearerThin(const Inputs& inputs, const DepthTestOf<Real>& depth, const glm::ivec2& drawn,
                   const glm::ivec2& middle) {
   const bool wasNearer = distance(depth.stored) < distance(depth.expected);
-  const float farther = wasNearer ? depth.expected : depth.stored;
+  const Real farther = wasNearer ? depth.expected : depth.stored;
   const auto isSeenPast = [&](const glm::ivec2& step) {
     const glm::ivec2 now = clampedToDrawn(drawn + step, inputs);
-    const float seen =
-        wasNearer ? storedDepth(inputs, middle + 2 * step) : inputs.previousDepth.texel(now.x, now.y).x;
+    const Real seen =
+        wasNearer ? storedDepth<Real>(inputs, middle + 2 * step) : read<Real>(inputs.previousDepth, now).x;
     return seen == 0.0f || (farther != 0.0f && seen >= farther * (1.0f - depth.allowed));
   };
   if (!wasNearer && isSeenPast({0, 0})) return true;
@@ -116,16 +128,19 @@ bool isNearerThin(const Inputs& inputs, const DepthTest& depth, const glm::ivec2
 
 } // namespace
 
-float depthSlope(const Inputs& inputs, const glm::ivec2& drawn) {
-  if (inputs.depth.texel(drawn.x, drawn.y).x == 0.0f) return 0.0f;
-  return slopeBetween(inputs, drawn, {1, 0}) + slopeBetween(inputs, drawn, {0, 1});
+template <typename Real>
+Real depthSlope(const Inputs& inputs, const glm::ivec2& drawn) {
+  if (read<Real>(inputs.depth, drawn).x == 0.0f) return 0.0f;
+  return slopeBetween<Real>(inputs, drawn, {1, 0}) + slopeBetween<Real>(inputs, drawn, {0, 1});
 }
 
-DepthTest compareDepth(const Inputs& inputs, const ValidateSettings& settings, const DilatedMotion& dilated,
-                       const glm::ivec2& drawn, const glm::vec2& position) {
+template <typename Real>
+DepthTestOf<Real> compareDepth(const Inputs& inputs, const ValidateSettings& settings,
+                               const DilatedMotionOf<Real>& dilated, const glm::ivec2& drawn,
+                               const Vec2<Real>& position) {
   const glm::ivec2 chosen = drawn + dilated.offset, middle = texelOf(position);
-  DepthTest result;
-  result.expected = inputs.previousDepth.texel(chosen.x, chosen.y).x;
+  DepthTestOf<Real> result;
+  result.expected = read<Real>(inputs.previousDepth, chosen).x;
   result.allowed = allowedMismatch(inputs, settings, chosen, result.expected);
   if (inputs.historyColor.empty()) return result;
   const bool isOn = settings.depth == Switch::On, findsFlicker = isOn && settings.flicker == Switch::On;
@@ -140,5 +155,13 @@ DepthTest compareDepth(const Inputs& inputs, const ValidateSettings& settings, c
   result.isOther = result.isOther && !result.isFlicker;
   return result;
 }
+
+#define TAA_COMPARE_DEPTH(Real)                                                                              \
+  template Real depthSlope(const Inputs& inputs, const glm::ivec2& drawn);                                   \
+  template DepthTestOf<Real> compareDepth(const Inputs& inputs, const ValidateSettings& settings,            \
+                                          const DilatedMotionOf<Real>& dilated, const glm::ivec2& drawn,     \
+                                          const Vec2<Real>& position);
+TAA_EACH_NUMBER(TAA_COMPARE_DEPTH)
+#undef TAA_COMPARE_DEPTH
 
 } // namespace taa::twin

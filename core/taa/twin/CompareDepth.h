@@ -8,18 +8,23 @@
 namespace taa::twin {
 
 /// Sum of the depth steps along the surface at a render texel, m.
-float depthSlope(const Inputs& inputs, const glm::ivec2& drawn);
+template <typename Real = float>
+Real depthSlope(const Inputs& inputs, const glm::ivec2& drawn);
 
-struct DepthTest {
-  float expected = 0.0f;  ///< m
-  float stored = 0.0f;    ///< m, the one that fits best
-  float mismatch = 0.0f;  ///< relative to the one expected
-  float allowed = 0.0f;   ///< the largest mismatch of the same surface
+template <typename Real>
+struct DepthTestOf {
+  Real expected = 0.0f;   ///< m
+  Real stored = 0.0f;     ///< m, the one that fits best
+  Real mismatch = 0.0f;   ///< relative to the one expected
+  Real allowed = 0.0f;    ///< the largest mismatch of the same surface
   bool isOther = false;   ///< another surface
   bool isFlicker = false; ///< not another one, though its depth differs
 };
+using DepthTest = DepthTestOf<float>;
 /// `drawn`: the render texel; `position`: where history is read, px.
-DepthTest compareDepth(const Inputs& inputs, const ValidateSettings& settings, const DilatedMotion& dilated,
-                       const glm::ivec2& drawn, const glm::vec2& position);
+template <typename Real = float>
+DepthTestOf<Real> compareDepth(const Inputs& inputs, const ValidateSettings& settings,
+                               const DilatedMotionOf<Real>& dilated, const glm::ivec2& drawn,
+                               const Vec2<Real>& position);
 
 } // namespace taa::twin

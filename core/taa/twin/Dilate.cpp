@@ -1,5 +1,6 @@
 // Stage 1, dilate motion: whose motion a pixel follows, so that silhouettes move with what is in front.
 #include "core/taa/twin/Color.h"
+#include "core/taa/twin/Instances.h"
 #include "core/taa/twin/Stages.h"
 #include "core/taa/twin/Upsample.h"
 
@@ -8,7 +9,8 @@
 
 namespace taa::twin {
 
-float viewDepth(float depth, const glm::vec4& depthTerms) {
+template <typename Real>
+Real viewDepth(Real depth, const glm::vec4& depthTerms) {
   const auto& [p33, p32, p23, p22] = std::array{depthTerms.x, depthTerms.y, depthTerms.z, depthTerms.w};
   return depth == 0.0f ? 0.0f : (depth * p33 - p32) / (depth * p23 - p22);
 }
@@ -41,11 +43,12 @@ std::vector<glm::ivec2> candidates(DilateMethod method) {
 
 /// The nearest of them, 4.1 to 4.4, or the farthest. Reversed depth: larger is nearer. Starts from what
 /// `result` holds, or from the first of them.
+template <typename Real>
 void findClosest(const Inputs& inputs, const DilateSettings& settings, const glm::ivec2& pixel,
-                 DilatedMotion& result) {
+                 DilatedMotionOf<Real>& result) {
   const bool startsFromFar = settings.method == DilateMethod::Closest3x3AsPrinted;
   bool hasAny = settings.ties != DilateTies::First || startsFromFar;
-  const auto isPreferred = [&](float depth) {
+  const auto isPreferred = [&](Real depth) {
     if (!hasAny) return true;
     if (depth == result.depth) return settings.ties == DilateTies::Last;
     return settings.method == DilateMethod::Farthest3x3 ? depth < result.depth : depth > result.depth;
@@ -53,7 +56,7 @@ void findClosest(const Inputs& inputs, const DilateSettings& settings, const glm
   for (const glm::ivec2& step : candidates(settings.method)) {
     if (step == glm::ivec2(0) && hasAny && settings.ties != DilateTies::First && !startsFromFar) continue;
     const glm::ivec2 neighbor = clampedToDrawn(pixel + step, inputs);
-    const float depth = inputs.depth.texel(neighbor.x, neighbor.y).x;
+    const Real depth = read<Real>(inputs.depth, neighbor).x;
     if (!isPreferred(depth)) continue;
     hasAny = true;
     result.depth = depth;
@@ -62,31 +65,34 @@ void findClosest(const Inputs& inputs, const DilateSettings& settings, const glm
 }
 
 /// The fastest of them, 4.5 and 4.6.
-void findLongest(const Inputs& inputs, DilateMethod method, const glm::ivec2& pixel, DilatedMotion& result) {
-  const auto squaredLength = [&inputs](const glm::ivec2& p) {
-    const glm::vec4 motion = inputs.motion.texel(p.x, p.y);
-    const float squared = motion.x * motion.x + motion.y * motion.y;
+template <typename Real>
+void findLongest(const Inputs& inputs, DilateMethod method, const glm::ivec2& pixel,
+                 DilatedMotionOf<Real>& result) {
+  const auto squaredLength = [&inputs](const glm::ivec2& p) -> Real {
+    const Vec4<Real> motion = read<Real>(inputs.motion, p);
+    const Real squared = motion.x * motion.x + motion.y * motion.y;
     return squared >= 0.0f ? squared : 0.0f; // NaN is no motion
   };
-  float longest = squaredLength(pixel);
+  Real longest = squaredLength(pixel);
   for (const glm::ivec2& step : candidates(method)) {
     const glm::ivec2 neighbor = clampedToDrawn(pixel + step, inputs);
-    const float length = squaredLength(neighbor);
+    const Real length = squaredLength(neighbor);
     if (length > longest) {
       longest = length;
       result.offset = neighbor - pixel;
-      result.depth = inputs.depth.texel(neighbor.x, neighbor.y).x;
+      result.depth = read<Real>(inputs.depth, neighbor).x;
     }
   }
 }
 
 /// HDRP's four taps as printed (D13): a tap that is no farther than what is kept is chosen, but the depth
 /// kept with it is the next tap's.
-void findClosestXAsPrinted(const Inputs& inputs, const glm::ivec2& pixel, DilatedMotion& result) {
+template <typename Real>
+void findClosestXAsPrinted(const Inputs& inputs, const glm::ivec2& pixel, DilatedMotionOf<Real>& result) {
   const auto tap = [&](int dx, int dy) { return clampedToDrawn(pixel + glm::ivec2(dx, dy), inputs); };
   const std::array taps{tap(1, 1), tap(-1, -1), tap(1, -1), tap(-1, 1), tap(1, 1)};
-  const auto depthAt = [&inputs](const glm::ivec2& p) { return inputs.depth.texel(p.x, p.y).x; };
-  float kept = result.depth;
+  const auto depthAt = [&inputs](const glm::ivec2& p) { return read<Real>(inputs.depth, p).x; };
+  Real kept = result.depth;
   for (std::size_t k = 0; k < 4; ++k) {
     if (!(depthAt(taps[k]) >= kept)) continue;
     kept = depthAt(taps[k + 1]);
@@ -97,9 +103,11 @@ void findClosestXAsPrinted(const Inputs& inputs, const glm::ivec2& pixel, Dilate
 
 } // namespace
 
-DilatedMotion dilateMotion(const Inputs& inputs, const DilateSettings& settings, const glm::ivec2& texel) {
-  DilatedMotion result;
-  result.depth = inputs.depth.texel(texel.x, texel.y).x;
+template <typename Real>
+DilatedMotionOf<Real> dilateMotion(const Inputs& inputs, const DilateSettings& settings,
+                                   const glm::ivec2& texel) {
+  DilatedMotionOf<Real> result;
+  result.depth = read<Real>(inputs.depth, texel).x;
   switch (settings.method) {
   case DilateMethod::None:
     break;
@@ -127,10 +135,17 @@ DilatedMotion dilateMotion(const Inputs& inputs, const DilateSettings& settings,
   if (settings.upLeft == Switch::On) { // Godot's missing border
     chosen = clampedToDrawn(chosen - 1, inputs);
     result.offset = chosen - texel;
-    result.depth = inputs.depth.texel(chosen.x, chosen.y).x;
+    result.depth = read<Real>(inputs.depth, chosen).x;
   }
-  result.motion = pictureMotion(inputs, glm::vec2(inputs.motion.texel(chosen.x, chosen.y)));
+  result.motion = pictureMotion(inputs, Vec2<Real>(read<Real>(inputs.motion, chosen)));
   return result;
 }
+
+#define TAA_DILATE(Real)                                                                                     \
+  template Real viewDepth(Real depth, const glm::vec4& depthTerms);                                          \
+  template DilatedMotionOf<Real> dilateMotion(const Inputs& inputs, const DilateSettings& settings,          \
+                                              const glm::ivec2& texel);
+TAA_EACH_NUMBER(TAA_DILATE)
+#undef TAA_DILATE
 
 } // namespace taa::twin

@@ -1,5 +1,6 @@
 // Stage 6, validate history: objects, classes, normals and motion of now and of what history was of.
 #include "core/taa/twin/Color.h"
+#include "core/taa/twin/Instances.h"
 #include "core/taa/twin/Stages.h"
 #include "core/taa/twin/Upsample.h"
 
@@ -12,9 +13,10 @@ namespace taa::twin {
 namespace {
 
 /// 3×3 around the texel at the position.
-std::array<glm::vec4, 9> around(const Inputs& inputs, const Texels& stored, const glm::vec2& position) {
-  const glm::ivec2 middle(static_cast<int>(std::floor(position.x)), static_cast<int>(std::floor(position.y)));
-  std::array<glm::vec4, 9> texels{};
+template <typename Real>
+std::array<Vec4<Real>, 9> around(const Inputs& inputs, const Texels& stored, const Vec2<Real>& position) {
+  const glm::ivec2 middle = texelOf(position);
+  std::array<Vec4<Real>, 9> texels{};
   for (int k = 0; k < 9; ++k) {
     const glm::ivec2 texel = clampedToPicture(middle + glm::ivec2(k % 3 - 1, k / 3 - 1), inputs);
     texels[static_cast<std::size_t>(k)] = stored.texel(texel.x, texel.y);
@@ -22,94 +24,111 @@ std::array<glm::vec4, 9> around(const Inputs& inputs, const Texels& stored, cons
   return texels;
 }
 
-float cosineOf(const glm::vec3& a, const glm::vec3& b) {
-  if (a == glm::vec3(0.0f) && b == glm::vec3(0.0f)) return 1.0f; // both the sky
+template <typename Real>
+Real cosineOf(const Vec3<Real>& a, const Vec3<Real>& b) {
+  if (a == Vec3<Real>(0.0f) && b == Vec3<Real>(0.0f)) return 1.0f; // both the sky
   return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
 
-float speedOf(const glm::vec2& v) {
-  const float speed = std::sqrt(v.x * v.x + v.y * v.y);
-  return speed <= kNoPreviousPosition ? speed : kNoPreviousPosition;
+template <typename Real>
+Real speedOf(const Vec2<Real>& v) {
+  const Real speed = sqrt(v.x * v.x + v.y * v.y);
+  return minimum(speed, kNoPreviousPosition);
 }
 
-float changeOf(const glm::vec2& now, const glm::vec2& then, VelocityTest test) {
+template <typename Real>
+Real changeOf(const Vec2<Real>& now, const Vec2<Real>& then, VelocityTest test) {
   if (now.x == kNoPreviousPosition || then.x == kNoPreviousPosition) return 0.0f;
-  if (test == VelocityTest::Length) return std::fabs(speedOf(now) - speedOf(then));
+  if (test == VelocityTest::Length) return fabs(speedOf(now) - speedOf(then));
   return speedOf(now - then);
 }
 
 } // namespace
 
-Geometry geometryOf(const Inputs& inputs, const DilatedMotion& dilated, const glm::ivec2& drawn) {
+template <typename Real>
+GeometryOf<Real> geometryOf(const Inputs& inputs, const DilatedMotionOf<Real>& dilated,
+                            const glm::ivec2& drawn) {
   const glm::ivec2 chosen = drawn + dilated.offset;
-  const glm::vec4 normal = inputs.normal.texel(chosen.x, chosen.y);
-  return {inputs.objectId.texel(chosen.x, chosen.y).x, normal.w, glm::vec3(normal), dilated.motion};
+  const Vec4<Real> normal = read<Real>(inputs.normal, chosen);
+  return {read<Real>(inputs.objectId, chosen).x, normal.w, Vec3<Real>(normal), dilated.motion};
 }
 
-GeometryMatch compareGeometry(const Inputs& inputs, const Settings& settings, const Geometry& own,
-                              const glm::vec2& readPosition) {
-  GeometryMatch match;
+template <typename Real>
+GeometryMatchOf<Real> compareGeometry(const Inputs& inputs, const Settings& settings,
+                                      const GeometryOf<Real>& own, const Vec2<Real>& readPosition) {
+  GeometryMatchOf<Real> match;
   if (inputs.historyColor.empty()) return match;
   const ValidateSettings& validate = settings.validate;
   if ((validate.object == Switch::On || validate.objectClass == Switch::On) &&
       !inputs.historyObject.empty()) {
     const auto stored = around(inputs, inputs.historyObject, readPosition);
-    match.isSameObject = std::ranges::any_of(stored, [&](const glm::vec4& s) { return s.x == own.object; });
+    match.isSameObject = std::ranges::any_of(stored, [&](const Vec4<Real>& s) { return s.x == own.object; });
     match.isSameClass =
-        std::ranges::any_of(stored, [&](const glm::vec4& s) { return s.y == own.objectClass; });
-    const glm::ivec2 nearest = clampedToPicture(
-        {static_cast<int>(std::floor(readPosition.x)), static_cast<int>(std::floor(readPosition.y))}, inputs);
-    match.object = match.isSameObject ? own.object : inputs.historyObject.texel(nearest.x, nearest.y).x;
+        std::ranges::any_of(stored, [&](const Vec4<Real>& s) { return s.y == own.objectClass; });
+    const glm::ivec2 nearest = clampedToPicture(texelOf(readPosition), inputs);
+    match.object = match.isSameObject ? own.object : read<Real>(inputs.historyObject, nearest).x;
   }
   if (validate.normal == Switch::On && !inputs.historyNormal.empty()) {
     match.normalAgreement = -1.0f;
-    for (const glm::vec4& stored : around(inputs, inputs.historyNormal, readPosition)) {
-      const float cosine = cosineOf(own.normal, glm::vec3(stored));
+    for (const Vec4<Real>& stored : around(inputs, inputs.historyNormal, readPosition)) {
+      const Real cosine = cosineOf(own.normal, Vec3<Real>(stored));
       if (!(cosine > match.normalAgreement)) continue;
       match.normalAgreement = cosine;
-      match.normal = glm::vec3(stored);
+      match.normal = Vec3<Real>(stored);
     }
   }
   const bool comparesMotion =
       validate.velocity != VelocityTest::None || settings.weight.velocityChange == Switch::On;
   if (comparesMotion && !inputs.historyMotion.empty()) {
     match.velocityChange = std::numeric_limits<float>::infinity();
-    for (const glm::vec4& stored : around(inputs, inputs.historyMotion, readPosition)) {
-      const float change = changeOf(own.motion, glm::vec2(stored), validate.velocity);
+    for (const Vec4<Real>& stored : around(inputs, inputs.historyMotion, readPosition)) {
+      const Real change = changeOf(own.motion, Vec2<Real>(stored), validate.velocity);
       if (!(change < match.velocityChange)) continue;
       match.velocityChange = change;
-      match.motion = glm::vec2(stored);
+      match.motion = Vec2<Real>(stored);
     }
   }
   return match;
 }
 
-Divergence motionDivergence(const Inputs& inputs, const WeightSettings& settings, const glm::ivec2& drawn) {
-  Divergence result;
+template <typename Real>
+DivergenceOf<Real> motionDivergence(const Inputs& inputs, const WeightSettings& settings,
+                                    const glm::ivec2& drawn) {
+  DivergenceOf<Real> result;
   if (settings.divergence == Switch::Off) return result;
-  const auto squaredLength = [](const glm::vec2& v) {
-    const float length = v.x * v.x + v.y * v.y;
+  const auto squaredLength = [](const Vec2<Real>& v) -> Real {
+    const Real length = v.x * v.x + v.y * v.y;
     return length >= 0.0f ? length : 0.0f; // NaN is no motion
   };
   const auto motionAt = [&inputs](const glm::ivec2& place) {
     const glm::ivec2 texel = clampedToDrawn(place, inputs);
-    return pictureMotion(inputs, glm::vec2(inputs.motion.texel(texel.x, texel.y)));
+    return pictureMotion(inputs, Vec2<Real>(read<Real>(inputs.motion, texel)));
   };
-  const glm::vec2 own = motionAt(drawn);
+  const Vec2<Real> own = motionAt(drawn);
   result.fastest = squaredLength(own);
   for (int k = 0; k < 9; ++k) {
-    const glm::vec2 other = motionAt(drawn + glm::ivec2(k % 3 - 1, k / 3 - 1));
+    const Vec2<Real> other = motionAt(drawn + glm::ivec2(k % 3 - 1, k / 3 - 1));
     if (other.x == kNoPreviousPosition) continue;
-    const float faster =
-        squaredLength(other) > squaredLength(own) ? squaredLength(other) : squaredLength(own);
-    const float along = (other.x * own.x + other.y * own.y) / faster;
+    const Real faster = squaredLength(other) > squaredLength(own) ? squaredLength(other) : squaredLength(own);
+    const Real along = (other.x * own.x + other.y * own.y) / faster;
     if (along < result.least) result.least = along;
     if (squaredLength(other) > result.fastest) result.fastest = squaredLength(other);
   }
   if (squaredLength(own) > 1e-4f)
-    result.value =
-        saturated(1.0f - result.least) * saturated(std::sqrt(result.fastest) / settings.divergenceSpeed);
+    result.value = saturated(1.0f - result.least) *
+                   saturated(sqrt(result.fastest) / number<Real>(settings.divergenceSpeed));
   return result;
 }
+
+#define TAA_GEOMETRY(Real)                                                                                   \
+  template GeometryOf<Real> geometryOf(const Inputs& inputs, const DilatedMotionOf<Real>& dilated,           \
+                                       const glm::ivec2& drawn);                                             \
+  template GeometryMatchOf<Real> compareGeometry(const Inputs& inputs, const Settings& settings,             \
+                                                 const GeometryOf<Real>& own,                                \
+                                                 const Vec2<Real>& readPosition);                            \
+  template DivergenceOf<Real> motionDivergence(const Inputs& inputs, const WeightSettings& settings,         \
+                                               const glm::ivec2& drawn);
+TAA_EACH_NUMBER(TAA_GEOMETRY)
+#undef TAA_GEOMETRY
 
 } // namespace taa::twin

@@ -1,6 +1,7 @@
 // Stage 3, sample history: the accumulated color at a place between texels.
 #include "core/taa/twin/Color.h"
 #include "core/taa/twin/HistoryTaps.h"
+#include "core/taa/twin/Instances.h"
 #include "core/taa/twin/Stages.h"
 
 #include <glm/common.hpp>
@@ -12,71 +13,79 @@
 namespace taa::twin {
 namespace {
 
-glm::vec3 lerp(const glm::vec3& a, const glm::vec3& b, float fraction) {
+template <typename Real>
+Vec3<Real> lerp(const Vec3<Real>& a, const Vec3<Real>& b, Real fraction) {
   return a + fraction * (b - a);
 }
 
 /// A texel of the history; beyond the border that of the edge, or black (manual 5.4).
-glm::vec3 storedColor(const Inputs& inputs, HistoryBorder border, const glm::ivec2& texel) {
+template <typename Real>
+Vec3<Real> storedColor(const Inputs& inputs, HistoryBorder border, const glm::ivec2& texel) {
   const glm::ivec2 inside = clampedToPicture(texel, inputs);
-  if (border == HistoryBorder::Black && inside != texel) return glm::vec3(0.0f);
-  return glm::vec3(inputs.historyColor.texel(inside.x, inside.y));
+  if (border == HistoryBorder::Black && inside != texel) return Vec3<Real>(0.0f);
+  return Vec3<Real>(read<Real>(inputs.historyColor, inside));
 }
 
-glm::vec3 bilinear(const Inputs& inputs, HistoryBorder border, const AxisPlace& x, const AxisPlace& y) {
-  const auto stored = [&](int column, int row) { return storedColor(inputs, border, {column, row}); };
-  const glm::vec3 upper = lerp(stored(x.texel, y.texel), stored(x.texel + 1, y.texel), x.fraction);
-  const glm::vec3 lower = lerp(stored(x.texel, y.texel + 1), stored(x.texel + 1, y.texel + 1), x.fraction);
+template <typename Real>
+Vec3<Real> bilinear(const Inputs& inputs, HistoryBorder border, const AxisPlaceOf<Real>& x,
+                    const AxisPlaceOf<Real>& y) {
+  const auto stored = [&](int column, int row) { return storedColor<Real>(inputs, border, {column, row}); };
+  const Vec3<Real> upper = lerp(stored(x.texel, y.texel), stored(x.texel + 1, y.texel), x.fraction);
+  const Vec3<Real> lower = lerp(stored(x.texel, y.texel + 1), stored(x.texel + 1, y.texel + 1), x.fraction);
   return lerp(upper, lower, y.fraction);
 }
 
 /// Σwc/Σw about the middle one, within the colors that bound it when deringed; or Σwc, as some are printed or
 /// meant.
-glm::vec3 meanOf(const Taps& taps, const HistorySettings& settings) {
-  const glm::vec3& middle = taps.each[taps.middle].color;
-  float sum = 0.0f;
-  glm::vec3 difference(0.0f);
-  glm::vec3 low = middle;
-  glm::vec3 high = middle;
-  for (const Taps::Tap& tap : taps.all()) {
+template <typename Real>
+Vec3<Real> meanOf(const TapsOf<Real>& taps, const HistorySettings& settings) {
+  const Vec3<Real>& middle = taps.each[taps.middle].color;
+  Real sum = 0.0f;
+  Vec3<Real> difference(0.0f);
+  Vec3<Real> low = middle;
+  Vec3<Real> high = middle;
+  for (const auto& tap : taps.all()) {
     sum = sum + tap.weight;
     difference = difference + (tap.color - middle) * tap.weight;
     if (!tap.bounds) continue;
     low = minimum(low, tap.color);
     high = maximum(high, tap.color);
   }
-  glm::vec3 result = middle + difference / sum;
+  Vec3<Real> result = middle + difference / sum;
   if (settings.filter == HistoryFilter::CatmullRom5AsPrinted) result = middle * sum + difference;
   if (settings.filter == HistoryFilter::CatmullRom5Corners) result = middle + difference;
   return settings.dering == Switch::On ? clamped(result, low, high) : result;
 }
 
-glm::vec3 filteredHistory(const Inputs& inputs, const HistorySettings& settings, const glm::vec2& q) {
+template <typename Real>
+Vec3<Real> filteredHistory(const Inputs& inputs, const HistorySettings& settings, const Vec2<Real>& q) {
   if (settings.filter == HistoryFilter::Bilinear) return bilinearHistory(inputs, q, settings.border);
-  const Taps taps = historyTaps(inputs, settings, q);
+  const TapsOf<Real> taps = historyTaps(inputs, settings, q);
   return settings.filter == HistoryFilter::Point ? taps.each[0].color : meanOf(taps, settings);
 }
 
 /// N of the four texels around, mixed by their distance, as Godot reads it.
-float bilinearLength(const Inputs& inputs, const glm::vec2& position) {
-  const AxisPlace x = axisPlace(position.x), y = axisPlace(position.y);
+template <typename Real>
+Real bilinearLength(const Inputs& inputs, const Vec2<Real>& position) {
+  const AxisPlaceOf<Real> x = axisPlace(position.x), y = axisPlace(position.y);
   const auto at = [&](int i, int j) {
     const glm::ivec2 texel = clampedToPicture({x.texel + i, y.texel + j}, inputs);
-    return inputs.historySurface.texel(texel.x, texel.y).x;
+    return read<Real>(inputs.historySurface, texel).x;
   };
-  const float top = at(0, 0) + x.fraction * (at(1, 0) - at(0, 0));
-  const float bottom = at(0, 1) + x.fraction * (at(1, 1) - at(0, 1));
+  const Real top = at(0, 0) + x.fraction * (at(1, 0) - at(0, 0));
+  const Real bottom = at(0, 1) + x.fraction * (at(1, 1) - at(0, 1));
   return top + y.fraction * (bottom - top);
 }
 
 /// Whether view depth spans more than a share of the farthest among the nine pixels (manual 6.8).
-bool hasDepthEdge(const Inputs& inputs, const glm::ivec2& pixel, float share) {
+template <typename Real>
+bool hasDepthEdge(const Inputs& inputs, const glm::ivec2& pixel, Real share) {
   constexpr float kSky = 1e30f; // m
-  float nearest = kSky, farthest = 0.0f;
+  Real nearest = kSky, farthest = 0.0f;
   for (int k = 0; k < 9; ++k) {
     const glm::ivec2 p = clampedToDrawn(pixel + glm::ivec2(k % 3 - 1, k / 3 - 1), inputs);
-    const float device = inputs.depth.texel(p.x, p.y).x;
-    const float depth = device == 0.0f ? kSky : viewDepth(device, inputs.depthTerms);
+    const Real device = read<Real>(inputs.depth, p).x;
+    const Real depth = device == 0.0f ? Real(kSky) : viewDepth(device, inputs.depthTerms);
     nearest = depth < nearest ? depth : nearest;
     farthest = depth > farthest ? depth : farthest;
   }
@@ -84,25 +93,28 @@ bool hasDepthEdge(const Inputs& inputs, const glm::ivec2& pixel, float share) {
 }
 
 /// A cubic of sharpness c (manual 6.5).
-std::array<float, 4> sharpnessWeights(float c, float f) {
+template <typename Real>
+std::array<Real, 4> sharpnessWeights(Real c, Real f) {
   return {((-c * f + 2.0f * c) * f - c) * f, ((2.0f - c) * f - (3.0f - c)) * (f * f) + 1.0f,
           ((-(2.0f - c) * f + (3.0f - 2.0f * c)) * f + c) * f, (c * f - c) * (f * f)};
 }
 
 /// Manual 6.6.
-std::array<float, 4> mitchellWeights(float f) {
-  const auto mitchellNear = [](float x) { return ((7.0f * x - 12.0f) * (x * x) + 16.0f / 3.0f) / 6.0f; };
-  const auto mitchellFar = [](float x) {
+template <typename Real>
+std::array<Real, 4> mitchellWeights(Real f) {
+  const auto mitchellNear = [](Real x) { return ((7.0f * x - 12.0f) * (x * x) + 16.0f / 3.0f) / 6.0f; };
+  const auto mitchellFar = [](Real x) {
     return ((((-7.0f / 3.0f) * x + 12.0f) * x - 20.0f) * x + 32.0f / 3.0f) / 6.0f;
   };
   return {mitchellFar(1.0f + f), mitchellNear(f), mitchellNear(1.0f - f), mitchellFar(2.0f - f)};
 }
 
 /// Manual 6.7.
-std::array<float, 4> lanczosWeights(float f) {
-  const auto lanczos = [](float x) {
-    const float x2 = x * x < 4.0f ? x * x : 4.0f;
-    const float a = x2 - 1.0f, b = x2 - 4.0f;
+template <typename Real>
+std::array<Real, 4> lanczosWeights(Real f) {
+  const auto lanczos = [](Real x) {
+    const Real x2 = x * x < 4.0f ? x * x : 4.0f;
+    const Real a = x2 - 1.0f, b = x2 - 4.0f;
     return ((a * b) * (b * b)) / 64.0f;
   };
   return {lanczos(1.0f + f), lanczos(f), lanczos(1.0f - f), lanczos(2.0f - f)};
@@ -110,17 +122,19 @@ std::array<float, 4> lanczosWeights(float f) {
 
 } // namespace
 
-std::array<float, 4> catmullRomWeights(float f) {
+template <typename Real>
+std::array<Real, 4> catmullRomWeights(Real f) {
   return {f * (-0.5f + f * (1.0f - 0.5f * f)), 1.0f + (f * f) * (-2.5f + 1.5f * f),
           f * (0.5f + f * (2.0f - 1.5f * f)), (f * f) * (-0.5f + 0.5f * f)};
 }
 
-std::array<float, 4> cubicWeights(const HistorySettings& settings, float f) {
+template <typename Real>
+std::array<Real, 4> cubicWeights(const HistorySettings& settings, Real f) {
   switch (settings.filter) {
   case HistoryFilter::Cubic:
   case HistoryFilter::Cubic5:
   case HistoryFilter::Cubic5AsPrinted:
-    return sharpnessWeights(settings.sharpness, f);
+    return sharpnessWeights(number<Real>(settings.sharpness), f);
   case HistoryFilter::Mitchell:
     return mitchellWeights(f);
   case HistoryFilter::Lanczos:
@@ -139,33 +153,39 @@ std::array<float, 4> cubicWeights(const HistorySettings& settings, float f) {
   return {};
 }
 
-Taps historyTaps(const Inputs& inputs, const HistorySettings& settings, const glm::vec2& positionPx) {
-  const TapPlaces places = tapPlaces(settings, positionPx);
+template <typename Real>
+TapsOf<Real> historyTaps(const Inputs& inputs, const HistorySettings& settings,
+                         const Vec2<Real>& positionPx) {
+  const TapPlacesOf<Real> places = tapPlaces(settings, positionPx);
   const bool isAsStored =
       settings.filter == HistoryFilter::Point || settings.filter == HistoryFilter::Bilinear;
-  Taps taps;
+  TapsOf<Real> taps;
   taps.middle = places.middle;
-  for (const TapPlaces::Tap& tap : places.all()) {
-    const glm::vec3 color = tap.isTexel ? storedColor(inputs, settings.border, {tap.x.texel, tap.y.texel})
-                                        : bilinear(inputs, settings.border, tap.x, tap.y);
-    taps.add(isAsStored ? color : sanitized(color), tap.weight, tap.bounds);
+  for (const auto& tap : places.all()) {
+    const Vec3<Real> color = tap.isTexel
+                                 ? storedColor<Real>(inputs, settings.border, {tap.x.texel, tap.y.texel})
+                                 : bilinear(inputs, settings.border, tap.x, tap.y);
+    taps.add(named(isAsStored ? color : sanitized(color)), named(tap.weight), tap.bounds);
   }
   return taps;
 }
 
-glm::vec3 bilinearHistory(const Inputs& inputs, const glm::vec2& positionPx, HistoryBorder border) {
+template <typename Real>
+Vec3<Real> bilinearHistory(const Inputs& inputs, const Vec2<Real>& positionPx, HistoryBorder border) {
   return bilinear(inputs, border, axisPlace(positionPx.x), axisPlace(positionPx.y));
 }
 
-HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& settings,
-                            const glm::vec2& positionPx, const glm::ivec2& pixel, const glm::ivec2& drawn) {
-  HistorySample result;
+template <typename Real>
+HistorySampleOf<Real> sampleHistory(const Inputs& inputs, const HistorySettings& settings,
+                                    const Vec2<Real>& positionPx, const glm::ivec2& pixel,
+                                    const glm::ivec2& drawn) {
+  HistorySampleOf<Real> result;
   result.position = readPosition(positionPx, pixel);
   const bool mayBeEdge = settings.bilinearAtEdges == Switch::On && settings.filter != HistoryFilter::Point &&
                          settings.filter != HistoryFilter::Bilinear;
-  result.isEdge = mayBeEdge && hasDepthEdge(inputs, drawn, settings.edgeDepth);
+  result.isEdge = mayBeEdge && hasDepthEdge(inputs, drawn, number<Real>(settings.edgeDepth));
   if (inputs.historyColor.empty()) return result;
-  const glm::vec2& q = result.position;
+  const Vec2<Real>& q = result.position;
   result.color =
       storable(result.isEdge ? bilinearHistory(inputs, q, settings.border)
                              : filteredHistory(inputs, settings, q));   // negative lobes overshoot both ways
@@ -173,20 +193,36 @@ HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& setting
   const glm::ivec2 nearest = clampedToPicture(isOfPixel ? pixel : texelOf(q), inputs);
   result.historyLength = settings.length == LengthFrom::Bilinear
                              ? bilinearLength(inputs, q)
-                             : inputs.historySurface.texel(nearest.x, nearest.y).x;
+                             : read<Real>(inputs.historySurface, nearest).x;
   return result;
 }
 
-bool holdsNan(const Inputs& inputs, const glm::ivec2& drawn, const Reprojection& reprojection) {
-  const auto isNan = [](const glm::vec4& c) { return std::isnan(c.x) || std::isnan(c.y) || std::isnan(c.z); };
-  if (isNan(inputs.color.texel(drawn.x, drawn.y))) return true;
+template <typename Real>
+bool holdsNan(const Inputs& inputs, const glm::ivec2& drawn, const ReprojectionOf<Real>& reprojection) {
+  const auto isNan = [](const Vec4<Real>& c) { return isnan(c.x) || isnan(c.y) || isnan(c.z); };
+  if (isNan(read<Real>(inputs.color, drawn))) return true;
   if (inputs.historyColor.empty() || !reprojection.onScreen) return false;
-  const glm::ivec2 from(glm::floor(reprojection.position));
+  const glm::ivec2 from = texelOf(reprojection.position);
   for (int k = 0; k < 9; ++k) {
     const glm::ivec2 at = clampedToPicture(from + glm::ivec2(k % 3 - 1, k / 3 - 1), inputs);
-    if (isNan(inputs.historyColor.texel(at.x, at.y))) return true;
+    if (isNan(read<Real>(inputs.historyColor, at))) return true;
   }
   return false;
 }
+
+#define TAA_HISTORY(Real)                                                                                    \
+  template std::array<Real, 4> catmullRomWeights(Real fraction);                                             \
+  template std::array<Real, 4> cubicWeights(const HistorySettings& settings, Real fraction);                 \
+  template Vec3<Real> bilinearHistory(const Inputs& inputs, const Vec2<Real>& positionPx,                    \
+                                      HistoryBorder border);                                                 \
+  template TapsOf<Real> historyTaps(const Inputs& inputs, const HistorySettings& settings,                   \
+                                    const Vec2<Real>& positionPx);                                           \
+  template HistorySampleOf<Real> sampleHistory(const Inputs& inputs, const HistorySettings& settings,        \
+                                               const Vec2<Real>& positionPx, const glm::ivec2& pixel,        \
+                                               const glm::ivec2& drawn);                                     \
+  template bool holdsNan(const Inputs& inputs, const glm::ivec2& drawn,                                      \
+                         const ReprojectionOf<Real>& reprojection);
+TAA_EACH_NUMBER(TAA_HISTORY)
+#undef TAA_HISTORY
 
 } // namespace taa::twin

@@ -1,5 +1,7 @@
 #include "core/taa/twin/HistoryTaps.h"
 
+#include "core/taa/twin/Color.h"
+#include "core/taa/twin/Instances.h"
 #include "core/taa/twin/SampleStages.h"
 
 #include <algorithm>
@@ -13,19 +15,21 @@ constexpr float kFarthestPosition = 1e6f; // px
 
 /// Five bilinear taps for sixteen (Jimenez 2016): corners dropped, weights normalized (manual 6.4) unless
 /// as printed (6.4b), or each corner given to its two neighbors (6.4c).
-TapPlaces fiveTaps(const AxisPlace& x, const AxisPlace& y, const HistorySettings& settings) {
-  const std::array<float, 4> wx = cubicWeights(settings, x.fraction);
-  const std::array<float, 4> wy = cubicWeights(settings, y.fraction);
-  const float middleX = wx[1] + wx[2];
-  const float middleY = wy[1] + wy[2];
-  const AxisPlace x12{x.texel, wx[2] / middleX}; // taps 1 and 2 in one
-  const AxisPlace y12{y.texel, wy[2] / middleY};
+template <typename Real>
+TapPlacesOf<Real> fiveTaps(const AxisPlaceOf<Real>& x, const AxisPlaceOf<Real>& y,
+                           const HistorySettings& settings) {
+  const std::array<Real, 4> wx = cubicWeights(settings, x.fraction);
+  const std::array<Real, 4> wy = cubicWeights(settings, y.fraction);
+  const Real middleX = wx[1] + wx[2];
+  const Real middleY = wy[1] + wy[2];
+  const AxisPlaceOf<Real> x12{x.texel, wx[2] / middleX}; // taps 1 and 2 in one
+  const AxisPlaceOf<Real> y12{y.texel, wy[2] / middleY};
   const bool givesCorners = settings.filter == HistoryFilter::CatmullRom5Corners;
-  const float besideX = givesCorners ? middleX + 0.5f * (wx[0] + wx[3]) : middleX;
-  const float besideY = givesCorners ? middleY + 0.5f * (wy[0] + wy[3]) : middleY;
+  const Real besideX = givesCorners ? middleX + 0.5f * (wx[0] + wx[3]) : middleX;
+  const Real besideY = givesCorners ? middleY + 0.5f * (wy[0] + wy[3]) : middleY;
   // HDRP reads the right tap a row higher (D13).
-  const AxisPlace rightY =
-      settings.filter == HistoryFilter::Cubic5AsPrinted ? AxisPlace{y.texel - 1, 0.0f} : y12;
+  const AxisPlaceOf<Real> rightY =
+      settings.filter == HistoryFilter::Cubic5AsPrinted ? AxisPlaceOf<Real>{y.texel - 1, 0.0f} : y12;
   return {{{{x12, {y.texel - 1, 0.0f}, besideX * wy[0]},
             {{x.texel - 1, 0.0f}, y12, wx[0] * besideY},
             {x12, y12, middleX * middleY},
@@ -36,15 +40,16 @@ TapPlaces fiveTaps(const AxisPlace& x, const AxisPlace& y, const HistorySettings
 }
 
 /// Nine bilinear taps: equal to sixteen texels (manual 6.3).
-TapPlaces nineTaps(const AxisPlace& px, const AxisPlace& py) {
-  const auto axis = [](const AxisPlace& place) {
-    const std::array<float, 4> w = catmullRomWeights(place.fraction);
-    const float both = w[1] + w[2];
-    return std::array<std::pair<AxisPlace, float>, 3>{{{{place.texel - 1, 0.0f}, w[0]},
-                                                       {{place.texel, w[2] / both}, both},
-                                                       {{place.texel + 2, 0.0f}, w[3]}}};
+template <typename Real>
+TapPlacesOf<Real> nineTaps(const AxisPlaceOf<Real>& px, const AxisPlaceOf<Real>& py) {
+  const auto axis = [](const AxisPlaceOf<Real>& place) {
+    const std::array<Real, 4> w = catmullRomWeights(place.fraction);
+    const Real both = w[1] + w[2];
+    return std::array<std::pair<AxisPlaceOf<Real>, Real>, 3>{{{{place.texel - 1, 0.0f}, w[0]},
+                                                              {{place.texel, w[2] / both}, both},
+                                                              {{place.texel + 2, 0.0f}, w[3]}}};
   };
-  TapPlaces taps;
+  TapPlacesOf<Real> taps;
   taps.middle = 4;
   for (const auto& [y, wy] : axis(py))
     for (const auto& [x, wx] : axis(px)) taps.each[taps.count++] = {x, y, wx * wy};
@@ -52,11 +57,13 @@ TapPlaces nineTaps(const AxisPlace& px, const AxisPlace& py) {
 }
 
 /// Sixteen texels with the kernel's weights (manual 6.2, 6.5 to 6.7).
-TapPlaces sixteenTexels(const AxisPlace& x, const AxisPlace& y, const HistorySettings& settings) {
-  const std::array<float, 4> wx = cubicWeights(settings, x.fraction);
-  const std::array<float, 4> wy = cubicWeights(settings, y.fraction);
+template <typename Real>
+TapPlacesOf<Real> sixteenTexels(const AxisPlaceOf<Real>& x, const AxisPlaceOf<Real>& y,
+                                const HistorySettings& settings) {
+  const std::array<Real, 4> wx = cubicWeights(settings, x.fraction);
+  const std::array<Real, 4> wy = cubicWeights(settings, y.fraction);
   const bool isLanczos = settings.filter == HistoryFilter::Lanczos;
-  TapPlaces taps;
+  TapPlacesOf<Real> taps;
   taps.middle = 5;
   for (int k = 0; k < 16; ++k) {
     const int i = k % 4, j = k / 4;
@@ -71,8 +78,9 @@ TapPlaces sixteenTexels(const AxisPlace& x, const AxisPlace& y, const HistorySet
 }
 
 /// The four texels of bilinear interpolation, as weights.
-TapPlaces fourTexels(const AxisPlace& x, const AxisPlace& y) {
-  TapPlaces taps;
+template <typename Real>
+TapPlacesOf<Real> fourTexels(const AxisPlaceOf<Real>& x, const AxisPlaceOf<Real>& y) {
+  TapPlacesOf<Real> taps;
   for (int k = 0; k < 4; ++k) {
     const int i = k % 2, j = k / 2;
     taps.each[taps.count++] = {{x.texel + i, 0.0f},
@@ -118,25 +126,25 @@ class TexelSums {
 
 } // namespace
 
-AxisPlace axisPlace(float positionPx) {
-  const float texel = std::floor(positionPx - 0.5f); // texel 0 is centered at ½
-  return {static_cast<int>(texel), positionPx - (texel + 0.5f)};
+template <typename Real>
+AxisPlaceOf<Real> axisPlace(Real positionPx) {
+  const Real texel = floor(positionPx - 0.5f); // texel 0 is centered at ½
+  return {static_cast<int>(texel), named(positionPx - (texel + 0.5f))};
 }
 
-glm::vec2 readPosition(const glm::vec2& positionPx, const glm::ivec2& pixel) {
-  const auto isSane = [](float value) { return value >= -kFarthestPosition && value <= kFarthestPosition; };
-  return isSane(positionPx.x) && isSane(positionPx.y) ? positionPx : glm::vec2(pixel) + 0.5f;
+template <typename Real>
+Vec2<Real> readPosition(const Vec2<Real>& positionPx, const glm::ivec2& pixel) {
+  const auto isSane = [](Real value) { return value >= -kFarthestPosition && value <= kFarthestPosition; };
+  return isSane(positionPx.x) && isSane(positionPx.y) ? positionPx : Vec2<Real>(pixel) + 0.5f;
 }
 
-TapPlaces tapPlaces(const HistorySettings& settings, const glm::vec2& positionPx) {
-  const AxisPlace x = axisPlace(positionPx.x), y = axisPlace(positionPx.y);
+template <typename Real>
+TapPlacesOf<Real> tapPlaces(const HistorySettings& settings, const Vec2<Real>& positionPx) {
+  const AxisPlaceOf<Real> x = axisPlace(positionPx.x), y = axisPlace(positionPx.y);
   switch (settings.filter) {
   case HistoryFilter::Point: {
-    TapPlaces one;
-    one.each[one.count++] = {{static_cast<int>(std::floor(positionPx.x)), 0.0f},
-                             {static_cast<int>(std::floor(positionPx.y)), 0.0f},
-                             1.0f,
-                             true};
+    TapPlacesOf<Real> one;
+    one.each[one.count++] = {{whole(positionPx.x), 0.0f}, {whole(positionPx.y), 0.0f}, 1.0f, true};
     return one;
   }
   case HistoryFilter::Bilinear:
@@ -173,5 +181,12 @@ HistoryTexels historyTexels(const HistorySettings& settings, const glm::vec2& po
   if (givesMiddle) sums.add(taps.each[taps.middle], 1.0f - sum); // the others are differences to it
   return sums.texels(picturePx, read.border);
 }
+
+#define TAA_HISTORY_TAPS(Real)                                                                               \
+  template AxisPlaceOf<Real> axisPlace(Real positionPx);                                                     \
+  template Vec2<Real> readPosition(const Vec2<Real>& positionPx, const glm::ivec2& pixel);                   \
+  template TapPlacesOf<Real> tapPlaces(const HistorySettings& settings, const Vec2<Real>& positionPx);
+TAA_EACH_NUMBER(TAA_HISTORY_TAPS)
+#undef TAA_HISTORY_TAPS
 
 } // namespace taa::twin

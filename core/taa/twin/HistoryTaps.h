@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/settings/Settings.h"
+#include "core/taa/twin/Numbers.h"
 
 #include <glm/vec2.hpp>
 
@@ -14,21 +15,26 @@ namespace taa::twin {
 
 /// A place between texels along one axis: the texel before it, and how far it is to the next. Apart, because
 /// their sum would round the fraction by as much as the texel's number is large.
-struct AxisPlace {
+template <typename Real>
+struct AxisPlaceOf {
   int texel = 0;
-  float fraction = 0.0f; ///< 0 to 1
+  Real fraction = 0.0f; ///< 0 to 1
 };
-AxisPlace axisPlace(float positionPx);
+using AxisPlace = AxisPlaceOf<float>;
+template <typename Real = float>
+AxisPlaceOf<Real> axisPlace(Real positionPx);
 
 /// Where history is read: the pixel itself where the position is no number or so far out that history is
 /// rejected later anyway.
-glm::vec2 readPosition(const glm::vec2& positionPx, const glm::ivec2& pixel);
+template <typename Real = float>
+Vec2<Real> readPosition(const Vec2<Real>& positionPx, const glm::ivec2& pixel);
 
 /// The places that a filter of history takes around another (manual §6).
-struct TapPlaces {
+template <typename Real>
+struct TapPlacesOf {
   struct Tap {
-    AxisPlace x, y;
-    float weight = 0.0f;
+    AxisPlaceOf<Real> x, y;
+    Real weight = 0.0f;
     bool isTexel = false; ///< read as it is stored; else by bilinear interpolation
     bool bounds = true;   ///< the result stays within such ones when deringed
   };
@@ -37,7 +43,9 @@ struct TapPlaces {
   std::size_t middle = 0; ///< the one that others are differences to
   std::span<const Tap> all() const { return std::span(each).first(count); }
 };
-TapPlaces tapPlaces(const HistorySettings& settings, const glm::vec2& positionPx);
+using TapPlaces = TapPlacesOf<float>;
+template <typename Real = float>
+TapPlacesOf<Real> tapPlaces(const HistorySettings& settings, const Vec2<Real>& positionPx);
 
 /// Texels of the history and what each is multiplied by.
 struct HistoryTexels {

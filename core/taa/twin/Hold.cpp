@@ -1,5 +1,6 @@
 // Stage 7, rectify history: what of the correction is taken back, by locks and by luma that comes and goes.
 #include "core/taa/twin/Color.h"
+#include "core/taa/twin/Instances.h"
 #include "core/taa/twin/Stages.h"
 
 #include <array>
@@ -10,16 +11,18 @@ namespace taa::twin {
 namespace {
 
 /// Luma of 3×3, row-major, and its mean.
-struct Lumas {
-  std::array<float, 9> each{};
-  float mean = 0.0f;
+template <typename Real>
+struct LumasOf {
+  std::array<Real, 9> each{};
+  Real mean = 0.0f;
 };
 
-Lumas lumasOf(const Inputs& inputs, const glm::ivec2& drawn) {
-  Lumas lumas;
-  float sum = 0.0f;
+template <typename Real>
+LumasOf<Real> lumasOf(const Inputs& inputs, const glm::ivec2& drawn) {
+  LumasOf<Real> lumas;
+  Real sum = 0.0f;
   for (int k = 0; k < 9; ++k) {
-    const float value = luma(currentColor(inputs, drawn + glm::ivec2(k % 3 - 1, k / 3 - 1)));
+    const Real value = luma(currentColor<Real>(inputs, drawn + glm::ivec2(k % 3 - 1, k / 3 - 1)));
     lumas.each[static_cast<std::size_t>(k)] = value;
     sum = sum + value;
   }
@@ -28,13 +31,14 @@ Lumas lumasOf(const Inputs& inputs, const glm::ivec2& drawn) {
 }
 
 /// The ridge test of FSR2 on luma itself: 1.05⁶.
-bool isThin(const Lumas& lumas) {
+template <typename Real>
+bool isThin(const LumasOf<Real>& lumas) {
   constexpr float kSimilar = 1.340095640625f;
-  const float own = lumas.each[4];
+  const Real own = lumas.each[4];
   std::array<bool, 9> similar{};
-  float lowest = 1e30f, highest = 0.0f;
+  Real lowest = 1e30f, highest = 0.0f;
   for (std::size_t k = 0; k < 9; ++k) {
-    const float other = lumas.each[k];
+    const Real other = lumas.each[k];
     similar[k] = k == 4 || maximum(own, other) < kSimilar * minimum(own, other);
     if (similar[k]) continue;
     lowest = minimum(other, lowest);
@@ -46,11 +50,12 @@ bool isThin(const Lumas& lumas) {
   return true;
 }
 
-void updateLock(const Inputs& inputs, float lockFrames, const Lumas& lumas, const glm::vec2& stored,
-                const glm::vec2& next, LockState& lockState) {
+template <typename Real>
+void updateLock(const Inputs& inputs, Real lockFrames, const LumasOf<Real>& lumas, const Vec2<Real>& stored,
+                const Vec2<Real>& next, LockStateOf<Real>& lockState) {
   lockState.storedLock = stored;
-  float life = stored.x;
-  float locked = stored.y == 0.0f ? lumas.mean : stored.y;
+  Real life = stored.x;
+  Real locked = stored.y == 0.0f ? lumas.mean : stored.y;
   const bool isChanged = minimum(locked, lumas.mean) < 0.531441f * maximum(locked, lumas.mean); // 0.9⁶
   lockState.isThin = isThin(lumas);
   lockState.isChanged = isChanged;
@@ -69,56 +74,68 @@ void updateLock(const Inputs& inputs, float lockFrames, const Lumas& lumas, cons
 }
 
 /// L/(1 + L) in 255ths.
-float lumaStep(float luma) {
-  return std::floor((luma / (1.0f + luma)) * 255.0f + 0.5f);
+template <typename Real>
+Real lumaStep(Real luma) {
+  return floor((luma / (1.0f + luma)) * 255.0f + 0.5f);
 }
 
-void updateInstability(const Lumas& lumas, const glm::vec4& stored, float deviation, LockState& lockState) {
-  const float now = lumaStep(lumas.mean);
+template <typename Real>
+void updateInstability(const LumasOf<Real>& lumas, const Vec4<Real>& stored, Real deviation,
+                       LockStateOf<Real>& lockState) {
+  const Real now = lumaStep(lumas.mean);
   lockState.storedLumas = stored;
-  lockState.keptLumas = glm::vec4(now, stored.x, stored.y, stored.z) / 255.0f;
-  const float last = now - stored.x;
-  if (std::fabs(last) < 1.0f || stored.z == 0.0f) return;
+  lockState.keptLumas = Vec4<Real>(now, stored.x, stored.y, stored.z) / 255.0f;
+  const Real last = now - stored.x;
+  if (fabs(last) < 1.0f || stored.z == 0.0f) return;
   bool isPeriodic = false;
   for (int k = 1; k < 4; ++k) {
-    const float older = now - stored[k];
-    if (!(older * last < 0.0f) && std::fabs(older) < std::fabs(last)) isPeriodic = true;
+    const Real older = now - stored[k];
+    if (!(older * last < 0.0f) && fabs(older) < fabs(last)) isPeriodic = true;
   }
-  const float size = saturated(deviation / 0.1f);
-  const float squared = size * size;
+  const Real size = saturated(deviation / 0.1f);
+  const Real squared = size * size;
   if (isPeriodic && (squared * squared) * squared > 1.0f / 255.0f) lockState.instability = 1.0f;
 }
 
 } // namespace
 
-LockState holdHistory(const Inputs& inputs, const Settings& settings, const Reprojection& reprojected,
-                      const glm::vec2& readPosition, const Neighborhood& neighborhood, bool isValid,
-                      const glm::ivec2& pixel, const glm::ivec2& drawn) {
-  LockState lockState;
+template <typename Real>
+LockStateOf<Real> holdHistory(const Inputs& inputs, const Settings& settings,
+                              const ReprojectionOf<Real>& reprojected, const Vec2<Real>& readPosition,
+                              const NeighborhoodOf<Real>& neighborhood, bool isValid, const glm::ivec2& pixel,
+                              const glm::ivec2& drawn) {
+  LockStateOf<Real> lockState;
   const bool locks = settings.rectify.locks == Switch::On;
   const bool findsInstability = settings.rectify.instability == Switch::On;
   if (!locks && !findsInstability) return lockState;
-  const Lumas lumas = lumasOf(inputs, drawn);
+  const LumasOf<Real> lumas = lumasOf<Real>(inputs, drawn);
   lockState.luma = lumas.mean;
-  const glm::ivec2 texel = clampedToPicture(
-      {static_cast<int>(std::floor(readPosition.x)), static_cast<int>(std::floor(readPosition.y))}, inputs);
+  const glm::ivec2 texel = clampedToPicture(texelOf(readPosition), inputs);
   if (locks) {
     const bool has = isValid && !inputs.historyLock.empty();
-    const glm::vec2 center = glm::vec2(pixel) + 0.5f;
-    updateLock(inputs, settings.rectify.lockFrames, lumas,
-               has ? glm::vec2(inputs.historyLock.texel(texel.x, texel.y)) : glm::vec2(0.0f),
+    const Vec2<Real> center = Vec2<Real>(pixel) + 0.5f;
+    updateLock(inputs, number<Real>(settings.rectify.lockFrames), lumas,
+               has ? Vec2<Real>(read<Real>(inputs.historyLock, texel)) : Vec2<Real>(0.0f),
                center + (center - reprojected.position), lockState);
   }
   if (findsInstability) {
-    glm::vec4 stored(0.0f);
+    Vec4<Real> stored(0.0f);
     if (isValid && !inputs.historyLumas.empty())
       for (int k = 0; k < 4; ++k)
-        stored[k] = std::floor(inputs.historyLumas.texel(texel.x, texel.y)[k] * 255.0f + 0.5f);
+        stored[k] = floor(read<Real>(inputs.historyLumas, texel)[k] * 255.0f + 0.5f);
     updateInstability(lumas, stored, boxLuma(neighborhood.deviation, settings.space), lockState);
   }
   lockState.protection =
-      maximum(lockState.lock, lockState.instability) * (1.0f - std::sqrt(maskAt(inputs, drawn).x)); // 11.7
+      maximum(lockState.lock, lockState.instability) * (1.0f - sqrt(maskAt<Real>(inputs, drawn).x)); // 11.7
   return lockState;
 }
+
+#define TAA_HOLD(Real)                                                                                       \
+  template LockStateOf<Real> holdHistory(                                                                    \
+      const Inputs& inputs, const Settings& settings, const ReprojectionOf<Real>& reprojected,               \
+      const Vec2<Real>& readPosition, const NeighborhoodOf<Real>& neighborhood, bool isValid,                \
+      const glm::ivec2& pixel, const glm::ivec2& drawn);
+TAA_EACH_NUMBER(TAA_HOLD)
+#undef TAA_HOLD
 
 } // namespace taa::twin

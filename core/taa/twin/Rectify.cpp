@@ -1,5 +1,6 @@
 // Stage 7, rectify history: a color outside the box is moved onto it.
 #include "core/taa/twin/Color.h"
+#include "core/taa/twin/Instances.h"
 #include "core/taa/twin/Stages.h"
 
 #include <cassert>
@@ -13,32 +14,42 @@ namespace {
 /// Keeps the extent of a flat box from being a zero divisor.
 constexpr float kMinExtent = 1e-8f;
 
-float magnitude(const glm::vec3& v) {
-  return std::sqrt((v.x * v.x + v.y * v.y) + v.z * v.z);
+template <typename Real>
+Real magnitude(const Vec3<Real>& v) {
+  return sqrt((v.x * v.x + v.y * v.y) + v.z * v.z);
 }
 
-bool isInside(const glm::vec3& h, const glm::vec3& low, const glm::vec3& high) {
+template <typename Real>
+bool isInside(const Vec3<Real>& h, const Vec3<Real>& low, const Vec3<Real>& high) {
   for (int i = 0; i < 3; ++i) {
     if (!(h[i] >= low[i] && h[i] <= high[i])) return false;
   }
   return true;
 }
 
+/// How far `value` is from h, against the way from h to `target`.
+template <typename Real>
+Real shareToTarget(const Vec3<Real>& value, const Vec3<Real>& h, const Vec3<Real>& target) {
+  const Real whole = magnitude(target - h);
+  return whole == 0.0f ? 0.0f : magnitude(value - h) / whole;
+}
+
 /// Nearest point of the box (manual 11.1).
-Rectified clampToBox(const glm::vec3& h, const glm::vec3& low, const glm::vec3& high) {
-  const glm::vec3 center = 0.5f * (low + high);
-  const glm::vec3 r = clamped(h, low, high);
-  const float whole = magnitude(center - h);
-  return {r, whole == 0.0f ? 0.0f : magnitude(r - h) / whole};
+template <typename Real>
+RectifiedOf<Real> clampToBox(const Vec3<Real>& h, const Vec3<Real>& low, const Vec3<Real>& high) {
+  const Vec3<Real> center = 0.5f * (low + high);
+  const Vec3<Real> r = named(clamped(h, low, high));
+  return {r, shareToTarget(r, h, center)};
 }
 
 /// Along the line to the center (manual 11.2).
-Rectified clipToCenter(const glm::vec3& h, const glm::vec3& low, const glm::vec3& high) {
-  const glm::vec3 center = 0.5f * (low + high);
-  const glm::vec3 extent = 0.5f * (high - low) + kMinExtent;
-  float m = 0.0f;
+template <typename Real>
+RectifiedOf<Real> clipToCenter(const Vec3<Real>& h, const Vec3<Real>& low, const Vec3<Real>& high) {
+  const Vec3<Real> center = 0.5f * (low + high);
+  const Vec3<Real> extent = 0.5f * (high - low) + kMinExtent;
+  Real m = 0.0f;
   for (int i = 0; i < 3; ++i) {
-    const float u = std::fabs(h[i] - center[i]) / extent[i];
+    const Real u = fabs(h[i] - center[i]) / extent[i];
     m = u > m ? u : m;
   }
   if (!(m > 1.0f)) return {h, 0.0f};
@@ -46,15 +57,16 @@ Rectified clipToCenter(const glm::vec3& h, const glm::vec3& low, const glm::vec3
 }
 
 /// Along the line to `aim`, a color of this frame, brought into the box first (manual 11.3).
-Rectified clipToFiltered(const glm::vec3& h, const glm::vec3& aim, const glm::vec3& low,
-                         const glm::vec3& high) {
-  const glm::vec3 target = clamped(aim, low, high);
-  const glm::vec3 d = target - h;
-  float t = 0.0f;
+template <typename Real>
+RectifiedOf<Real> clipToFiltered(const Vec3<Real>& h, const Vec3<Real>& aim, const Vec3<Real>& low,
+                                 const Vec3<Real>& high) {
+  const Vec3<Real> target = named(clamped(aim, low, high));
+  const Vec3<Real> d = target - h;
+  Real t = 0.0f;
   for (int i = 0; i < 3; ++i) {
-    const float enter = h[i] < low[i]    ? (low[i] - h[i]) / d[i]
-                        : h[i] > high[i] ? (high[i] - h[i]) / d[i]
-                                         : 0.0f;
+    const Real enter = h[i] < low[i]    ? (low[i] - h[i]) / d[i]
+                       : h[i] > high[i] ? (high[i] - h[i]) / d[i]
+                                        : 0.0f;
     t = enter > t ? enter : t;
   }
   if (t >= 1.0f) return {target, 1.0f};
@@ -63,8 +75,9 @@ Rectified clipToFiltered(const glm::vec3& h, const glm::vec3& aim, const glm::ve
 
 } // namespace
 
-Rectified clip(RectifyMethod method, const glm::vec3& value, const glm::vec3& target, const glm::vec3& boxMin,
-               const glm::vec3& boxMax) {
+template <typename Real>
+RectifiedOf<Real> clip(RectifyMethod method, const Vec3<Real>& value, const Vec3<Real>& target,
+                       const Vec3<Real>& boxMin, const Vec3<Real>& boxMax) {
   if (method == RectifyMethod::None || isInside(value, boxMin, boxMax)) return {value, 0.0f};
   switch (method) {
   case RectifyMethod::Clamp:
@@ -89,46 +102,45 @@ Rectified clip(RectifyMethod method, const glm::vec3& value, const glm::vec3& ta
 
 namespace {
 
-/// How far `value` is from h, against the way from h to `target`.
-float shareToTarget(const glm::vec3& value, const glm::vec3& h, const glm::vec3& target) {
-  const float whole = magnitude(target - h);
-  return whole == 0.0f ? 0.0f : magnitude(value - h) / whole;
-}
-
 /// Towards the mean, made to fit axis by axis (manual 11.5).
-Rectified shrinkAxes(const glm::vec3& h, const Neighborhood& n) {
+template <typename Real>
+RectifiedOf<Real> shrinkAxes(const Vec3<Real>& h, const NeighborhoodOf<Real>& n) {
   if (isInside(h, n.boxMin, n.boxMax)) return {h, 0.0f};
-  const glm::vec3 mean = clamped(n.mean, n.boxMin, n.boxMax);
-  glm::vec3 r = h - mean;
+  const Vec3<Real> mean = named(clamped(n.mean, n.boxMin, n.boxMax));
+  Vec3<Real> r = h - mean;
   for (int i = 0; i < 3; ++i) {
-    const float high = n.boxMax[i] - mean[i];
-    const float low = n.boxMin[i] - mean[i];
+    const Real high = n.boxMax[i] - mean[i];
+    const Real low = n.boxMin[i] - mean[i];
     if (r[i] > high) {
       r = r * (high / r[i]);
     } else if (r[i] < low) {
       r = r * (low / r[i]);
     }
   }
-  const glm::vec3 value = mean + r;
+  const Vec3<Real> value = named(mean + r);
   return {value, shareToTarget(value, h, mean)};
 }
 
 /// One box after the other (manual 10.5).
-Rectified clampThenClip(const glm::vec3& h, const Neighborhood& n) {
-  const Rectified second = clipToCenter(clamped(h, n.min, n.max), n.boxMin, n.boxMax);
-  return {second.value, shareToTarget(second.value, h, 0.5f * (n.boxMin + n.boxMax))};
+template <typename Real>
+RectifiedOf<Real> clampThenClip(const Vec3<Real>& h, const NeighborhoodOf<Real>& n) {
+  const RectifiedOf<Real> second = clipToCenter(named(clamped(h, n.min, n.max)), n.boxMin, n.boxMax);
+  const Vec3<Real> value = named(second.value);
+  return {value, shareToTarget(value, h, 0.5f * (n.boxMin + n.boxMax))};
 }
 
 /// Where the ray to the current color meets the box, if that is not too far (manual 11.4).
-Rectified rayToCurrent(const glm::vec3& h, const glm::vec3& current, const Neighborhood& n, float farthest) {
+template <typename Real>
+RectifiedOf<Real> rayToCurrent(const Vec3<Real>& h, const Vec3<Real>& current, const NeighborhoodOf<Real>& n,
+                               Real farthest) {
   if (isInside(h, n.boxMin, n.boxMax)) return {h, 0.0f};
-  const glm::vec3 d = current - h;
-  const glm::vec3 b = 0.5f * (n.boxMin + n.boxMax);
-  const glm::vec3 e = 0.5f * (n.boxMax - n.boxMin);
-  float t = 1e9f;
+  const Vec3<Real> d = current - h;
+  const Vec3<Real> b = 0.5f * (n.boxMin + n.boxMax);
+  const Vec3<Real> e = 0.5f * (n.boxMax - n.boxMin);
+  Real t = 1e9f;
   for (int i = 0; i < 3; ++i) {
     if (d[i] == 0.0f) continue;
-    const float hit = ((b[i] - (d[i] > 0.0f ? e[i] : -e[i])) - h[i]) / d[i];
+    const Real hit = ((b[i] - (d[i] > 0.0f ? e[i] : -e[i])) - h[i]) / d[i];
     if (hit >= 0.0f && hit < t) t = hit;
   }
   if (t > farthest) return {h, 0.0f};
@@ -137,21 +149,22 @@ Rectified rayToCurrent(const glm::vec3& h, const glm::vec3& current, const Neigh
 
 /// Towards `target` into what slabs [min d·c, max d·c] of the samples and the target leave
 /// (manual 9.7, 10.12).
-Rectified clipToSlabs(const glm::vec3& h, const glm::vec3& target, const Neighborhood& n,
-                      const std::vector<glm::vec3>& directions) {
-  const glm::vec3 toTarget = target - h;
-  float t = 0.0f;
-  for (const glm::vec3& d : directions) {
-    const auto across = [&d](const glm::vec3& c) { return (d.x * c.x + d.y * c.y) + d.z * c.z; };
-    float low = across(target), high = low;
-    for (const glm::vec3& sample : n.samples) {
+template <typename Real>
+RectifiedOf<Real> clipToSlabs(const Vec3<Real>& h, const Vec3<Real>& target, const NeighborhoodOf<Real>& n,
+                              const std::vector<Vec3<Real>>& directions) {
+  const Vec3<Real> toTarget = target - h;
+  Real t = 0.0f;
+  for (const Vec3<Real>& d : directions) {
+    const auto across = [&d](const Vec3<Real>& c) { return named((d.x * c.x + d.y * c.y) + d.z * c.z); };
+    Real low = across(target), high = low;
+    for (const Vec3<Real>& sample : n.samples) {
       low = across(sample) < low ? across(sample) : low;
       high = across(sample) > high ? across(sample) : high;
     }
-    const float from = across(h);
-    const float enter = from < low    ? (low - from) / across(toTarget)
-                        : from > high ? (high - from) / across(toTarget)
-                                      : 0.0f;
+    const Real from = across(h);
+    const Real enter = from < low    ? (low - from) / across(toTarget)
+                       : from > high ? (high - from) / across(toTarget)
+                                     : 0.0f;
     t = enter > t ? enter : t;
   }
   if (!(t > 0.0f)) return {h, 0.0f};
@@ -161,7 +174,8 @@ Rectified clipToSlabs(const glm::vec3& h, const glm::vec3& target, const Neighbo
 
 /// Axes of the space that is looked at besides the box's: Y, Co and Cg by R, G and B, or those by the box's
 /// axes. How long they are does not matter.
-std::vector<glm::vec3> otherAxes(ColorSpace space) {
+template <typename Real>
+std::vector<Vec3<Real>> otherAxes(ColorSpace space) {
   switch (space) {
   case ColorSpace::Rgb:
     return {{1, 2, 1}, {1, 0, -1}, {-1, 2, -1}};
@@ -176,8 +190,9 @@ std::vector<glm::vec3> otherAxes(ColorSpace space) {
   return {};
 }
 
-Rectified rectifiedByMethod(const RectifySettings& settings, ColorSpace space, const glm::vec3& h,
-                            const glm::vec3& current, const Neighborhood& n) {
+template <typename Real>
+RectifiedOf<Real> rectifiedByMethod(const RectifySettings& settings, ColorSpace space, const Vec3<Real>& h,
+                                    const Vec3<Real>& current, const NeighborhoodOf<Real>& n) {
   switch (settings.method) {
   case RectifyMethod::ShrinkAxes:
     return shrinkAxes(h, n);
@@ -185,9 +200,9 @@ Rectified rectifiedByMethod(const RectifySettings& settings, ColorSpace space, c
     return clampThenClip(h, n);
   case RectifyMethod::ClipToHull:
   case RectifyMethod::ClipToBoth:
-    return clipToSlabs(h, current, n, slabDirections(settings.method, space));
+    return clipToSlabs(h, current, n, slabDirections<Real>(settings.method, space));
   case RectifyMethod::RayToCurrent:
-    return rayToCurrent(h, current, n, settings.maxSteps);
+    return rayToCurrent(h, current, n, number<Real>(settings.maxSteps));
   case RectifyMethod::ClampForget:
     return clip(RectifyMethod::Clamp, h, current, n.boxMin, n.boxMax);
   case RectifyMethod::None:
@@ -201,20 +216,24 @@ Rectified rectifiedByMethod(const RectifySettings& settings, ColorSpace space, c
 }
 
 /// Part of the correction that is applied (manual 11.6, 13.9).
-float rectifyStrength(const RectifySettings& settings, const RectifyInputs& applied) {
+template <typename Real>
+Real rectifyStrength(const RectifySettings& settings, const RectifyInputsOf<Real>& applied) {
   if (settings.method == RectifyMethod::None) return 0.0f;
-  const float ofFlicker = applied.isFlicker ? settings.flickerStrength : 1.0f;
+  const Real ofFlicker = applied.isFlicker ? number<Real>(settings.flickerStrength) : 1.0f;
   if (settings.relaxAtRest == Switch::Off) return ofFlicker;
-  const float q = applied.speed / settings.restSpeed;
-  return (settings.minStrength + (1.0f - settings.minStrength) * saturated(q * q)) * ofFlicker;
+  const Real q = applied.speed / number<Real>(settings.restSpeed);
+  return (number<Real>(settings.minStrength) +
+          (1.0f - number<Real>(settings.minStrength)) * saturated(q * q)) *
+         ofFlicker;
 }
 
 /// A sample in the place of history, inside the box as well, and not taken through its space
 /// (manual 11.8).
-Rectified selected(const glm::vec3& historyRaw, const glm::vec3& h, const Neighborhood& n) {
-  const glm::vec3 color = n.colors[nearestSample(h, n)];
-  if (color == historyRaw) return {historyRaw, 0.0f};
-  return {color, 1.0f, 1.0f, true};
+template <typename Real>
+RectifiedOf<Real> selected(const Vec3<Real>& historyRaw, const Vec3<Real>& h, const NeighborhoodOf<Real>& n) {
+  const std::size_t nearest = nearestSample(h, n);
+  if (n.colors[nearest] == historyRaw) return {historyRaw, 0.0f};
+  return {n.colors[nearest], 1.0f, 1.0f, true, n.samples[nearest]};
 }
 
 /// Whether history outside the box counts as moved where the method leaves it: a box that is upside down has
@@ -226,21 +245,23 @@ bool keepsOnlyInside(RectifyMethod method) {
 
 } // namespace
 
-Rectified rectifiedFully(const Settings& settings, const glm::vec3& historyRaw,
-                         const glm::vec3& currentFiltered, const Neighborhood& n) {
-  const glm::vec3 h = toBox(historyRaw, settings.space);
+template <typename Real>
+RectifiedOf<Real> rectifiedFully(const Settings& settings, const Vec3<Real>& historyRaw,
+                                 const Vec3<Real>& currentFiltered, const NeighborhoodOf<Real>& n) {
+  const Vec3<Real> h = named(toBox(historyRaw, settings.space));
   if (settings.rectify.method == RectifyMethod::Select) return selected(historyRaw, h, n);
-  const Rectified clipped =
-      rectifiedByMethod(settings.rectify, settings.space.color, h, toBox(currentFiltered, settings.space), n);
+  const RectifiedOf<Real> clipped = rectifiedByMethod(settings.rectify, settings.space.color, h,
+                                                      named(toBox(currentFiltered, settings.space)), n);
   // Kept history is kept exactly: no way there and back through the box's space.
   const bool isOutside = keepsOnlyInside(settings.rectify.method) && !isInside(h, n.boxMin, n.boxMax);
   if (clipped.value == h && clipped.amount == 0.0f && !isOutside) return {historyRaw, 0.0f};
-  return {storable(fromBox(clipped.value, settings.space)), clipped.amount, 1.0f, true};
+  return {named(storable(fromBox(clipped.value, settings.space))), clipped.amount, 1.0f, true, clipped.value};
 }
 
-std::optional<glm::vec3> rectifyTarget(RectifyMethod method, const glm::vec3& currentFiltered,
-                                       const Neighborhood& neighborhood) {
-  const glm::vec3 &low = neighborhood.boxMin, &high = neighborhood.boxMax;
+template <typename Real>
+std::optional<Vec3<Real>> rectifyTarget(RectifyMethod method, const Vec3<Real>& currentFiltered,
+                                        const NeighborhoodOf<Real>& neighborhood) {
+  const Vec3<Real>&low = neighborhood.boxMin, &high = neighborhood.boxMax;
   switch (method) {
   case RectifyMethod::ClipToCenter:
   case RectifyMethod::ClampThenClip:
@@ -262,12 +283,13 @@ std::optional<glm::vec3> rectifyTarget(RectifyMethod method, const glm::vec3& cu
   return {};
 }
 
-std::vector<glm::vec3> slabDirections(RectifyMethod method, ColorSpace space) {
-  std::vector<glm::vec3> directions;
+template <typename Real>
+std::vector<Vec3<Real>> slabDirections(RectifyMethod method, ColorSpace space) {
+  std::vector<Vec3<Real>> directions;
   if (method == RectifyMethod::ClipToBoth) {
-    directions = otherAxes(space);
+    directions = otherAxes<Real>(space);
     for (int i = 0; i < 3; ++i) {
-      glm::vec3 own(0.0f);
+      Vec3<Real> own(0.0f);
       own[i] = 1.0f;
       directions.push_back(own);
     }
@@ -278,9 +300,10 @@ std::vector<glm::vec3> slabDirections(RectifyMethod method, ColorSpace space) {
   return directions;
 }
 
-std::size_t nearestSample(const glm::vec3& h, const Neighborhood& neighborhood) {
+template <typename Real>
+std::size_t nearestSample(const Vec3<Real>& h, const NeighborhoodOf<Real>& neighborhood) {
   const auto squared = [&](std::size_t k) {
-    const glm::vec3 toTarget = neighborhood.samples[k] - h;
+    const Vec3<Real> toTarget = neighborhood.samples[k] - h;
     return (toTarget.x * toTarget.x + toTarget.y * toTarget.y) + toTarget.z * toTarget.z;
   };
   std::size_t nearest = 4; // the pixel's own, unless another is nearer
@@ -289,13 +312,14 @@ std::size_t nearestSample(const glm::vec3& h, const Neighborhood& neighborhood) 
   return nearest;
 }
 
-Rectified rectifyHistory(const Inputs& inputs, const Settings& settings, const glm::vec3& historyRaw,
-                         const glm::vec3& currentFiltered, const Neighborhood& neighborhood,
-                         const RectifyInputs& applied) {
+template <typename Real>
+RectifiedOf<Real> rectifyHistory(const Inputs& inputs, const Settings& settings, const Vec3<Real>& historyRaw,
+                                 const Vec3<Real>& currentFiltered, const NeighborhoodOf<Real>& neighborhood,
+                                 const RectifyInputsOf<Real>& applied) {
   const RectifySettings& rectify = settings.rectify;
-  const float strength = rectifyStrength(rectify, applied);
+  const Real strength = rectifyStrength(rectify, applied);
   if (inputs.historyColor.empty()) return {historyRaw, 0.0f, strength};
-  Rectified clipped = rectifiedFully(settings, historyRaw, currentFiltered, neighborhood);
+  RectifiedOf<Real> clipped = rectifiedFully(settings, historyRaw, currentFiltered, neighborhood);
   clipped.strength = strength;
   if (!clipped.moved) return clipped;
   if (rectify.relaxAtRest == Switch::On || strength < 1.0f) {
@@ -309,10 +333,31 @@ Rectified rectifyHistory(const Inputs& inputs, const Settings& settings, const g
   return clipped;
 }
 
-float lengthKept(const Settings& settings, float historyLength, const Rectified& clipped, float protection) {
+template <typename Real>
+Real lengthKept(const Settings& settings, Real historyLength, const RectifiedOf<Real>& clipped,
+                Real protection) {
   if (settings.rectify.method != RectifyMethod::ClampForget || !clipped.moved) return historyLength;
-  const float forgotten = historyLength < 1.6216216f ? historyLength : 1.6216216f; // 0.1 / (0.74/12)
+  const Real forgotten = minimum(historyLength, 1.6216216f); // 0.1 / (0.74/12)
   return forgotten + protection * (historyLength - forgotten);
 }
+
+#define TAA_RECTIFY(Real)                                                                                    \
+  template RectifiedOf<Real> clip(RectifyMethod method, const Vec3<Real>& value, const Vec3<Real>& target,   \
+                                  const Vec3<Real>& boxMin, const Vec3<Real>& boxMax);                       \
+  template std::optional<Vec3<Real>> rectifyTarget(RectifyMethod method, const Vec3<Real>& currentFiltered,  \
+                                                   const NeighborhoodOf<Real>& neighborhood);                \
+  template std::vector<Vec3<Real>> slabDirections(RectifyMethod method, ColorSpace space);                   \
+  template std::size_t nearestSample(const Vec3<Real>& h, const NeighborhoodOf<Real>& neighborhood);         \
+  template RectifiedOf<Real> rectifiedFully(const Settings& settings, const Vec3<Real>& historyRaw,          \
+                                            const Vec3<Real>& currentFiltered,                               \
+                                            const NeighborhoodOf<Real>& neighborhood);                       \
+  template Real lengthKept(const Settings& settings, Real historyLength, const RectifiedOf<Real>& clipped,   \
+                           Real protection);                                                                 \
+  template RectifiedOf<Real> rectifyHistory(const Inputs& inputs, const Settings& settings,                  \
+                                            const Vec3<Real>& historyRaw, const Vec3<Real>& currentFiltered, \
+                                            const NeighborhoodOf<Real>& neighborhood,                        \
+                                            const RectifyInputsOf<Real>& applied);
+TAA_EACH_NUMBER(TAA_RECTIFY)
+#undef TAA_RECTIFY
 
 } // namespace taa::twin

@@ -1,4 +1,6 @@
 // Stage 2, reproject: pixel center minus motion, or the center itself.
+#include "core/taa/twin/Color.h"
+#include "core/taa/twin/Instances.h"
 #include "core/taa/twin/Stages.h"
 
 #include <cmath>
@@ -7,20 +9,23 @@ namespace taa::twin {
 namespace {
 
 /// In px of a picture of 1080 lines.
-float speedOfLines(float speed, const glm::ivec2& picturePx) {
+template <typename Real>
+Real speedOfLines(Real speed, const glm::ivec2& picturePx) {
   return speed * (1080.0f / static_cast<float>(picturePx.y));
 }
 
 /// In 1080ths of the picture, across and down.
-float speedOfPicture(const glm::vec2& motionPx, const glm::ivec2& picturePx) {
-  const glm::vec2 share = motionPx / glm::vec2(picturePx);
-  const float length = std::sqrt(share.x * share.x + share.y * share.y);
+template <typename Real>
+Real speedOfPicture(const Vec2<Real>& motionPx, const glm::ivec2& picturePx) {
+  const Vec2<Real> share = motionPx / Vec2<Real>(picturePx);
+  const Real length = sqrt(share.x * share.x + share.y * share.y);
   return 1080.0f * (length <= kNoPreviousPosition ? length : kNoPreviousPosition);
 }
 
 } // namespace
 
-float speedIn(SpeedUnit unit, float speed, const glm::vec2& motionPx, const glm::ivec2& picturePx) {
+template <typename Real>
+Real speedIn(SpeedUnit unit, Real speed, const Vec2<Real>& motionPx, const glm::ivec2& picturePx) {
   switch (unit) {
   case SpeedUnit::Pixels:
     break;
@@ -32,19 +37,29 @@ float speedIn(SpeedUnit unit, float speed, const glm::vec2& motionPx, const glm:
   return speed;
 }
 
-Reprojection reproject(const Inputs& inputs, const ReprojectSettings& settings, const glm::vec2& motionPx,
-                       const glm::ivec2& pixel, const glm::vec2& readOff) {
+template <typename Real>
+ReprojectionOf<Real> reproject(const Inputs& inputs, const ReprojectSettings& settings,
+                               const Vec2<Real>& motionPx, const glm::ivec2& pixel,
+                               const Vec2<Real>& readOff) {
   const bool isInPlace = settings.method == ReprojectMethod::InPlace;
-  Reprojection result;
+  ReprojectionOf<Real> result;
   result.noPrevious = !isInPlace && motionPx.x == kNoPreviousPosition;
-  const glm::vec2 center = glm::vec2(pixel) + 0.5f;
-  const glm::vec2 q = isInPlace ? center : (center - motionPx) + readOff;
+  const Vec2<Real> center = Vec2<Real>(pixel) + 0.5f;
+  const Vec2<Real> q = isInPlace ? center : (center - motionPx) + readOff;
   result.position = q;
   result.onScreen = q.x >= 0.0f && q.x <= static_cast<float>(inputs.outputWidth()) && q.y >= 0.0f &&
                     q.y <= static_cast<float>(inputs.outputHeight()); // NaN is off the screen
-  const float speed = std::sqrt(motionPx.x * motionPx.x + motionPx.y * motionPx.y);
-  result.speed = speed <= kNoPreviousPosition ? speed : kNoPreviousPosition; // NaN is the fastest
+  const Real speed = sqrt(motionPx.x * motionPx.x + motionPx.y * motionPx.y);
+  result.speed = minimum(speed, kNoPreviousPosition); // NaN is the fastest
   return result;
 }
+
+#define TAA_REPROJECT(Real)                                                                                  \
+  template ReprojectionOf<Real> reproject(const Inputs& inputs, const ReprojectSettings& settings,           \
+                                          const Vec2<Real>& motionPx, const glm::ivec2& pixel,               \
+                                          const Vec2<Real>& readOff);                                        \
+  template Real speedIn(SpeedUnit unit, Real speed, const Vec2<Real>& motionPx, const glm::ivec2& picturePx);
+TAA_EACH_NUMBER(TAA_REPROJECT)
+#undef TAA_REPROJECT
 
 } // namespace taa::twin

@@ -4,7 +4,7 @@
 
 #include "core/settings/Settings.h"
 #include "core/taa/Intermediates.h"
-#include "core/taa/twin/Texels.h"
+#include "core/taa/twin/Numbers.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -48,12 +48,16 @@ struct Inputs {
 };
 
 /// Every intermediate of one pixel; missing channels are 0, rows without a value NaN (isKnown() of Known.h).
-using PixelRecord = std::array<glm::vec4, kIntermediateCount>;
+template <typename Real>
+using PixelRecordOf = std::array<Vec4<Real>, kIntermediateCount>;
+using PixelRecord = PixelRecordOf<float>;
 
-inline glm::vec4& at(PixelRecord& record, IntermediateId id) {
+template <typename Real = float>
+Vec4<Real>& at(PixelRecordOf<Real>& record, IntermediateId id) {
   return record[static_cast<std::size_t>(id)];
 }
-inline const glm::vec4& at(const PixelRecord& record, IntermediateId id) {
+template <typename Real = float>
+const Vec4<Real>& at(const PixelRecordOf<Real>& record, IntermediateId id) {
   return record[static_cast<std::size_t>(id)];
 }
 
@@ -76,5 +80,14 @@ struct Details;
 /// As resolvePixel, and fills `details`.
 PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel,
                          Details& details);
+
+/// A pixel in other numbers.
+template <Remembering Real>
+struct PixelIn {
+  PixelRecordOf<Real> record{};
+  Vec3<Real> rectifiedBox{0.0f}; ///< where all of the correction moves history, box space; 0: nowhere
+};
+template <Remembering Real>
+PixelIn<Real> resolvePixelIn(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel);
 
 } // namespace taa::twin

@@ -47,6 +47,15 @@ void ResolveTest::advance(twin::Inputs& images, const FrameShape& shape, const S
   downloadHistory(resolve(images, shape, settings), images);
 }
 
+twin::Inputs ResolveTest::rested(const FrameShape& shape, const Settings& settings, std::uint32_t seed) {
+  twin::Inputs out = stillFrame(shape, seed);
+  for (std::uint32_t frame = 1; frame <= 4; ++frame) {
+    advance(out, shape, settings);
+    out.color = stillFrame(shape, seed + frame).color;
+  }
+  return out;
+}
+
 Settings bareSettings() {
   Settings settings;
   settings.dilate.method = DilateMethod::None;

@@ -5,6 +5,7 @@
 #include "tests/support/GlTest.h"
 #include "tests/support/frames/SyntheticFrame.h"
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -31,6 +32,8 @@ class ResolveTest : public GlTest {
   static Exposed expose(const twin::Inputs& images, const FrameShape& shape, const Settings& settings);
   /// Resolves `images` and makes the result their history.
   static void advance(twin::Inputs& images, const FrameShape& shape, const Settings& settings);
+  /// A still picture whose history are four others: their random colors, and all that the settings keep.
+  static twin::Inputs rested(const FrameShape& shape, const Settings& settings, std::uint32_t seed);
 };
 
 /// Every stage switched off: center color, bilinear 32-bit history, nothing rectified or rejected, plain

@@ -73,7 +73,8 @@ Names namesOfShaders() {
 }
 
 Names namesOfTheTwin() {
-  const std::regex type(R"(^(?:struct|class) (\w+))"), function(R"(^[\w:][\w:<>,&* ]*[ &](\w+)\()"),
+  // A template on its number is called …Of: "WeightsOf".
+  const std::regex type(R"(^(?:struct|class) (\w+?)(?:Of)?\b)"), function(R"(^[\w:][\w:<>,&* ]*[ &](\w+)\()"),
       lambda(R"(const auto (\w+) = \[)");
   Names names;
   for (const auto& entry :

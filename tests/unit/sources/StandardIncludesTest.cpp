@@ -112,7 +112,8 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
      "is_integral_v "
      "is_same_v is_copy_constructible_v is_move_constructible_v is_trivially_copyable_v remove_cvref_t "
      "remove_pointer_t remove_reference_t true_type "
-     "underlying_type_t is_constructible_v is_base_of_v void_t is_arithmetic_v is_signed_v is_void_v"},
+     "underlying_type_t is_constructible_v is_base_of_v void_t is_arithmetic_v is_signed_v is_void_v is_class_v "
+     "type_identity_t"},
     {"unordered_map", "begin end erase erase_if ptrdiff_t size size_t unordered_map"},
     {"unordered_set", "begin end erase erase_if ptrdiff_t size size_t unordered_set"},
     {"utility",

@@ -1,0 +1,29 @@
+// The formula of a value, from how the twin made it.
+#pragma once
+
+#include "core/taa/twin/Traced.h"
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace taa::story {
+
+/// How rows are written: numbers have `digits` significant ones; of a row that is nothing but another one,
+/// `unfolds` how that was made.
+struct FormulaStyle {
+  int digits = 4;
+  bool unfolds = false;
+};
+
+/// How a channel of the row was made, with the numbers put in: down to other rows, values that the twin names
+/// and what was read. In the arithmetic of RowStory. Left out is what changes nothing: a factor of 1, a
+/// summand of 0, a clamp and a bound by a literal that do not bind, and what storing the value does to it.
+std::string formulaText(const twin::Trace& trace, IntermediateId id, int channel, const FormulaStyle& style);
+/// That of all channels at once; nothing where they were not made alike.
+std::optional<std::string> formulaText(const twin::Trace& trace, IntermediateId id, const FormulaStyle& style);
+/// Of values of the trace that are no row.
+std::optional<std::string> formulaText(const twin::Trace& trace, std::span<const twin::Operand> channels,
+                                     const FormulaStyle& style);
+
+} // namespace taa::story

@@ -1,0 +1,97 @@
+#include "core/taa/twin/Traced.h"
+
+#include "core/taa/twin/Color.h"
+
+#include <utility>
+
+namespace taa::twin {
+
+namespace {
+
+thread_local Tracing* presentTracing = nullptr;
+
+} // namespace
+
+Tracing::Tracing() : before_(std::exchange(presentTracing, this)) {}
+
+Tracing::~Tracing() {
+  presentTracing = before_;
+}
+
+std::uint32_t Tracing::add(Operation operation, const std::array<Operand, 3>& from, double value) {
+  if (!presentTracing) return 0;
+  std::vector<TraceNode>& nodes = presentTracing->nodes_;
+  nodes.push_back({operation, from, value});
+  return static_cast<std::uint32_t>(nodes.size());
+}
+
+Traced minimum(Traced a, Traced b) {
+  return Traced::made(Operation::Min, minimum(a.value, b.value), a, b);
+}
+
+Traced maximum(Traced a, Traced b) {
+  return Traced::made(Operation::Max, maximum(a.value, b.value), a, b);
+}
+
+Traced bounded(Traced value, Traced low, Traced high) {
+  return Traced::made(Operation::Clamp, bounded(value.value, low.value, high.value), value, low, high);
+}
+
+Traced saturated(Traced x) {
+  return Traced::made(Operation::Clamp, saturated(x.value), x, 0.0f, 1.0f);
+}
+
+Traced smooth(Traced x) {
+  return Traced::made(Operation::Smooth, smooth(x.value), x);
+}
+
+Traced named(Traced x) {
+  return Traced::made(Operation::Named, x.value, x);
+}
+
+Traced powerOfEighths(Traced x, double eighths) {
+  return Traced::made(Operation::Power, powerOfEighths(x.value, eighths), x,
+                      static_cast<float>(eighths / 8.0));
+}
+
+Traced powerOf256ths(Traced x, int steps) {
+  return Traced::made(Operation::Power, powerOf256ths(x.value, steps), x, static_cast<float>(steps) / 256.0f);
+}
+
+Traced log2Of(Traced x) {
+  return Traced::made(Operation::Log2, log2Of(x.value), x);
+}
+
+Traced log2OfRatio(Traced t) {
+  return Traced::made(Operation::Log2OfRatio, log2OfRatio(t.value), t);
+}
+
+Traced log2OfOnePlus(Traced x) {
+  return Traced::made(Operation::Log2OfOnePlus, log2OfOnePlus(x.value), x);
+}
+
+Traced exp2Of(Traced x) {
+  return Traced::made(Operation::Exp2, exp2Of(x.value), x);
+}
+
+Traced exp2LessOne(Traced x) {
+  return Traced::made(Operation::Exp2LessOne, exp2LessOne(x.value), x);
+}
+
+Traced power(Traced x, Traced e) {
+  return Traced::made(Operation::Power, power(x.value, e.value), x, e);
+}
+
+Trace traceOf(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel) {
+  Tracing tracing;
+  const auto [record, rectifiedBox] = resolvePixelIn<Traced>(inputs, settings, pixel);
+  Trace out;
+  out.nodes = tracing.take();
+  for (std::size_t row = 0; row < record.size(); ++row)
+    for (int channel = 0; channel < 4; ++channel)
+      out.rows[row][static_cast<std::size_t>(channel)] = record[row][channel].operand();
+  for (int i = 0; i < 3; ++i) out.rectifiedBox[static_cast<std::size_t>(i)] = rectifiedBox[i].operand();
+  return out;
+}
+
+} // namespace taa::twin
