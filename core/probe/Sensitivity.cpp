@@ -66,9 +66,9 @@ std::string stepText(const glm::ivec2& step) {
 std::string_view sensitivityLabel(SensitivityTo to) {
   switch (to) {
   case SensitivityTo::Sample:
-    return "Samples of this frame";
+    return "Samples";
   case SensitivityTo::History:
-    return "Texels of history";
+    return "History";
   case SensitivityTo::Parameter:
     return "Parameters";
   }

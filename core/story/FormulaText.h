@@ -21,9 +21,10 @@ struct FormulaStyle {
 /// summand of 0, a clamp and a bound by a literal that do not bind, and what storing the value does to it.
 std::string formulaText(const twin::Trace& trace, IntermediateId id, int channel, const FormulaStyle& style);
 /// That of all channels at once; nothing where they were not made alike.
-std::optional<std::string> formulaText(const twin::Trace& trace, IntermediateId id, const FormulaStyle& style);
+std::optional<std::string> formulaText(const twin::Trace& trace, IntermediateId id,
+                                       const FormulaStyle& style);
 /// Of values of the trace that are no row.
 std::optional<std::string> formulaText(const twin::Trace& trace, std::span<const twin::Operand> channels,
-                                     const FormulaStyle& style);
+                                       const FormulaStyle& style);
 
 } // namespace taa::story

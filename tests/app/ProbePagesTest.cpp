@@ -66,7 +66,7 @@ TEST_F(ProbePages, ShowWhatMovesThePixel) {
   const auto& rows = window.probe()->sensitivity()->table()->rows();
   ASSERT_EQ(rows.size(), 4u) << "two groups of one";
   EXPECT_TRUE(rows[0].isSum);
-  EXPECT_EQ(rows[0].cells[0], QStringLiteral("Samples of this frame"));
+  EXPECT_EQ(rows[0].cells[0], QStringLiteral("Samples"));
   EXPECT_EQ(rows[1].cells,
             (QStringList{QStringLiteral("sample (0, 0) + 1"), QStringLiteral("0.25"), QStringLiteral("0.25"),
                          QStringLiteral("0.25"), QStringLiteral("0.25")}));

@@ -69,7 +69,7 @@ QString tipOf(const Sensitivity& each) {
 ValueTable::Row lineOf(const Sensitivity& each) {
   QStringList cells{qtext(sensitivityText(each)), shortText(each.lumaChange(), 3)};
   const glm::dvec3 change = each.change();
-  for (int channel = 0; channel < 3; ++channel) cells << shortText(change[channel], 3);
+  for (int channel = 0; channel < 3; ++channel) cells << shortText(change[channel], 2);
   if (each.isOneSided) cells[WhatColumn] += QStringLiteral(" *");
   return {cells, {}, false, tipOf(each)};
 }
