@@ -1,7 +1,9 @@
 // The table of techniques: each row of the manual's chapters, and what chooses it here or why nothing does.
+// Rows that a choice's explanation names follow from the table of settings.
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace taa {
@@ -11,7 +13,7 @@ struct Technique {
   std::string_view name; ///< "closest 3×3"
   /// Markdown: assignments, intermediates and presets between backticks, as --set takes them; or "always…",
   /// or "Left out: " and why. A test holds it against the tables of settings, intermediates and presets.
-  std::string_view here;
+  std::string here;
 };
 
 /// In the order of the manual.

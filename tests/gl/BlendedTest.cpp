@@ -63,6 +63,7 @@ float cutToHalf(float value) {
 }
 
 // c·a + c behind·(1 − a). Halves are cut or rounded as the driver stores what it blends: llvmpipe cuts.
+// Techniques: 21.3.
 TEST_F(BlendedTest, BlendsByTheEquation) {
   for (const float alpha : {0.25f, 0.5f, 0.6f, 1.0f}) {
     const glm::vec3 glass(0.9f, 0.05f, 0.33f);
@@ -106,6 +107,7 @@ TEST_F(BlendedTest, ComesBackToFrontFromEitherSide) {
   }
 }
 
+// Techniques: 21.2.
 TEST_F(BlendedTest, BeforeLeavesEverythingButColorWhatIsBehind) {
   const Scene without = walled();
   Scene with = without;
@@ -124,6 +126,7 @@ TEST_F(BlendedTest, BeforeLeavesEverythingButColorWhatIsBehind) {
   EXPECT_EQ(withMotion[1].texel(4, kMiddleY), behind[1].texel(4, kMiddleY));
 }
 
+// Techniques: 21.1.
 TEST_F(BlendedTest, AfterLeavesThePictureAndDrawsALayerWithoutJitter) {
   const Scene without = walled();
   Scene with = without;
@@ -181,6 +184,7 @@ TEST_F(BlendedTest, OpaqueScenesAreTheSameBitsUnderEveryChoice) {
     }
 }
 
+// Techniques: 3.8, 21.5.
 TEST_F(BlendedTest, MaskSaysWhatIsResponsiveAndHowMuchWasBlendedIn) {
   Scene scene = walled();
   const glm::vec4 glass(1.0f, 0.2f, 0.1f, 0.6f);
@@ -216,6 +220,7 @@ TEST_F(BlendedTest, ParticlesThatAreBlendedAreResponsiveWhereTheyShow) {
   EXPECT_NEAR(mask.x, 0.3f, 0.5f / 255.0f) << "the largest of both";
 }
 
+// Techniques: 3.8, 21.7.
 TEST_F(BlendedTest, FlipBooksAndScrollsChangeThePictureAndNotTheMotion) {
   Scene scene = emptyScene();
   scene.images.push_back({"pages", 2, 1, {255, 0, 0, 255, 0, 255, 0, 255}});

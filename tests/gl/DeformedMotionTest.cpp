@@ -118,6 +118,7 @@ TEST_F(DeformedMotionTest, OfASkinWithOneJointIsThatOfARigidThing) {
   }
 }
 
+// Techniques: 3.4.
 TEST_F(DeformedMotionTest, OfAVertexBetweenTwoJointsIsTheirWeightedMean) {
   Scene scene = emptyScene();
   const int plane = addQuad(scene, {0, 0, 0}, kRight, kUp);
@@ -139,6 +140,7 @@ TEST_F(DeformedMotionTest, OfASkinHasTheMotionOfItsRootOnceAndNoneOfItsNode) {
   expectMotion(motion(scene), {0.1f * kPxPerMeter, -0.05f * kPxPerMeter});
 }
 
+// Techniques: 3.5.
 TEST_F(DeformedMotionTest, OfAMorphTargetIsTheStepOfItsWeight) {
   Scene scene = emptyScene();
   const int plane = addQuad(scene, {0, 0, 0}, kRight, kUp);
@@ -148,6 +150,7 @@ TEST_F(DeformedMotionTest, OfAMorphTargetIsTheStepOfItsWeight) {
   expectMotion(motion(scene), {0.25f * 0.4f * kPxPerMeter, 0.5f * 0.2f * kPxPerMeter});
 }
 
+// Techniques: 3.6.
 TEST_F(DeformedMotionTest, OfACachedVertexIsItsVelocityTimesTheStep) {
   for (const double rate : {60.0, 30.0}) { // twice as long a step, twice the motion
     Scene scene = emptyScene();
@@ -170,6 +173,7 @@ TEST_F(DeformedMotionTest, OfACachedVertexFollowsPerspective) {
   EXPECT_NEAR(inputs.previousDepth.download().texel(300, 90).x, 11.0f, 1e-5f);
 }
 
+// Techniques: 3.7.
 TEST_F(DeformedMotionTest, OfSwayingVerticesIsTheFormulaAtBothTimes) {
   constexpr double kAmplitude = 0.3, kFrequency = 9.0;
   Scene scene = emptyScene();
@@ -291,6 +295,7 @@ TEST_F(DeformedMotionTest, OfWhatAppearsOrJumpsIsThatOfTheCamera) {
   for (const float id : before.pixels) ASSERT_EQ(id, 0.0f) << "it is not there yet";
 }
 
+// Techniques: 3.3.
 TEST_F(DeformedMotionTest, IsTheAnalyticProjectionOfEverySourceInTheGallery) {
   const Scene scene = openScene("builtin:gallery");
   FrameRequest asked = request();

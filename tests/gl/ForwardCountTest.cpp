@@ -60,6 +60,7 @@ class ForwardCountTest : public test::GlTest {
   }
 };
 
+// Techniques: 5.8.
 TEST_F(ForwardCountTest, HasHolesBehindAndCollisionsBeforeWhatMoves) {
   const Scene scene = sceneWith();
   FrameRequest asked = request();

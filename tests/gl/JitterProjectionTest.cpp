@@ -55,6 +55,7 @@ glm::dvec2 metAt(const FrameInputs& inputs, int x, int y, double z) {
   return glm::dvec2(near + way * ((z - near.z) / way.z));
 }
 
+// Techniques: 2.1.
 TEST_F(JitterProjectionTest, DrawsEachSurfaceWhereTheMatrixPutsIt) {
   constexpr std::array kDepths{1.0f, 4.0f, 60.0f};
   for (const bool isOrthographic : {false, true})
@@ -137,6 +138,7 @@ TEST_F(JitterProjectionTest, CullsNothingThatAPrintedFormMovesIntoThePicture) {
 }
 
 // What is laid over the output has no jitter in any form.
+// Techniques: 21.8.
 TEST_F(JitterProjectionTest, LeavesTheOverlayAlone) {
   Scene scene = emptyScene();
   Material glass = scene.materials.front();

@@ -46,6 +46,7 @@ TEST_F(MotionTest, IsExactlyZeroWhereNothingMovesWhateverTheJitter) {
       }
 }
 
+// Techniques: 3.3.
 TEST_F(MotionTest, OfATranslatingPlaneIsTheSameEverywhere) {
   Scene scene = emptyScene();
   const int plane = addQuad(scene, {0, 0, 0}, kRight, kUp);
@@ -79,6 +80,7 @@ TEST_F(MotionTest, OfAnOrthographicPlaneDependsOnTheWidthAlone) {
   EXPECT_NEAR(motion(scene).texel(100, 50).x, kWidth * 0.1f / 20.0f, 2e-4f);
 }
 
+// Techniques: 3.2.
 TEST_F(MotionTest, OfAYawIsThatOfTheDirectionsSkyIncluded) {
   const float angle = glm::radians(0.5f);
   for (const bool hasPlane : {false, true}) {
@@ -162,6 +164,7 @@ TEST_F(MotionTest, OfTheSkyIsMarkedAfterTurningRound) {
   EXPECT_EQ(motion(scene).texel(100, 50).x, kNoPreviousPosition);
 }
 
+// Techniques: 3.2.
 TEST_F(MotionTest, LeavesTheSkyAloneWhenTheCameraOnlyTravels) {
   Scene scene = emptyScene();
   jump(scene, 0, AnimationPath::Translation, {0, 0, 10, 0}, {5, 1, 3, 0});
@@ -195,6 +198,7 @@ constexpr MotionSource kCameraSources[] = {MotionSource::CameraFromDepth, Motion
                                            MotionSource::JitterDifference, MotionSource::SingleMatrix,
                                            MotionSource::JitterDifferenceAsPrinted};
 
+// Techniques: 3.1a, D5.
 TEST_F(MotionTest, OfTheCameraLeaksTheJitterAsEachVariantDoes) {
   Scene scene = emptyScene();
   addQuad(scene, {0, 0, 0}, {4, 1, 3}, {0, 4, 1}); // and sky around it
@@ -222,6 +226,7 @@ TEST_F(MotionTest, OfTheCameraLeaksTheJitterAsEachVariantDoes) {
   }
 }
 
+// Techniques: 3.1a, 3.1b, 3.1c, D18.
 TEST_F(MotionTest, OfTheCameraHasTheKnownErrorOfEachVariant) {
   Scene scene = emptyScene();
   addQuad(scene, {0, 0, 0}, kRight, kUp);
@@ -250,6 +255,7 @@ TEST_F(MotionTest, OfTheCameraHasTheKnownErrorOfEachVariant) {
   EXPECT_GT(largest, 5e-3f) << "the shortcut has an error to show";
 }
 
+// Techniques: 3.1.
 TEST_F(MotionTest, IsTheSameFromObjectsAndFromDepthWhenOnlyTheCameraMoves) {
   Scene scene = emptyScene();
   addQuad(scene, {0, 0, 0}, {4, 1, 3}, {0, 4, 1});

@@ -36,6 +36,7 @@ class PrintedMotionTest : public test::MotionFixture {
 };
 
 // D6: v = w·r − r', r from the middle of the picture; nothing moves, so r' = r.
+// Techniques: D6.
 TEST_F(PrintedMotionTest, ForgetsToDivideTheCurrentPosition) {
   for (const bool moves : {false, true}) {
     Scene scene = emptyScene();
@@ -123,6 +124,7 @@ TEST_F(PrintedMotionTest, TransparentSurfacesWriteItToo) {
 }
 
 // D16: this frame's projection for both, so that a zoom alone moves nothing, the sky included.
+// Techniques: D16.
 TEST_F(PrintedMotionTest, OfThisFramesProjectionMissesTheZoom) {
   Scene scene = emptyScene();
   addQuad(scene, {0, 0, 0}, {8, 1, 0}, {0, 8, 1}); // and sky around it

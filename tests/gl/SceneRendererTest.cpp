@@ -183,6 +183,7 @@ TEST_F(SceneRendererTest, DrawsTheSameBitsWithoutJitterAndWithScaleZero) {
   EXPECT_TRUE(sameBits(without.depth.download(), scaled.depth.download()));
 }
 
+// Techniques: 1.8.
 TEST_F(SceneRendererTest, IsAPureFunctionOfTheFrame) {
   Scene scene = emptyScene();
   const int mover = addQuad(scene, {0, 0, 0}, kRight, kUp);

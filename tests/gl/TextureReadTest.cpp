@@ -54,6 +54,7 @@ float largestDifference(const Image& a, const Image& b) {
   return largest;
 }
 
+// Techniques: 19.2.
 TEST_F(TextureReadTest, UnjitteredTexturesStandStillUnderJitter) {
   const Scene scene = texturedScene(32);
   InputSettings settings;
@@ -80,6 +81,7 @@ float contrastOf(const Image& image) {
   return most - least;
 }
 
+// Techniques: 19.1.
 TEST_F(TextureReadTest, ABiasChoosesBlurredOrSharperLevels) {
   Scene scene = texturedScene(2);                            // checkers: gone from level 1 on
   scene.materials[0].baseColorTexture.uvFromUv[0][0] = 4.0f; // 64 texels in 34 px: level 0.9
@@ -96,6 +98,7 @@ TEST_F(TextureReadTest, ABiasChoosesBlurredOrSharperLevels) {
   EXPECT_GT(contrastOf(color(scene, settings, 0)), plain + 0.1f) << "with its own derivatives too";
 }
 
+// Techniques: 20.7, 21.6.
 TEST_F(TextureReadTest, DitheredAlphaIsDrawnInAsManyOfSixteenFramesAsItSays) {
   Scene scene = test::emptyScene();
   scene.materials[0].alphaMode = AlphaMode::Blend;

@@ -44,6 +44,7 @@ constexpr std::size_t kHistoryBytes = std::size_t(kWidth) * kHeight * (8 + 8);
 
 } // namespace
 
+// Techniques: 1.8.
 TEST_F(InspectorTimeTest, ReachesTheSameFrameByPlayingSeekingAndSteppingBack) {
   const std::vector<Image> expected = fresh({}, 6);
   const auto inspector = opened();

@@ -34,6 +34,7 @@ class RestartTest : public taa::test::small::InspectorTest {
 
 } // namespace
 
+// Techniques: 1.7.
 TEST_F(RestartTest, HistoryIsEmptyThereAndWhatIsDrawnStays) {
   auto plain = opened();
   plain->shot().seek(7);

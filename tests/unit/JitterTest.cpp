@@ -26,6 +26,7 @@ JitterSettings halton(int period, int firstIndex = 1) {
   return {JitterSequence::Halton, period, firstIndex, 1.0f};
 }
 
+// Techniques: J9.
 TEST(Jitter, GivesTheExactFractionsOfHalton) {
   const std::array<Rational, 8> two{{{1, 2}, {1, 4}, {3, 4}, {1, 8}, {5, 8}, {3, 8}, {7, 8}, {1, 16}}};
   const std::array<Rational, 8> three{{{1, 3}, {2, 3}, {1, 9}, {4, 9}, {7, 9}, {2, 9}, {5, 9}, {8, 9}}};
@@ -37,6 +38,7 @@ TEST(Jitter, GivesTheExactFractionsOfHalton) {
   EXPECT_EQ(radicalInverse(0, 3), 0.0f);
 }
 
+// Techniques: J9.
 TEST(Jitter, HasTheMeanOfItsPeriod) {
   for (const int period : {8, 16, 32}) {
     glm::dvec2 fromOne(0.0), fromZero(0.0);
@@ -59,6 +61,7 @@ std::vector<JitterSequence> allSequences() {
   return all;
 }
 
+// Techniques: 2.2.
 TEST(Jitter, StaysInsideThePixelTimesTheScale) {
   for (const JitterSequence sequence : allSequences())
     for (const float scale : {0.0f, 0.25f, 1.0f})
@@ -69,6 +72,7 @@ TEST(Jitter, StaysInsideThePixelTimesTheScale) {
       }
 }
 
+// Techniques: J4.
 TEST(Jitter, HasAPeriodOfItsOwnWhereItIsAListOfPoints) {
   const auto period = [](JitterSequence sequence) { return jitterPeriod({sequence, 12, 1, 1.0f}); };
   EXPECT_EQ(period(JitterSequence::None), 1);
@@ -86,6 +90,7 @@ TEST(Jitter, HasAPeriodOfItsOwnWhereItIsAListOfPoints) {
 }
 
 // Invariant 3: these points are binary fractions, so that their sums are exact.
+// Techniques: J5, J7, J15.
 TEST(Jitter, SumsToZeroWhereThePatternIsSymmetric) {
   for (const JitterSequence sequence :
        {JitterSequence::Uniform2, JitterSequence::Uniform4, JitterSequence::Perpendicular,
@@ -100,6 +105,7 @@ TEST(Jitter, SumsToZeroWhereThePatternIsSymmetric) {
 }
 
 // The four orders of J2 to J4 visit the same points.
+// Techniques: J3, J4.
 TEST(Jitter, VisitsTheSameFourPointsInEveryOrder) {
   const auto pointsOf = [](JitterSequence sequence) {
     std::set<std::pair<float, float>> points;
@@ -116,6 +122,7 @@ TEST(Jitter, VisitsTheSameFourPointsInEveryOrder) {
 }
 
 // Each of the sixteen rows and columns, eight of 8×MSAA and four of the rotated grid holds one point.
+// Techniques: J6, J14, J15.
 TEST(Jitter, HoldsOnePointInEachRowAndColumn) {
   for (const JitterSequence sequence :
        {JitterSequence::BlueNoise16, JitterSequence::Msaa8, JitterSequence::RotatedGrid}) {
@@ -133,6 +140,7 @@ TEST(Jitter, HoldsOnePointInEachRowAndColumn) {
 }
 
 // Invariant 4; the expectations have five and six digits.
+// Techniques: J11, J12, J13.
 TEST(Jitter, FollowsThePublishedFormulas) {
   const JitterSettings r2{JitterSequence::R2, 16, 0, 1.0f};
   EXPECT_EQ(jitterPx(r2, 0), glm::vec2(0.0f));
@@ -153,6 +161,7 @@ TEST(Jitter, FollowsThePublishedFormulas) {
 }
 
 // One tenth of a pixel is 17 standard errors of the mean of 1024 uniform points.
+// Techniques: J16.
 TEST(Jitter, SpreadsWhiteNoiseOverThePixel) {
   std::array<int, 16> cells{};
   glm::vec2 mean(0.0f);
@@ -166,6 +175,7 @@ TEST(Jitter, SpreadsWhiteNoiseOverThePixel) {
   for (const int count : cells) EXPECT_NEAR(count, 64, 40); // five standard deviations of 64 in 1024
 }
 
+// Techniques: 2.2.
 TEST(Jitter, RepeatsAfterThePeriod) {
   const JitterSettings settings = halton(16);
   for (int frame = 0; frame < 16; ++frame) {
@@ -177,6 +187,7 @@ TEST(Jitter, RepeatsAfterThePeriod) {
 }
 
 // Two points, turned with the way: index 0 to its left.
+// Techniques: J10.
 TEST(Jitter, LiesAcrossTheWayThatItIsGiven) {
   const JitterSettings settings{JitterSequence::Perpendicular, 16, 0, 1.0f};
   EXPECT_EQ(jitterPeriod(settings), 2);
@@ -189,6 +200,7 @@ TEST(Jitter, LiesAcrossTheWayThatItIsGiven) {
   EXPECT_EQ(jitterPx({JitterSequence::Halton, 16, 1, 1.0f}, 3, {0.0, 1.0}), jitterPx(halton(16), 3));
 }
 
+// Techniques: J0, D18.
 TEST(Jitter, IsNothingWithoutASequence) {
   const JitterSettings none{JitterSequence::None, 16, 1, 1.0f};
   EXPECT_EQ(jitterPx(none, 3), glm::vec2(0.0f));
@@ -209,6 +221,7 @@ glm::dvec2 pixelOf(const glm::mat4& clipFromView, const glm::vec3& point) {
 
 const std::array<glm::vec3, 4> kPoints{{{0, 0, -1}, {0.3f, -0.2f, -0.5f}, {-4, 2, -9}, {5, 7, -80}}};
 
+// Techniques: 2.1.
 TEST(Jitter, MovesContentTheSameWayAtEveryDepth) {
   const glm::vec2 jitter(0.375f, -0.25f);
   for (const glm::mat4& projection : projections())
@@ -224,6 +237,7 @@ constexpr std::array kForms{JitterProjection::Translation, JitterProjection::Add
                             JitterProjection::ColumnAsPrinted, JitterProjection::RightAsPrinted};
 
 // Invariant 6 fails for each of the printed forms, by what each comes to (manual §2.1).
+// Techniques: 2.1, D15.
 TEST(Jitter, MovesContentAsEachPrintedFormDoes) {
   const glm::vec2 jitter(0.375f, -0.25f);
   const auto& [perspective, orthographic] = projections();

@@ -51,6 +51,7 @@ TEST(JitterWay, PutsThePointsOverEachOtherWhereTheCameraPansToTheRight) {
   }
 }
 
+// Techniques: J10.
 TEST(JitterWay, TurnsByAFifthOfTheAngleInEachFrame) {
   const Scene scene;
   // Up for 60 frames, then to the right.

@@ -39,6 +39,7 @@ double power(const Image& tile, double from, double to) {
   return sum / count;
 }
 
+// Techniques: 20.2.
 TEST(NoiseTile, HasItsPowerInHighFrequencies) {
   const Image tile = blueNoiseTile();
   EXPECT_LT(power(tile, 0.0, 4.0), 0.05 / 12.0);

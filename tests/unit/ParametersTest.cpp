@@ -200,6 +200,7 @@ TEST(Presets, OpenWithTheDefaultsAsBalanced) {
 }
 
 // What presets.md says of each peer, where the renderer has it.
+// Techniques: 1.11.
 TEST(Presets, ChooseWhatTheirPeersChoose) {
   const std::vector<std::pair<const char*, std::vector<const char*>>> peers{
       {"playdead",

@@ -39,6 +39,7 @@ float brightest(const Image& image) {
   return most;
 }
 
+// Techniques: 1.1, 1.2.
 TEST_F(DynamicRangeTest, OfLdrEndsAtWhiteAndIsTheSameBelow) {
   for (const char* name : {"builtin:lights", "builtin:fireflies"})
     for (const Precision precision : {Precision::Full, Precision::Half})
@@ -65,6 +66,7 @@ TEST_F(DynamicRangeTest, OfLdrEndsAtWhiteAndIsTheSameBelow) {
 }
 
 // Blending is linear and comes before the tone map: bright glass adds what it has above white, too.
+// Techniques: 1.2.
 TEST_F(DynamicRangeTest, OfLdrIsClippedAfterBlending) {
   Scene scene = test::emptyScene();
   for (const float wall : {0.25f, 0.5f}) {

@@ -206,6 +206,7 @@ TEST_F(FogTest, ScalesItsDensityByTheSetting) {
 }
 
 // The banding of the source's figure: as many levels as steps fit into the cone, and no others.
+// Techniques: 20.4.
 TEST_F(FogTest, WithoutNoiseHasOneLevelForEachStepInTheCone) {
   const Stage stage = Stage::withCone();
   for (const int steps : {5, 10, 40}) {
@@ -263,6 +264,7 @@ NoiseErrors noiseErrors(const std::vector<Image>& frames, const Stage& stage, in
 // A sample more or less: k is ⌊ℓ/Δ⌋ or ⌈ℓ/Δ⌉, ⌈⌉ as often as the fraction says, so that the mean number is
 // that of the integral. One frame is off by √(f(1 − f)), 0.41 over all fractions; 64 frames of white noise by
 // an eighth of it.
+// Techniques: 20.4.
 TEST_F(FogTest, AnimatedNoiseHasTheIntegralsStepsAsItsMeanAndStillNoiseHasNot) {
   const Stage stage = Stage::withCone();
   std::vector<double> truth;
@@ -444,6 +446,7 @@ float expectedFog(const std::vector<Image>& frames, FogHistory history, const gl
   return (current + (count - 1.0f) * before) / count;
 }
 
+// Techniques: 20.5.
 TEST_F(FogHistoryTest, IsTheMeanOfTheFramesBeforeAsItsConstraintSays) {
   const Stage stage = Stage::withCone();
   const std::vector<Image> all = raw(stage.scene, 6);
@@ -482,6 +485,7 @@ TEST_F(FogHistoryTest, StartsAnewWhereSomebodyRestartsIt) {
 
 // A beam that jumps away after frame 0: without a constraint three frames of four still show it, as Raptor's
 // largest does; clamped there is none.
+// Techniques: 20.5, 24.
 TEST_F(FogHistoryTest, OnlyTheClampTakesAwayWhatMovedOn) {
   Stage stage = Stage::withCone();
   const Node cone = stage.scene.nodes.back();

@@ -63,6 +63,7 @@ Moments momentsOf(const std::vector<float>& values, std::size_t first, std::size
   return m;
 }
 
+// Techniques: 20.3.
 TEST_F(NoiseTest, HasTheMomentsOfItsForm) {
   for (const InputNoise noise : {InputNoise::Gradient, InputNoise::Blue, InputNoise::White}) {
     const Moments uniform = momentsOf(noiseOf(noise, Switch::Off), 0, 1);
@@ -80,6 +81,7 @@ TEST_F(NoiseTest, HasTheMomentsOfItsForm) {
 }
 
 // A pixel sees both noises of the pair change over the frames, and not together.
+// Techniques: 20.2.
 TEST_F(NoiseTest, AveragesToNothingInEachPixelOverTime) {
   for (const InputNoise noise : {InputNoise::Gradient, InputNoise::Blue}) {
     const std::vector<float> all = noiseOf(noise, Switch::On);
@@ -97,6 +99,7 @@ TEST_F(NoiseTest, AveragesToNothingInEachPixelOverTime) {
 }
 
 // The same 13 bits of a hash that what is stored is rounded with, of two other channels.
+// Techniques: 20.4.
 TEST_F(NoiseTest, IsWhiteByTheHashOfPixelAndFrame) {
   const std::vector<float> all = noiseOf(InputNoise::White, Switch::On);
   for (const int frame : {0, 5, 63})
@@ -111,6 +114,7 @@ TEST_F(NoiseTest, IsWhiteByTheHashOfPixelAndFrame) {
 }
 
 // Invariant 4: u(1, 0), u(0, 1) and u(1, 1) of frame 0.
+// Techniques: 20.1.
 TEST_F(NoiseTest, IsJimenezGradient) {
   const std::vector<float> all = noiseOf(InputNoise::Gradient, Switch::Off);
   EXPECT_NEAR(all[0], -0.5, 1e-4);
@@ -119,6 +123,7 @@ TEST_F(NoiseTest, IsJimenezGradient) {
   EXPECT_NEAR(all[kSize + 1], 0.864983 - 0.5, 1e-4);
 }
 
+// Techniques: 20.4.
 TEST_F(NoiseTest, LeavesNothingBelowBlack) {
   for (const float value : noiseOf(InputNoise::Blue, Switch::On, 0.0f)) ASSERT_GE(value, 0.0f);
 }

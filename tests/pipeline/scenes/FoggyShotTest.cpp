@@ -88,6 +88,7 @@ class FoggyShotTest : public test::GlTest {
 };
 
 // The source's figure as numbers: how far a frame is from the same one with the fog's integral.
+// Techniques: 20.4.
 TEST_F(FoggyShotTest, IsIntegratedFromNoiseThatMovesAndFromNoOther) {
   constexpr int kFrame = 24;
   const Image truth = meanOf(with({"inputs.fogSteps=0"}), kFrame, kFrame);
@@ -110,6 +111,7 @@ TEST_F(FoggyShotTest, IsIntegratedFromNoiseThatMovesAndFromNoOther) {
 
 // Manual 20.6: what α = 0.1 changes by less than half a step of 8 bits stays where it is, within 5 steps
 // of its goal: smooth fog lies in bands. Rounded at random it moves on, and its mean comes nearer.
+// Techniques: 20.6.
 TEST_F(FoggyShotTest, AnEightBitHistoryStopsInBandsUnlessItIsDithered) {
   constexpr int kFirst = 24, kLast = 55;
   const auto mean = [](const char* precision, const char* dither, const char* steps) {

@@ -121,6 +121,7 @@ TEST_F(GeometryOnScenes, WhatTurnsFacesAnotherWay) {
 
 // The blades and the guard's wires, all still or moving rigidly, told from the rest as a stencil marks
 // characters.
+// Techniques: 12.2.
 TEST_F(GeometryOnScenes, ObjectsThatAreGivenAClassHaveItAndNothingElseChanges) {
   Inspector inspector;
   inspector.shot().setSize(kWidth, kHeight);

@@ -46,6 +46,7 @@ std::vector<glm::vec2> pointsOf(const char* sequence) {
   return points;
 }
 
+// Techniques: J0, J1, J2, J3, J5, J6, J14.
 TEST(TechniqueEffect, FixedPatternsHaveTheirPoints) {
   using Points = std::vector<glm::vec2>;
   const float q = 0.25f, e = 0.125f, t = 0.375f;
@@ -67,6 +68,7 @@ TEST(TechniqueEffect, FixedPatternsHaveTheirPoints) {
   EXPECT_EQ(pointsOf("msaa8"), msaa);
 }
 
+// Techniques: J7, J8.
 TEST(TechniqueEffect, DiscsAndStarsLieInTheirCircle) {
   for (const auto& [name, count, radius] :
        {std::tuple("poisson10", 10u, 0.25f), std::tuple("pentagram", 5u, 0.5f)}) {
@@ -80,6 +82,7 @@ TEST(TechniqueEffect, DiscsAndStarsLieInTheirCircle) {
   }
 }
 
+// Techniques: 1.9.
 TEST(TechniqueEffect, TheFirstIndexMovesASequenceOnByFrames) {
   const Settings zero = with({"jitter.sequence=halton", "jitter.firstIndex=0"});
   for (const int first : {1, 5}) {
@@ -103,6 +106,7 @@ Inputs twoNeighbors(const glm::vec2& nearness, const glm::vec2& speed) {
   return inputs;
 }
 
+// Techniques: 4.0, 4.1, 4.2, 4.3, 4.4, 4.5, 4.6.
 TEST(TechniqueEffect, EachDilationLooksAtItsOwnNeighbors) {
   const glm::ivec2 above(0, -1), corner(1, 1), own(0, 0);
   const auto offset = [](const char* method, const Inputs& inputs) {
@@ -133,6 +137,7 @@ TEST(TechniqueEffect, EachDilationLooksAtItsOwnNeighbors) {
 }
 
 // Manual §26, D4: a far-plane neighborhood returns the pixel in the picture's corner.
+// Techniques: D4.
 TEST(TechniqueEffect, ClosestAsPrintedGivesTheSkyTheMotionOfTheCorner) {
   Inputs inputs = test::constantInputs(7, 5, glm::vec3(0.5f));
   for (float& depth : inputs.depth.pixels) depth = 0.0f;
@@ -147,6 +152,7 @@ TEST(TechniqueEffect, ClosestAsPrintedGivesTheSkyTheMotionOfTheCorner) {
 
 // ---- Off the screen, manual §5
 
+// Techniques: 5.0, 5.1, 5.3, 5.7.
 TEST(TechniqueEffect, EachRuleOfTheBorderHasItsOwnInside) {
   Inputs inputs = test::constantInputs(8, 4, glm::vec3(0.5f));
   test::setHistory(inputs, glm::vec3(0.25f), 4.0f);
@@ -189,6 +195,7 @@ double sum(const Kernel& weights, const std::array<float, 4>& columns) {
   return total / weight;
 }
 
+// Techniques: 6.0, 6.1, 6.2, 6.3, 6.5, 6.6, 6.7, 18.8.
 TEST(TechniqueEffect, HistoryFiltersHaveTheirKernels) {
   const std::array<float, 4> columns{0.75f, 1.0f, 0.25f, 2.0f};
   const auto cubic = [](double f, double c) {
@@ -224,6 +231,7 @@ TEST(TechniqueEffect, HistoryFiltersHaveTheirKernels) {
   }
 }
 
+// Techniques: 6.9, 6.10.
 TEST(TechniqueEffect, DeringingKeepsHistoryWithinWhatItWasMadeFrom) {
   const std::array<float, 4> step{1.0f, 1.0f, 1.0f, 0.0f};
   for (const char* filter :
@@ -248,6 +256,7 @@ float filtered(const Inputs& inputs, const Settings& settings) {
   return valueOf(inputs, settings, IntermediateId::currentFiltered).x;
 }
 
+// Techniques: 7.2, 7.3.
 TEST(TechniqueEffect, LumaWeightsMakeBrightSamplesCountLess) {
   const Inputs bright = grays({0, 0, 0, 0, 1, 0, 0, 0, 0});
   EXPECT_FLOAT_EQ(filtered(bright, with({"current.filter=tent"})), 4.0f / 16.0f);
@@ -257,6 +266,7 @@ TEST(TechniqueEffect, LumaWeightsMakeBrightSamplesCountLess) {
   EXPECT_FLOAT_EQ(filtered(bright, with({"current.filter=box", "current.lumaWeighted=on"})), 0.5f / 8.5f);
 }
 
+// Techniques: 7.4.
 TEST(TechniqueEffect, DistancesAreThoseOfTheJitteredSamplesUnlessToldOtherwise) {
   Inputs inputs = grays({0, 0, 0, 0, 1, 2, 0, 0, 0});
   for (const char* filter :
@@ -270,6 +280,7 @@ TEST(TechniqueEffect, DistancesAreThoseOfTheJitteredSamplesUnlessToldOtherwise) 
   }
 }
 
+// Techniques: 7.6.
 TEST(TechniqueEffect, DeringingKeepsTheFilteredColorWithinTheNine) {
   Inputs inputs = grays({0, 0, 1, 0, 0, 1, 0, 0, 1});
   inputs.jitterPx = {-0.25f, 0.0f};
@@ -283,6 +294,7 @@ TEST(TechniqueEffect, DeringingKeepsTheFilteredColorWithinTheNine) {
 
 // ---- The space of the box, manual §9
 
+// Techniques: 9.1, 9.2, 9.4, 9.5.
 TEST(TechniqueEffect, AxesOfTheBoxAreThoseOfTheSpace) {
   const float r = 0.75f, g = 0.25f, b = 0.5f;
   const Inputs inputs = test::constantInputs(3, 3, {r, g, b});
@@ -314,6 +326,7 @@ Range boxOf(const Inputs& inputs, const Settings& settings) {
           valueOf(inputs, settings, IntermediateId::boxMax).x};
 }
 
+// Techniques: 8.1, 8.2, 8.3, 8.4, 8.6.
 TEST(TechniqueEffect, ShapesTakeTheirOwnSamples) {
   Inputs inputs = grays({0.5f, 8, 0.5f, 2, 3, 4, 16, 1, 0.5f}); // corners ½ and 16, edges 8, 2, 4 and 1
   const Range cross{1, 8}, x{0.5f, 16}, all{0.5f, 16};
@@ -329,6 +342,7 @@ TEST(TechniqueEffect, ShapesTakeTheirOwnSamples) {
   EXPECT_EQ(boxOf(edges, with({"neighborhood.shape=x"})), Range({5, 5})) << "edges are none of its samples";
 }
 
+// Techniques: 10.1, 10.2, 10.3, 10.4.
 TEST(TechniqueEffect, BoxesAreMadeAsTheirNamesSay) {
   const Inputs inputs = grays({0, 0, 0, 0, 1, 1, 0, 1, 0}); // three of nine: μ = ⅓, σ = √(3·6)/9
   const float mean = 1.0f / 3, deviation = std::sqrt(18.0f) / 9;
@@ -346,6 +360,7 @@ TEST(TechniqueEffect, BoxesAreMadeAsTheirNamesSay) {
   EXPECT_EQ(grown.low, variance.low);
 }
 
+// Techniques: 10.7.
 TEST(TechniqueEffect, WeightedMomentsFollowTheirWeights) {
   const Inputs inputs = grays({0, 0, 0, 0, 0, 0, 0, 0, 3}); // one corner of 3
   const auto mean = [&](const char* weights) {
@@ -357,6 +372,7 @@ TEST(TechniqueEffect, WeightedMomentsFollowTheirWeights) {
   EXPECT_NEAR(mean("neighborhood.weights=distance"), 3.0 * corner / (1 + 4 * edge + 4 * corner), 1e-6);
 }
 
+// Techniques: 10.8, 10.11, 17.5.
 TEST(TechniqueEffect, GammaFollowsMotionHeightAndContrast) {
   Inputs inputs = grays({0, 0, 0, 0, 1, 1, 0, 1, 0});
   test::setHistory(inputs, glm::vec3(0.25f), 4.0f);
@@ -398,6 +414,7 @@ Rectified rectified(const glm::vec3& history, std::initializer_list<const char*>
           at(record, IntermediateId::rectifyStrength).x};
 }
 
+// Techniques: 11.0, 11.1, 11.2, 11.3, 11.5.
 TEST(TechniqueEffect, MethodsEndWhereTheirFormulasSay) {
   // Box 0…1 of gray samples around ½; history (2½, ½, ¼) is 2 from the middle in red.
   const glm::vec3 history(2.5f, 0.5f, 0.25f);
@@ -420,6 +437,7 @@ TEST(TechniqueEffect, MethodsEndWhereTheirFormulasSay) {
 }
 
 // Manual 10.5: clamped to the samples' box, then clipped to the center of the variance box.
+// Techniques: 10.5.
 TEST(TechniqueEffect, ClampThenClipGoesBothWaysInTurn) {
   const float deviation = std::sqrt(8.0f * 0.25f / 9.0f); // eight samples ½ from the mean
   const glm::vec3 value =
@@ -438,6 +456,7 @@ TEST(TechniqueEffect, ClampThenClipGoesBothWaysInTurn) {
 }
 
 // Manual 11.4: the hit of the ray to the current color, unless it is farther than T.
+// Techniques: 11.4.
 TEST(TechniqueEffect, TheRayToTheCurrentColorCountsHitsNearerThanItsLimit) {
   // From 2½ to the current ½ the box's wall at 1 is three quarters of the way.
   const glm::vec3 hit =
@@ -454,6 +473,7 @@ TEST(TechniqueEffect, TheRayToTheCurrentColorCountsHitsNearerThanItsLimit) {
 }
 
 // Manual 11.6, 17.2: κ = κmin + (1 − κmin)·min(1, (‖v‖/θ)²).
+// Techniques: 11.6, 17.1, 17.2.
 TEST(TechniqueEffect, AtRestOnlyAPartOfTheCorrectionIsApplied) {
   const auto at = [](float speed) {
     return rectified(
@@ -476,6 +496,7 @@ TEST(TechniqueEffect, AtRestOnlyAPartOfTheCorrectionIsApplied) {
 
 // ---- Validation and weight, manual §12, §13, §15
 
+// Techniques: 12.6.
 TEST(TechniqueEffect, WhatIsFasterThanTheLimitHasNoHistory) {
   Inputs inputs = test::constantInputs(64, 4, glm::vec3(0.5f));
   test::setHistory(inputs, glm::vec3(0.25f), 4.0f);
@@ -489,6 +510,7 @@ TEST(TechniqueEffect, WhatIsFasterThanTheLimitHasNoHistory) {
 }
 
 // Manual §26, D19: the luma of c/(1 + max c).
+// Techniques: D19.
 TEST(TechniqueEffect, InverseLumaAsPrintedHardlySuppressesFireflies) {
   Inputs inputs = test::constantInputs(3, 3, glm::vec3(100.0f));
   test::setHistory(inputs, glm::vec3(0.0f), 4.0f);
@@ -501,6 +523,7 @@ TEST(TechniqueEffect, InverseLumaAsPrintedHardlySuppressesFireflies) {
 }
 
 // Manual 13.11, §26, D17: 0.1·(1 − 1/1.001)² of a change from 0 to 1, and a floor of α that ends it.
+// Techniques: D17.
 TEST(TechniqueEffect, LumaDampsAlphaToNothingWithoutAFloor) {
   Inputs inputs = test::constantInputs(3, 3, glm::vec3(1.0f));
   test::setHistory(inputs, glm::vec3(0.0f), 9.0f);
@@ -513,6 +536,7 @@ TEST(TechniqueEffect, LumaDampsAlphaToNothingWithoutAFloor) {
   EXPECT_EQ(alpha("weight.minimum=0.05"), 0.05f);
 }
 
+// Techniques: 5.2, 5.5, 5.6, 7.8.
 TEST(TechniqueEffect, WithoutHistoryTheFilteredOrABlurredColorIsShown) {
   const Inputs inputs = grays({1, 0, 1, 0, 2, 0, 1, 0, 1}); // diagonals 1, center 2
   EXPECT_EQ(valueOf(inputs, with({"blend.restart=filtered"}), IntermediateId::resolved).x, 2.0f);

@@ -32,6 +32,7 @@ Neighborhood measure(const Inputs& inputs, NeighborhoodShape shape, ColorSpace s
   return measureNeighborhood(inputs, settings, glm::vec3(inputs.color.texel(1, 1)), {1, 1});
 }
 
+// Techniques: 8.4.
 TEST(BoxNumbers, TheRoundedBoxLiesHalfwayBetweenFiveAndNine) {
   std::mt19937 random(35);
   for (int i = 0; i < 100; ++i) {
@@ -50,6 +51,7 @@ TEST(BoxNumbers, TheRoundedBoxLiesHalfwayBetweenFiveAndNine) {
   }
 }
 
+// Techniques: 10.6.
 TEST(BoxNumbers, ShrunkChromaIsAnEighthOfTheLumaRangeAboutThePixel) {
   std::mt19937 random(43);
   for (int i = 0; i < 100; ++i) {
@@ -65,6 +67,7 @@ TEST(BoxNumbers, ShrunkChromaIsAnEighthOfTheLumaRangeAboutThePixel) {
 }
 
 // Manual 10.9: γ·clamp(1.1·1080/H, ¾, 1).
+// Techniques: 10.9.
 TEST(BoxNumbers, TallPicturesHaveATighterBox) {
   Inputs inputs = test::constantInputs(3, 3, glm::vec3(0.5f));
   Settings settings = test::plainSettings();
@@ -88,6 +91,7 @@ TEST(BoxNumbers, TallPicturesHaveATighterBox) {
   EXPECT_EQ(gammaAt(2160), 1.0f);
 }
 
+// Techniques: 9.3.
 TEST(BoxNumbers, LiftedChromaIsTwiceAsWide) {
   std::mt19937 random(42);
   std::uniform_real_distribution<float> level(-2.0f, 2.0f);
@@ -101,6 +105,7 @@ TEST(BoxNumbers, LiftedChromaIsTwiceAsWide) {
   }
 }
 
+// Techniques: D7.
 TEST(BoxNumbers, TheWayBackAsPrintedEndsAtWhite) {
   const SpaceSettings printed{ColorSpace::YCoCgAsPrinted, ToneSpace::Linear};
   const auto back = [](const glm::vec3& color, const SpaceSettings& space) {
@@ -120,6 +125,7 @@ TEST(BoxNumbers, TheWayBackAsPrintedEndsAtWhite) {
     EXPECT_LT(back(red, {ColorSpace::YCoCgAsPrinted, tone}).x, 0.9f * red.x);
 }
 
+// Techniques: 9.4.
 TEST(BoxNumbers, GraysHaveNoChromaInAnySpace) {
   for (const ColorSpace space :
        {ColorSpace::YCoCg, ColorSpace::YCoCgLifting, ColorSpace::YCbCr, ColorSpace::YCoCgAsPrinted})

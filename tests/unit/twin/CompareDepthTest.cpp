@@ -65,6 +65,7 @@ DepthAt column(int first, int width) {
 } // namespace
 
 // An edge that jitter moves by a texel is the same edge to all four sides.
+// Techniques: 12.1.
 TEST(CompareDepth, LooksAlikeToAllSides) {
   for (int k = 0; k < 9; ++k) {
     const glm::ivec2 where(kMiddle + k % 3 - 1, kMiddle + k / 3 - 1);
@@ -151,6 +152,7 @@ TEST(CompareDepth, TakesTheSlopeOfTheDilatedSample) {
   EXPECT_EQ(result.allowed, kTolerance);
 }
 
+// Techniques: 12.1.
 TEST(CompareDepth, OnlyWhatIsNearerCanHaveHiddenASurface) {
   ValidateSettings settings = square();
   const auto at = [](float depth) { return [depth](int, int) { return depth; }; };
@@ -169,6 +171,7 @@ TEST(CompareDepth, OnlyWhatIsNearerCanHaveHiddenASurface) {
 }
 
 // A line narrower than a texel is three texels wide once dilated, or not there at all.
+// Techniques: 13.9.
 TEST(CompareDepth, ALineThatAFrameMissesAtRestIsFlicker) {
   for (int offset = -1; offset <= 1; ++offset) { // of the pixel from the middle of the line
     const DepthTest gone = compared(frames(wall, column(kMiddle - 1 + offset, 3)), likeBalanced());
@@ -224,6 +227,7 @@ TEST(CompareDepth, WhatMovesIsNoFlicker) {
 }
 
 // Source 000: depth differs and nothing moves, so no clamp and a smaller α.
+// Techniques: 13.9.
 TEST(CompareDepth, FlickerIsNotRectifiedAndWeighsLess) {
   const Inputs inputs = frames(column(kMiddle, 1), wall);
   Settings settings = test::plainSettings();

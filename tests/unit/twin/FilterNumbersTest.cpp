@@ -40,6 +40,7 @@ TEST(FilterNumbers, ATunableCubicKeepsConstantsWhateverItsSharpness) {
   }
 }
 
+// Techniques: 6.5.
 TEST(FilterNumbers, OnlyTheSharpnessOfCatmullRomKeepsRamps) {
   EXPECT_NEAR(centroid(cubicWeights(history(HistoryFilter::Cubic, 0.35f), 0.25f)), 0.22187f, 1e-5f);
   EXPECT_EQ(centroid(cubicWeights(history(HistoryFilter::Cubic, 0.5f), 0.25f)), 0.25f);
@@ -71,6 +72,7 @@ TEST(FilterNumbers, ThePolynomialOfLanczosIsNearItsSinc) {
   EXPECT_NEAR(worst, 0.0493, 5e-5);
 }
 
+// Techniques: 6.3.
 TEST(FilterNumbers, NineTapsAreSixteenTexels) {
   Inputs inputs = test::constantInputs(9, 9, glm::vec3(0.0f));
   test::setHistory(inputs, glm::vec3(0.0f), 1.0f);
@@ -99,6 +101,7 @@ float gainAsPrinted(float alpha, int frames) {
   return gain;
 }
 
+// Techniques: 6.4b, D15.
 TEST(FilterNumbers, FiveTapsAsPrintedDarkenAConstant) {
   EXPECT_NEAR(gainAsPrinted(0.1f, 120), 0.8767f, 5e-5f);   // 0.1/(1 − 0.9·63/64)
   EXPECT_NEAR(gainAsPrinted(0.015f, 400), 0.4936f, 5e-5f); // 0.015/(1 − 0.985·63/64)
@@ -118,6 +121,7 @@ void expectWeights(CurrentFilter filter, float center, float edge, float corner,
   for (const std::size_t k : {0u, 2u, 6u, 8u}) EXPECT_NEAR(w[k], corner, tolerance);
 }
 
+// Techniques: 7.5, 7.6.
 TEST(FilterNumbers, CurrentFiltersHaveThePublishedWeights) {
   expectWeights(CurrentFilter::Tent, 0.25f, 0.125f, 0.0625f, 0.0f);
   expectWeights(CurrentFilter::Mitchell, 0.9199f, 0.0575f, -0.0375f, 6e-5f);
@@ -126,6 +130,7 @@ TEST(FilterNumbers, CurrentFiltersHaveThePublishedWeights) {
                 -0.07107f / (1.0f + 4.0f * -0.07107f), 6e-5f); // 2 − 4r + 2.5r² − 0.5r³ at √2
 }
 
+// Techniques: D2, D3.
 TEST(FilterNumbers, CurrentFiltersAsPrintedAreNoneAndABoxOfFive) {
   expectWeights(CurrentFilter::DistanceAsPrinted, 0.0f, 1.0f / (4.0f + 4.0f * std::sqrt(2.0f)),
                 std::sqrt(2.0f) / (4.0f + 4.0f * std::sqrt(2.0f)), 1e-6f);
@@ -148,6 +153,7 @@ TEST(FilterNumbers, CurrentFiltersAreSymmetricWithoutJitterAndTurnWithIt) {
   }
 }
 
+// Techniques: 7.1.
 TEST(FilterNumbers, TheUnjitterTapBringsARampBackExactly) {
   for (const float jitter : {-0.5f, -0.375f, 0.25f, 0.5f}) { // binary fractions: no rounding
     Inputs inputs = test::constantInputs(5, 5, glm::vec3(0.0f));

@@ -20,6 +20,7 @@ float mixedGray(const Settings& settings) {
 
 // Raptor's shader was run with these two grays and gave 0.520 (manual §26, D1). Compressed by their largest
 // channel they are 1/3 and 3/8: u = 8/9, α = 64/81, weights 1/(1 + 1/3) and 1/(1 + 3/8).
+// Techniques: 13.12, D1.
 TEST(PrintedNumbers, RaptorsShaderMixesHalfAndSixTenthsToItsNumber) {
   Settings settings = test::plainSettings();
   settings.weight = {AlphaSource::LumaDifferenceAsPrinted, 0.1f, 0.0f};
@@ -42,6 +43,7 @@ TEST(PrintedNumbers, PlaydeadsLumaIsNotCompressed) {
 }
 
 // Source 000: lerp(α − 0.025, 1, ‖v‖²) with v in fractions of the picture (13.4).
+// Techniques: D11.
 TEST(PrintedNumbers, Source000StartsBelowAlpha) {
   WeightSettings settings{.source = AlphaSource::Constant, .alpha = 0.1f, .minimum = 0.0f};
   settings.motion = MotionAlpha::SquaredAsPrinted;
@@ -72,6 +74,7 @@ PixelRecord movedBy(const Settings& settings, float px) {
 }
 
 // Source 002's first listing: what does not pass x > 0 keeps 100 % of its history (D9).
+// Techniques: 5.7, D9.
 TEST(PrintedNumbers, BeyondTheLeftEdgeSource002KeepsAllOfTheHistory) {
   for (const ToneWeight tone :
        {ToneWeight::None, ToneWeight::Luma, ToneWeight::ReinhardChannel, ToneWeight::Pq}) {
@@ -106,6 +109,7 @@ glm::vec2 motionOf(const Inputs& inputs, DilateMethod method, DilateTies ties, S
 
 // Source 002 mixes by step(depth, closest), which is 1 for equal depths: of × the last, (1, 1). Playdead
 // starts with the first of nine and takes only nearer ones.
+// Techniques: 4.1, 4.3.
 TEST(PrintedNumbers, OfEqualDepthsEachSourceTakesItsOwn) {
   const Inputs inputs = flatTexels();
   EXPECT_EQ(motionOf(inputs, DilateMethod::ClosestX, DilateTies::Last), glm::vec2(3.0f, 3.0f));
@@ -135,6 +139,7 @@ TEST(PrintedNumbers, RaptorSearchesColumnByColumn) {
 
 // Godot's search is for the least depth, the farthest once depth is reversed, and reads one texel up-left of
 // it.
+// Techniques: 4.1.
 TEST(PrintedNumbers, GodotReadsUpLeftOfTheLeastDepth) {
   Inputs inputs = flatTexels();
   inputs.depth.at(3, 2)[0] *= 0.5f;
@@ -148,6 +153,7 @@ TEST(PrintedNumbers, GodotReadsUpLeftOfTheLeastDepth) {
 
 // Godot's weights are 1/(1 + Y) after c/(1 + c): a white of 1 among eight blacks is ½ there and weighs 2/3,
 // so that the mean is (½ · 2/3)/(8 + 2/3) = 1/26.
+// Techniques: 10.7.
 TEST(PrintedNumbers, GodotWeighsMomentsByTheCompressedLuma) {
   Settings settings = test::plainSettings();
   settings.space = {ColorSpace::YCoCg, ToneSpace::ReinhardChannel};
@@ -163,6 +169,7 @@ TEST(PrintedNumbers, GodotWeighsMomentsByTheCompressedLuma) {
 }
 
 // Godot's luma is 0.299 R + 0.587 G + 0.114 B of c/(1 + c), at least 0.0001, measured against 1.001.
+// Techniques: 13.11.
 TEST(PrintedNumbers, GodotCalmsByLumaOfRec601) {
   Settings settings = test::plainSettings();
   settings.weight.lumaFlicker = Switch::On;
@@ -187,6 +194,7 @@ Settings godotCount() {
   return settings;
 }
 
+// Techniques: 16.
 TEST(PrintedNumbers, GodotReadsTheCountBilinearly) {
   Inputs inputs = test::constantInputs(4, 4, glm::vec3(0.5f));
   test::setHistory(inputs, glm::vec3(0.5f), 0.0f);
@@ -197,6 +205,7 @@ TEST(PrintedNumbers, GodotReadsTheCountBilinearly) {
   EXPECT_EQ(read.historyLength, 5.0f) << "a quarter right of, half below (1, 1): the middle of 1 and 9";
 }
 
+// Techniques: 16.
 TEST(PrintedNumbers, GodotCountsFromTheSecondFrameTo16) {
   Inputs inputs = test::constantInputs(1, 1, glm::vec3(0.5f));
   for (int frame = 0; frame < 24; ++frame) {
@@ -209,6 +218,7 @@ TEST(PrintedNumbers, GodotCountsFromTheSecondFrameTo16) {
 }
 
 // A change of 52.5 px rejects (52.5 − 2.5) · 0.01 = ½: N falls from 8 to 4, and α is 1/5 + ½.
+// Techniques: 12.5.
 TEST(PrintedNumbers, WhatGodotRejectsTakesFromTheCountAndAddsToAlpha) {
   Inputs inputs = test::constantInputs(1, 1, glm::vec3(0.5f));
   test::setHistory(inputs, glm::vec3(0.5f), 8.0f);

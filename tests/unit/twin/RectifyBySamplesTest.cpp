@@ -90,6 +90,7 @@ std::array<glm::vec3, 9> grays() {
   return colors;
 }
 
+// Techniques: 9.1, 9.7.
 TEST(RectifyBySamples, WhatOnlyOneOfTheTwoBoxesHoldsIsMoved) {
   const glm::vec3 red(0.75f, 0.25f, 0.25f), gray(0.625f);
   for (const ColorSpace space : kSpaces) {
@@ -177,6 +178,7 @@ TEST(RectifyBySamples, SixSlabsStandBetweenTheBoxAndTheHull) {
   EXPECT_GT(looser, 50);
 }
 
+// Techniques: 11.8.
 TEST(RectifyBySamples, SelectTakesTheNearestSampleBitForBit) {
   Colors random(118);
   for (const ToneSpace tone : {ToneSpace::Linear, ToneSpace::ReinhardLuma})
@@ -207,6 +209,7 @@ TEST(RectifyBySamples, OfEquallyNearSamplesTheCenterThenTheFirstIsTaken) {
   EXPECT_EQ(rectified(settings, colors, glm::vec3(0.5f)).value, glm::vec3(0.25f)) << "the first";
 }
 
+// Techniques: 17.6.
 TEST(RectifyBySamples, SelectReplacesHistoryInsideTheBoxButKeepsASample) {
   const Settings settings = with(RectifyMethod::Select);
   EXPECT_EQ(rectified(settings, grays(), glm::vec3(0.3f)).value, glm::vec3(0.25f));

@@ -28,6 +28,7 @@ void eachLevel(Check check) {
   }
 }
 
+// Techniques: 9.6, 15.5.
 TEST(ToneCurves, PqHasThePublishedValues) {
   // ST 2084: code values of 100, 1000 and 10000 cd/m² to six places.
   EXPECT_NEAR(pq(100.0f), 0.508078, 5e-7);
@@ -43,6 +44,7 @@ TEST(ToneCurves, PqHasThePublishedValues) {
   });
 }
 
+// Techniques: 15.7.
 TEST(ToneCurves, LogarithmAndWhitePointHaveTheirNumbers) {
   EXPECT_EQ(logarithm(0.0f), 0.0f);
   EXPECT_EQ(logarithm(1.0f), 1.0f);
@@ -97,6 +99,7 @@ TEST(ToneCurves, GammaIsTheCurveOfSrgbAndBack) {
 }
 
 // Y'CbCr of encoded channels (manual 9.4): of mid gray and of a color computed by hand from the standard.
+// Techniques: 9.4.
 TEST(ToneCurves, GammaMakesLumaAndChromaOfEncodedColors) {
   const SpaceSettings space{ColorSpace::YCbCr, ToneSpace::Gamma};
   const glm::vec3 gray = toBox(glm::vec3(0.21404114f), space);
@@ -129,6 +132,7 @@ TEST(ToneCurves, NeverFallAndNeverGoWild) {
   }
 }
 
+// Techniques: 9.5.
 TEST(ToneCurves, ColorsComeBackThroughTheBoxAndTheMix) {
   for (const ToneSpace tone : {ToneSpace::Pq, ToneSpace::Logarithm})
     for (const float level : {0.0f, 1e-4f, 1.0f, 1000.0f, 65504.0f}) {

@@ -53,6 +53,7 @@ std::vector<Step> accumulate(const std::vector<float>& samples, const Settings& 
 }
 
 // Blue of 3 has the luma 0.2166 by Rec. 709 and 0.75 as the Y of YCoCg: it weighs 0.822 or 0.571.
+// Techniques: 15.1.
 TEST(TwinBlend, WeighsByTheLumaThatIsChosen) {
   Settings settings;
   settings.blend.tone = ToneWeight::Luma;
@@ -73,6 +74,7 @@ TEST(TwinBlend, WeighsByTheLumaThatIsChosen) {
   EXPECT_FLOAT_EQ(blend(settings, mix).toneWeightCurrent, 1.0f / 1.1875f);
 }
 
+// Techniques: 13.1.
 TEST(TwinBlend, ConstantAlphaIsTheUnrolledExponentialAverage) {
   const std::vector<float> s = randomSamples(60);
   for (const float alpha : {0.04f, 0.1f, 0.5f}) {
@@ -86,6 +88,7 @@ TEST(TwinBlend, ConstantAlphaIsTheUnrolledExponentialAverage) {
   }
 }
 
+// Techniques: 16.
 TEST(TwinBlend, EffectiveSamplesFollowTheClosedForm) {
   const std::vector<float> s(500, 0.5f);
   for (const double alpha : {0.04, 0.05, 0.1, 0.125, 0.2}) {
@@ -143,6 +146,7 @@ TEST(TwinBlend, PeriodicSamplesSettleToACycleWithTheirMean) {
   EXPECT_NEAR(cycle, mean, 1e-6);
 }
 
+// Techniques: 13.2.
 TEST(TwinBlend, AlphaByLengthIsTheArithmeticMean) {
   const std::vector<float> s = randomSamples(256);
   const std::vector<Step> steps = accumulate(s, byLength(0.0f));
@@ -154,6 +158,7 @@ TEST(TwinBlend, AlphaByLengthIsTheArithmeticMean) {
   }
 }
 
+// Techniques: 13.3.
 TEST(TwinBlend, TheFloorOfAlphaEndsTheGrowthOfLength) {
   const std::vector<Step> steps = accumulate(std::vector<float>(200, 0.5f), byLength(0.1f));
   // Frame 0 has N = 1; t counts the frames after it (invariant 50).
@@ -173,6 +178,7 @@ TEST(TwinBlend, TheFirstFrameIsTheCurrentColorAndDependsOnNothingElse) {
   EXPECT_EQ(first.factor, 1.0f);
 }
 
+// Techniques: 1.3, 15.2.
 TEST(TwinBlend, ToneWeightsBlendAsReinhardSpaceDoes) {
   Settings settings = constantAlpha(0.1f);
   settings.blend.tone = ToneWeight::Luma;
@@ -196,6 +202,7 @@ TEST(TwinBlend, ToneWeightsBlendAsReinhardSpaceDoes) {
   }
 }
 
+// Techniques: 15.1.
 TEST(TwinBlend, ToneWeightsTameFireflies) {
   Settings settings = constantAlpha(0.1f);
   settings.blend.tone = ToneWeight::Luma;
@@ -209,6 +216,7 @@ TEST(TwinBlend, ToneWeightsTameFireflies) {
 }
 
 // Manual 15.5 to 15.7: the mean of what the curve makes of both.
+// Techniques: 15.5, 15.6, 15.7.
 TEST(TwinBlend, CurvesMixAsTheyCompress) {
   Settings settings = constantAlpha(0.1f);
   const auto gray = [&settings](ToneWeight tone, float current, float history) {
@@ -233,6 +241,7 @@ TEST(TwinBlend, CurvesMixAsTheyCompress) {
   }
 }
 
+// Techniques: 1.6.
 TEST(TwinBlend, RoundsStoredHistoryToTheNearestHalf) {
   Settings settings = constantAlpha(0.5f);
   settings.history.precision = Precision::Half;
@@ -260,6 +269,7 @@ Settings storedAs(Precision precision, Switch dither, float alpha = 0.1f) {
 }
 
 // Invariant 52: without dither the average stops ½ step over α before its goal.
+// Techniques: 14.7, 20.6.
 TEST(TwinBlend, EightBitsStallAndDitherTakesTheBiasAway) {
   const float goal = 200.0f / 255.0f;
   const auto stalledAt = [goal](float alpha) {
@@ -287,6 +297,7 @@ TEST(TwinBlend, EightBitsStallAndDitherTakesTheBiasAway) {
   }
 }
 
+// Techniques: 1.6.
 TEST(TwinBlend, DitherKeepsWhatCanBeStoredAndRoundsTheRestToEitherSide) {
   BlendInputs mix{.alpha = 1.0f};
   for (const auto& [precision, steps] :
@@ -347,6 +358,7 @@ TEST(TwinBlend, DitherIsWhiteOverFramesPixelsAndChannels) {
 }
 
 // Manual 14.2: (w_s s + w_h h)/(w_s + w_h) of each channel by itself.
+// Techniques: 14.2.
 TEST(TwinBlend, ChannelsAreMixedByTheirOwnWeights) {
   Settings settings = test::plainSettings();
   settings.weight.source = AlphaSource::ContrastPerChannel;
@@ -367,6 +379,7 @@ TEST(TwinBlend, ChannelsAreMixedByTheirOwnWeights) {
 }
 
 // Invariant 51: w' = 1/(2 − w) from w = ½ gives k/(k + 1), whose α is that of the mean.
+// Techniques: 16.
 TEST(TwinBlend, ReciprocalLengthIsTheRecursionOfTheWeight) {
   Settings settings = byLength(0.0f);
   settings.blend.length = LengthRule::Reciprocal;
@@ -386,6 +399,7 @@ TEST(TwinBlend, ReciprocalLengthIsTheRecursionOfTheWeight) {
 }
 
 // Invariant 51: Bevy's schedule.
+// Techniques: 16.
 TEST(TwinBlend, ConfidenceFreezesEarlySamples) {
   Settings settings = test::plainSettings();
   settings.weight = {

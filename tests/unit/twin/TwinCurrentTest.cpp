@@ -15,6 +15,7 @@ namespace {
 
 constexpr CurrentSettings kGaussian{CurrentFilter::Gaussian, 0.22f};
 
+// Techniques: 7.4.
 TEST(TwinCurrent, GaussianAtRestHasTheWeightsOfBlackmanHarris) {
   const std::array<float, 9> w = gaussianWeights(0.22f, glm::vec2(0.0f));
   const float sum = std::accumulate(w.begin(), w.end(), 0.0f);
@@ -42,6 +43,7 @@ TEST(TwinCurrent, KeepsConstantsExactlyWhateverTheJitter) {
   }
 }
 
+// Techniques: 7.0.
 TEST(TwinCurrent, SpreadsAnImpulseByItsWeights) {
   Inputs inputs = test::constantInputs(5, 5, glm::vec3(0.0f));
   test::setColor(inputs.color, 2, 2, glm::vec3(1.0f));
@@ -69,6 +71,7 @@ TEST(TwinCurrent, MovesAJitteredRampBackToTheCenter) {
 
 // Invariant 33: a tap at p + j gives the ramp at rest, one at p − j, as source 002's text has it (manual §26,
 // D10), is off by 2 j.
+// Techniques: D10.
 TEST(TwinCurrent, UnjitteringAsPrintedDoublesTheJitter) {
   for (const float jitter : {-0.5f, -0.25f, 0.25f, 0.5f}) {
     Inputs inputs = test::constantInputs(5, 1, glm::vec3(0.0f));
@@ -88,6 +91,7 @@ TEST(TwinCurrent, TakesBadChannelsForBlack) {
 }
 
 // Invariant 62: as printed what is flat becomes s times as bright.
+// Techniques: 18.2, D10.
 TEST(TwinCurrent, SharpeningKeepsConstantsButAsPrintedScalesThem) {
   const Inputs inputs = test::constantInputs(4, 4, {0.25f, 1e-4f, 1000.0f});
   for (const float amount : {0.0f, 0.5f, 1.0f, 4.0f}) {
@@ -101,6 +105,7 @@ TEST(TwinCurrent, SharpeningKeepsConstantsButAsPrintedScalesThem) {
   }
 }
 
+// Techniques: 18.2.
 TEST(TwinCurrent, SharpeningAddsTheDifferenceToTheFourAround) {
   Inputs inputs = test::constantInputs(3, 3, glm::vec3(1.0f));
   test::setColor(inputs.color, 1, 1, glm::vec3(2.0f));

@@ -40,6 +40,7 @@ TEST(TwinHistory, CubicWeightsAreCatmullRoms) {
 
 // Manual 6.4c: Σw = 1, so a constant stays without a division, and a ramp is off by half of what its share
 // of the corners is.
+// Techniques: 6.4c.
 TEST(TwinHistory, CornersFromTheirNeighborsKeepConstantsAndRampsNearly) {
   const HistorySettings settings{HistoryFilter::CatmullRom5Corners, Switch::Off, Precision::Full};
   const Inputs constant = withHistory(8, 8, glm::vec3(0.7f));
@@ -81,6 +82,7 @@ TEST(TwinHistory, FiveTapsOfTheCubicAreCatmullRomsAtOneHalf) {
 }
 
 // Manual §26, D13.
+// Techniques: D13.
 TEST(TwinHistory, AsHdrpPrintsItTheRightTapComesFromTheRowAbove) {
   HistorySettings cubic{HistoryFilter::Cubic5, Switch::Off, Precision::Full};
   HistorySettings printed = cubic;
@@ -102,6 +104,7 @@ TEST(TwinHistory, AsHdrpPrintsItTheRightTapComesFromTheRowAbove) {
 }
 
 // Manual 6.8.
+// Techniques: 6.8.
 TEST(TwinHistory, ReadsOneTapWhereDepthHasAnEdge) {
   Inputs inputs = withHistory(12, 8, glm::vec3(0.0f));
   for (int k = 0; k < 96; ++k)
@@ -141,6 +144,7 @@ TEST(TwinHistory, BilinearMixesTheFourTexelsAround) {
 }
 
 // Manual 5.4: what lies beyond the picture is black, and what is read near the border is mixed with it.
+// Techniques: 5.4.
 TEST(TwinHistory, ABlackBorderDarkensWhatIsReadAcrossIt) {
   Inputs inputs = withHistory(4, 4, glm::vec3(1.0f));
   const auto read = [&](HistoryFilter filter, HistoryBorder border, const glm::vec2& position) {
@@ -164,6 +168,7 @@ TEST(TwinHistory, ABlackBorderDarkensWhatIsReadAcrossIt) {
 }
 
 // Bevy's slip (manual §26, D15): N of the pixel, whatever surface was there.
+// Techniques: D15.
 TEST(TwinHistory, AsBevyPrintsItNIsOfTheOwnPixel) {
   Inputs inputs = withHistory(8, 1, glm::vec3(0.5f));
   for (int x = 0; x < 8; ++x) inputs.historySurface.at(x, 0)[0] = static_cast<float>(x + 1);
@@ -183,6 +188,7 @@ TEST(TwinHistory, BothFiltersReadATexelExactlyAtItsCenter) {
   }
 }
 
+// Techniques: 6.4.
 TEST(TwinHistory, NormalizedFiveTapsKeepConstantsExactlyAndRampsClosely) {
   Inputs constant = withHistory(8, 8, glm::vec3(0.7f));
   Inputs ramp = withHistory(8, 8, glm::vec3(0.0f));

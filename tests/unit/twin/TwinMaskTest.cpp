@@ -27,6 +27,7 @@ float alphaOf(const twin::Inputs& inputs, const Settings& settings) {
   return at(twin::resolvePixel(inputs, settings, 1, 1), IntermediateId::alpha).x;
 }
 
+// Techniques: 13.18, 21.4, 21.5.
 TEST(TwinMask, AsksForAtLeastAsMuchOfTheCurrentFrame) {
   Settings settings = test::plainSettings();
   EXPECT_EQ(alphaOf(masked(0.75f, 0.5f), settings), 0.1f);
@@ -44,6 +45,7 @@ TEST(TwinMask, AsksForAtLeastAsMuchOfTheCurrentFrame) {
   EXPECT_EQ(alphaOf(masked(0.0f, 1.0f / 255.0f), settings), 1.0f);
 }
 
+// Techniques: 21.4.
 TEST(TwinMask, ShowsTheCurrentFrameAloneWhereExcluded) {
   Settings settings = test::plainSettings();
   settings.weight.mask = MaskAlpha::Exclude;
@@ -53,6 +55,7 @@ TEST(TwinMask, ShowsTheCurrentFrameAloneWhereExcluded) {
 }
 
 // γ·(1 + 1.5m) ≤ 2.5γ and α/(1 + 0.5m) ≥ α/1.5.
+// Techniques: 10.10.
 TEST(TwinMask, RelaxesBoxAndWeight) {
   Settings settings = test::plainSettings();
   settings.neighborhood.box = BoxKind::Variance;

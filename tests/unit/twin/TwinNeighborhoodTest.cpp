@@ -38,6 +38,7 @@ constexpr SpaceSettings kYCoCg{ColorSpace::YCoCg, ToneSpace::Linear};
 constexpr SpaceSettings kToned{ColorSpace::YCoCg, ToneSpace::ReinhardLuma};
 
 // Manual 8.8, as invariant 33: rendered with jitter j, pixel p holds what belongs to p − j.
+// Techniques: 8.8.
 TEST(TwinNeighborhood, TapsAtTheJitterFindTheSamplesOfARampWhereTheyWouldBeWithoutIt) {
   const auto ramp = [](float x, float y) { return 8.0f + 0.5f * x + 0.25f * y; };
   NeighborhoodSettings settings{NeighborhoodShape::Square3x3, BoxKind::MinMax, 1.0f, Switch::Off};
@@ -79,6 +80,7 @@ Neighborhood tapsOfARamp(const NeighborhoodInputs& moved, const glm::vec2& jitte
 }
 
 // Manual 8.5: κ = ½ + 0.1667·sat(½/(‖v‖·z)).
+// Techniques: 8.5.
 TEST(TwinNeighborhood, TapsVaryWithSpeedAndDepth) {
   struct Case {
     float speed, depth, reach;
@@ -121,6 +123,7 @@ TEST(TwinNeighborhood, TheCenterIsNoneOfTheTapsThatVary) {
 }
 
 // Manual 8.7, MiniEngine: both columns of a pair have the same seven.
+// Techniques: 8.7.
 TEST(TwinNeighborhood, PairsOfColumnsHaveTheSameSeven) {
   Inputs inputs = test::constantInputs(7, 3, glm::vec3(0.0f));
   for (int k = 0; k < 21; ++k)
@@ -227,6 +230,7 @@ TEST(TwinNeighborhood, SmallDeviationsOfBrightPixelsSurvive) {
   EXPECT_FLOAT_EQ(n.deviation.x, std::sqrt(80.0f / 12.0f));
 }
 
+// Techniques: 9.2.
 TEST(TwinNeighborhood, YCoCgGoesThereAndBackAndGraysHaveNoChroma) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> level(-2.0f, 2.0f);
@@ -242,6 +246,7 @@ TEST(TwinNeighborhood, YCoCgGoesThereAndBackAndGraysHaveNoChroma) {
   EXPECT_EQ(fromBox(toBox({4.0f, 2.0f, 1.0f}, kYCoCg), kYCoCg), glm::vec3(4.0f, 2.0f, 1.0f)); // not saturated
 }
 
+// Techniques: 9.5.
 TEST(TwinNeighborhood, ToneSpaceGoesThereAndBackWithinItsErrorBound) {
   for (float level = 1e-4f; level < 70000.0f; level *= 3.7f) {
     const glm::vec3 c(level, 0.5f * level, 0.25f * level);

@@ -73,6 +73,7 @@ TEST(TwinOutput, NoneIsTheColorItself) {
   EXPECT_EQ(sharpen(with(Sharpen::None, 4.0f), c, c), c[4]);
 }
 
+// Techniques: 18.3.
 TEST(TwinOutput, LinearOnesAddTheirDifferenceToTheMean) {
   const Nine c = impulse(1.0f, 2.0f);
   EXPECT_EQ(sharpened(Sharpen::Laplacian, 0.5f, c), 2.5f);          // 2 + ½(2 − 1)
@@ -81,6 +82,7 @@ TEST(TwinOutput, LinearOnesAddTheirDifferenceToTheMean) {
   EXPECT_EQ(sharpened(Sharpen::Laplacian, 4.0f, impulse(1.0f, 0.5f)), 0.0f) << "not below black";
 }
 
+// Techniques: 18.1.
 TEST(TwinOutput, LumaRatioKeepsTheHueAndBlack) {
   Nine c = filled({0.1f, 0.2f, 0.3f});
   c[4] = {0.4f, 0.2f, 0.1f};
@@ -113,6 +115,7 @@ TEST(TwinOutput, RcasStaysWithinItsRange) {
   }
 }
 
+// Techniques: 18.5.
 TEST(TwinOutput, RcasTakesTheLobeOfTheFormula) {
   // Compressed: center 0.5, ring 0.4. Room 0.4/1.6 = 1/4, headroom (1 − 0.5)/(4 − 1.6) = 0.2083: 3/16 it is.
   const Nine c = impulse(0.4f / 0.6f, 1.0f);
@@ -123,6 +126,7 @@ TEST(TwinOutput, RcasTakesTheLobeOfTheFormula) {
   EXPECT_EQ(sharpened(Sharpen::Rcas, 4.0f, c), sharpened(Sharpen::Rcas, 1.0f, c)) << "1 is the most";
 }
 
+// Techniques: 18.6.
 TEST(TwinOutput, InTheResolveOnlyBrightens) {
   std::mt19937 random(4);
   for (int i = 0; i < 500; ++i) {
@@ -135,6 +139,7 @@ TEST(TwinOutput, InTheResolveOnlyBrightens) {
   EXPECT_NEAR(sharpened(Sharpen::InResolve, 0.5f, impulse(1.0f, 3.0f)), expected, 1e-5f);
 }
 
+// Techniques: 18.7.
 TEST(TwinOutput, LogarithmIsTheFormulaOfIntel) {
   std::mt19937 random(5);
   for (const double k : {0.0, 0.25, 0.5, 1.0, 1.75, 4.0})
@@ -150,6 +155,7 @@ TEST(TwinOutput, LogarithmIsTheFormulaOfIntel) {
     }
 }
 
+// Techniques: 18.4.
 TEST(TwinOutput, ReconstructIsTheCubicAtThePixelsCenters) {
   // k = 3: −½, 2, −½ each way.
   EXPECT_EQ(sharpened(Sharpen::Reconstruct, 3.0f, impulse(0.0f, 1.0f)), 4.0f);
@@ -197,6 +203,7 @@ Settings withBlur() {
   return settings;
 }
 
+// Techniques: 14.4.
 TEST(TwinOutput, TrustsTheResolvedColorBySpeed) {
   const auto trust = [](const glm::vec2& motion) {
     return showOutput(movingRamp(motion), withBlur(), {32, 2}).trust;
@@ -210,6 +217,7 @@ TEST(TwinOutput, TrustsTheResolvedColorBySpeed) {
   EXPECT_EQ(showOutput(movingRamp({20.0f, 0.0f}), Settings{}, {32, 2}).trust, 1.0f) << "off";
 }
 
+// Techniques: 14.4.
 TEST(TwinOutput, BlursThisFrameAlongHalfTheMotion) {
   // Seven taps v/6 apart around the pixel: of a ramp their mean is the pixel, moved by the start of the taps,
   // which is less than half of v/6.
@@ -259,6 +267,7 @@ Settings withDither() {
 }
 
 // Manual 20.8; invariant 64: mean 0, variance 1/6, from −1 to 1.
+// Techniques: 20.8.
 TEST(TwinOutput, ScreenNoiseIsTriangular) {
   double sum = 0.0, squares = 0.0;
   float most = 0.0f;
@@ -277,6 +286,7 @@ TEST(TwinOutput, ScreenNoiseIsTriangular) {
   EXPECT_NE(triangularNoise({3, 4}, 7), triangularNoise({3, 4}, 8));
 }
 
+// Techniques: 20.8.
 TEST(TwinOutput, DitherIsAStepOfSquareRoots) {
   Inputs inputs = test::constantInputs(32, 32, glm::vec3(0.0f));
   inputs.resolved = Image(32, 32, 3);

@@ -100,6 +100,7 @@ TEST(TwinRectify, ClipsEndOnTheSurfaceAndOnTheLineToTheirTarget) {
   }
 }
 
+// Techniques: 11.3.
 TEST(TwinRectify, ClosedFormsInOneDimension) {
   const glm::vec3 low(1.0f, 0.0f, 0.0f);
   const glm::vec3 high(2.0f, 1.0f, 1.0f);
@@ -163,6 +164,7 @@ Inputs oneHistory() {
   return made;
 }
 
+// Techniques: 10.12.
 TEST(TwinRectify, TheHullOfGraysHoldsNoColorWhateverTheirBox) {
   Neighborhood grays;
   for (int k = 0; k < 9; ++k) grays.samples[std::size_t(k)] = glm::vec3(0.125f * float(k));
@@ -210,6 +212,7 @@ TEST(TwinRectify, TheHullIsNeverWiderThanTheBoxOfItsSamples) {
   EXPECT_GT(tighter, 250);
 }
 
+// Techniques: 10.12.
 TEST(TwinRectify, TheSlabsHoldEveryMixtureOfTheSamples) {
   std::mt19937 random(41);
   std::uniform_real_distribution<float> level(0.0f, 1.0f);

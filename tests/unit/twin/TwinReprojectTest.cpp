@@ -16,6 +16,7 @@ using test::constantInputs;
 
 constexpr DilateSettings kClosest{DilateMethod::Closest3x3};
 
+// Techniques: 4.1.
 TEST(TwinDilate, SpreadsTheForegroundsMotionByOnePixel) {
   Inputs inputs = constantInputs(9, 5, glm::vec3(0.5f));
   for (int y = 0; y < 5; ++y) {
@@ -56,6 +57,7 @@ TEST(TwinDilate, TakesTheFirstOfEquallyNearNeighborsAndStaysInThePicture) {
 // Manual §26, D13: with each tap the depth of the next one is kept, and step() holds for equal depths:
 // from the first that is no farther than the pixel on, each is compared with itself, and the last of them
 // wins.
+// Techniques: D13.
 TEST(TwinDilate, AsHdrpPrintsItTheLowerLeftWinsWhereAnyIsNoFarther) {
   const auto chosen = [](const std::array<float, 4>& depths) { // in the order of the comparisons
     Inputs inputs = constantInputs(3, 3, glm::vec3(0.5f));
@@ -81,6 +83,7 @@ TEST(TwinDilate, GivesViewDepthInMetersAndZeroForTheSky) {
   EXPECT_EQ(viewDepth(0.0f, inputs.depthTerms), 0.0f);
 }
 
+// Techniques: 5.8.
 TEST(TwinReproject, SubtractsMotionFromThePixelsCenter) {
   const Inputs inputs = constantInputs(8, 4, glm::vec3(0.5f));
   const Reprojection reprojected = reproject(inputs, {}, {2.25f, -1.5f}, {3, 1});

@@ -45,6 +45,7 @@ TEST(Twin, AConstantImageStaysExactlyConstantThroughEveryOption) {
   }
 }
 
+// Techniques: 14.6.
 TEST(Twin, GarbageIsGoneWithinOneFrameAndNeverLeavesTheResolve) {
   const std::vector<float> garbage{
       std::nanf(""), INFINITY, -INFINITY, -3.0f, 65504.0f, 1e30f, std::numeric_limits<float>::denorm_min()};

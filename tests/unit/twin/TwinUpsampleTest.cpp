@@ -37,6 +37,7 @@ TEST(TwinUpsample, DrawsTheNextLargerSize) {
   EXPECT_EQ(drawn(4, 4, 0.5f), glm::ivec2(2, 2));
 }
 
+// Techniques: 8.9.
 TEST(TwinUpsample, FindsTheNearestSampleAndTheWayToIt) {
   twin::Inputs inputs = half();
   // Center ½ of the picture is ¼ of the drawing; sample 0 lies at ½.
@@ -65,6 +66,7 @@ TEST(TwinUpsample, MeasuresMotionInPixelsOfThePicture) {
   EXPECT_EQ(dilateMotion(inputs, own, {4, 4}).motion, glm::vec2(twin::kNoPreviousPosition)) << "a mark";
 }
 
+// Techniques: 22.1.
 TEST(TwinUpsample, TrustsTheNearestSampleByItsDistance) {
   const auto kappa = [](float x, float y, float speed = 0.0f) {
     return confidence(UpsampleKernel::SampleWeight, {x, y}, speed);
@@ -78,6 +80,7 @@ TEST(TwinUpsample, TrustsTheNearestSampleByItsDistance) {
   EXPECT_EQ(nearest.color, glm::vec3(2.0f));
 }
 
+// Techniques: 22.2.
 TEST(TwinUpsample, LanczosCountsTheSamplesWithinTwoPixels) {
   const auto at = [](float x, float y) {
     return upsample(half(), UpsampleKernel::Lanczos2, {{3, 3}, {x, y}, {3, 3}}, 0.0f);
@@ -92,6 +95,7 @@ TEST(TwinUpsample, LanczosCountsTheSamplesWithinTwoPixels) {
   EXPECT_EQ(at(0.25f, 0.0f).color, glm::vec3(2.0f)) << "1 + near/(near + far) is more than any sample";
 }
 
+// Techniques: 22.3.
 TEST(TwinUpsample, HdrpTrustsASampleInABoxThatHoldsAnyNearestOne) {
   EXPECT_EQ(confidence(UpsampleKernel::Hdrp, {0.5f, -0.5f}), 1.0f) << "as far as the nearest can be";
   EXPECT_EQ(confidence(UpsampleKernel::Hdrp, {0.5f, -1.0f}), 1.0f) << "½/r";
@@ -101,6 +105,7 @@ TEST(TwinUpsample, HdrpTrustsASampleInABoxThatHoldsAnyNearestOne) {
   EXPECT_FLOAT_EQ(color, 1.0f + 1.0f / (1.0f + 8.0f * edge));
 }
 
+// Techniques: 22.3.
 TEST(TwinUpsample, HdrpsGaussianTrustsASampleByItsDistance) {
   const auto kappa = [](float x, float y) { return confidence(UpsampleKernel::HdrpGaussian, {x, y}); };
   EXPECT_EQ(kappa(0.0f, 0.0f), 1.0f) << "4 times 1, at most 1";
@@ -115,6 +120,7 @@ TEST(TwinUpsample, HdrpsGaussianTrustsASampleByItsDistance) {
             upsample(half(), UpsampleKernel::Hdrp, place, 0.0f).color);
 }
 
+// Techniques: 22.4.
 TEST(TwinUpsample, Fsr2IsRoundAndKeepsHistoryWhereItsSumIsNegative) {
   EXPECT_EQ(confidence(UpsampleKernel::Fsr2, {0.5f, 0.5f}), 0.0f) << "four samples on the negative lobe";
   // Scaled by 1.99, not 2: the cross at 1.99, the diagonals beyond 2.

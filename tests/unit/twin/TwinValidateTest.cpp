@@ -32,6 +32,7 @@ Validity validate(const Inputs& inputs, const ValidateSettings& settings = kOn) 
   return validateHistory(inputs, settings, {}, atRest, atRest.position, {1, 1});
 }
 
+// Techniques: 12.1.
 TEST(TwinValidate, ComparesDepthsRelativeToWhatIsExpected) {
   EXPECT_EQ(validate(withHistory(4.0f, 3.0f)).depthMismatch, 0.25f);
   EXPECT_EQ(validate(withHistory(4.0f, 5.0f)).depthMismatch, 0.25f);

@@ -22,6 +22,7 @@ float alphaOf(const WeightSettings& settings, const WeightInputs& weighed) {
 }
 
 // Manual 7.7: as the Gaussian of 7.4 weighs one sample.
+// Techniques: 7.7.
 TEST(TwinWeight, FallsWithTheDistanceOfTheSample) {
   WeightSettings settings = constant(0.5f);
   settings.sampleDistance = SampleDistance::Gaussian;
@@ -34,6 +35,7 @@ TEST(TwinWeight, FallsWithTheDistanceOfTheSample) {
 }
 
 // Manual 13.6, Donut: α·max(smoothstep(0, 1, ‖v‖), 1 − ‖j‖²).
+// Techniques: 13.6.
 TEST(TwinWeight, DonutsParabolaIsLiftedByMotion) {
   WeightSettings settings = constant(0.5f);
   settings.sampleDistance = SampleDistance::Parabola;
@@ -64,6 +66,7 @@ TEST(TwinWeight, TheResolveIsGivenTheSameDistancesAndTimes) {
 }
 
 // Manual 13.6, HDRP: 2α at 50 px, and no more.
+// Techniques: 13.6.
 TEST(TwinWeight, MotionDoublesAlphaAndStops) {
   WeightSettings settings = constant(0.125f);
   settings.motion = MotionAlpha::Doubled;
@@ -78,6 +81,7 @@ TEST(TwinWeight, MotionDoublesAlphaAndStops) {
 }
 
 // Manual 13.11: Godot measures after c/(1 + c) against 1.001, Filament against the larger luma.
+// Techniques: 13.11.
 TEST(TwinWeight, LumaMayBeMeasuredCompressed) {
   WeightSettings settings = constant(0.5f);
   settings.lumaFlicker = Switch::On;
@@ -90,6 +94,7 @@ TEST(TwinWeight, LumaMayBeMeasuredCompressed) {
 }
 
 // Invariant 53.
+// Techniques: 13.19.
 TEST(TwinWeight, TwoHalfFramesWeighAsOne) {
   WeightSettings settings = constant(0.36f);
   settings.frameRate = Switch::On;
@@ -115,6 +120,7 @@ TEST(TwinWeight, TwoHalfFramesWeighAsOne) {
 }
 
 // Manual 13.14, 14.2: β = lerp(0.25, 0.85, κ) of each channel.
+// Techniques: 13.14.
 TEST(TwinWeight, ContrastWeighsEachChannelByItself) {
   WeightSettings settings = constant(0.5f);
   settings.source = AlphaSource::ContrastPerChannel;

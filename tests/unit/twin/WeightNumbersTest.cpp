@@ -31,6 +31,7 @@ float playdead(float current, float history) {
   return 1.0f - blendWeight(settings, 5.0f, 0.0f, lumas(current, history)).alpha;
 }
 
+// Techniques: 13.10.
 TEST(WeightNumbers, TheLumaDifferenceOfPlaydeadTrustsWhatLooksAlike) {
   EXPECT_NEAR(playdead(0.7f, 0.7f), 0.97f, 1e-6f);
   EXPECT_NEAR(playdead(0.0f, 1.0f), 0.88f, 1e-6f);
@@ -43,6 +44,7 @@ TEST(WeightNumbers, TheLumaDifferenceOfPlaydeadTrustsWhatLooksAlike) {
   }
 }
 
+// Techniques: 13.12.
 TEST(WeightNumbers, TheLumaDifferenceAsPrintedTrustsWhatDiffers) {
   WeightSettings settings;
   settings.source = AlphaSource::LumaDifferenceAsPrinted;
@@ -69,6 +71,7 @@ float nearClampFactor(float history) {
   return blendWeight(settings, 5.0f, 0.0f, weighed).nearClamp;
 }
 
+// Techniques: 13.13.
 TEST(WeightNumbers, NearTheWallsHistoryIsKeptAndFarOutsideItIsNot) {
   EXPECT_EQ(nearClampFactor(1.0f), 0.0f);
   EXPECT_EQ(nearClampFactor(2.0f), 0.0f);
@@ -76,6 +79,7 @@ TEST(WeightNumbers, NearTheWallsHistoryIsKeptAndFarOutsideItIsNot) {
   EXPECT_GT(nearClampFactor(1e6f), 0.99999f);
 }
 
+// Techniques: 13.4, D11.
 TEST(WeightNumbers, SquaredMotionAsPrintedIsNothing) {
   WeightSettings settings;
   settings.motion = MotionAlpha::SquaredAsPrinted;
@@ -88,6 +92,7 @@ TEST(WeightNumbers, SquaredMotionAsPrintedIsNothing) {
   EXPECT_FLOAT_EQ(blendWeight(settings, 5.0f, 0.0f, weighed).motion, 0.6103515625f);
 }
 
+// Techniques: 13.5.
 TEST(WeightNumbers, AddedMotionIsThatOfSource002) {
   WeightSettings settings;
   settings.source = AlphaSource::Constant;
@@ -105,6 +110,7 @@ TEST(WeightNumbers, AddedMotionIsThatOfSource002) {
   EXPECT_EQ(alpha(1000.0f, 2.0f), 1.0f) << "accumulation is off";
 }
 
+// Techniques: 13.14.
 TEST(WeightNumbers, ContrastTrustsHistoryOnEdgesAndTheCurrentFrameOnFlatAreas) {
   WeightSettings settings;
   settings.source = AlphaSource::Contrast;
@@ -116,6 +122,7 @@ TEST(WeightNumbers, ContrastTrustsHistoryOnEdgesAndTheCurrentFrameOnFlatAreas) {
   EXPECT_NEAR(blendWeight(settings, 5.0f, 0.0f, weighed).alpha, 0.15f, 1e-6f);
 }
 
+// Techniques: 13.8.
 TEST(WeightNumbers, TheSkyTakesTheCurrentFrameAndDistanceTakesHistory) {
   WeightSettings settings;
   settings.source = AlphaSource::Depth;
@@ -131,6 +138,7 @@ TEST(WeightNumbers, TheSkyTakesTheCurrentFrameAndDistanceTakesHistory) {
   EXPECT_FLOAT_EQ(alpha(1.0f), 0.1f);
 }
 
+// Techniques: 13.15.
 TEST(WeightNumbers, AFactorBySizeOfTheBoxIsOneWhereThereIsNoContrast) {
   WeightSettings settings;
   settings.historyContrast = Switch::On;
@@ -195,6 +203,7 @@ TEST(WeightNumbers, APeriodSettlesToTheWeightsOfItsSamples) {
   EXPECT_NEAR(worst(sixteen), 0.203f, 5e-4f);
 }
 
+// Techniques: D12.
 TEST(WeightNumbers, LengthAsPrintedEndsAtTheGoldenRatio) {
   Settings settings = test::plainSettings();
   settings.weight = {AlphaSource::HistoryLength, 0.1f, 0.0f};
@@ -216,6 +225,7 @@ glm::vec3 firefly(ToneWeight tone, const glm::vec3& bright) {
   return glm::vec3(at(test::advance(inputs, settings, 0, 0), IntermediateId::resolved));
 }
 
+// Techniques: 1.3, 14.3, 15.0, 15.3, 15.4.
 TEST(WeightNumbers, EachToneWeightTamesAFireflyInItsOwnWay) {
   EXPECT_NEAR(firefly(ToneWeight::None, glm::vec3(100.0f)).x, 10.0f, 1e-5f);
   for (const ToneWeight tone : {ToneWeight::Luma, ToneWeight::ReinhardChannel, ToneWeight::MaxChannel})
