@@ -1,11 +1,11 @@
 #include "core/capture/planes/Planes.h"
 
 #include "core/base/Error.h"
+#include "core/base/Parallel.h"
 #include "core/base/Say.h"
 #include "core/base/ShownText.h"
 #include "core/capture/planes/PlaneFiles.h"
 
-#include <OpenImageIO/parallel.h>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
@@ -119,11 +119,12 @@ void read(const std::filesystem::path& folder, const Manifest& manifest, const C
 /// Side by side.
 void readAll(std::vector<ReadingJob>& jobs, const std::filesystem::path& folder, const Manifest& manifest,
              const CapturedFrame& frame) {
-  OIIO::parallel_for(std::size_t(0), jobs.size(), [&](std::size_t i) {
+  parallelFor(static_cast<int>(jobs.size()), [&](int i) {
+    ReadingJob& job = jobs[static_cast<std::size_t>(i)];
     try {
-      read(folder, manifest, frame, jobs[i]);
+      read(folder, manifest, frame, job);
     } catch (...) {
-      jobs[i].failure = std::current_exception();
+      job.failure = std::current_exception();
     }
   });
 }
