@@ -1,7 +1,7 @@
 #include "app/importing/FlickerCompare.h"
 
-#include "app/importing/PictureBox.h"
 #include "app/style/Theme.h"
+#include "app/widgets/PictureBox.h"
 
 #include <QHBoxLayout>
 #include <QPushButton>

@@ -1,8 +1,8 @@
 #include "app/importing/FramePanel.h"
 
 #include "app/importing/FlickerCompare.h"
-#include "app/importing/PictureBox.h"
 #include "app/style/Theme.h"
+#include "app/widgets/PictureBox.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -1,6 +1,7 @@
 #include "app/menus/HelpMenu.h"
 
 #include "app/dialogs/ReferenceDialog.h"
+#include "app/dialogs/VerifyDialog.h"
 #include "app/learn/Learning.h"
 #include "app/menus/CommandLists.h"
 #include "app/session/Session.h"
@@ -31,6 +32,7 @@ HelpMenu::HelpMenu(Commands& commands, const Session& session, CommandLists& lis
     auto* dialog = new ReferenceDialog(window);
     dialog->open();
   });
+  add(tr("&Check the driver…"), {}, [window] { VerifyDialog::openAt(window); });
   add(tr("&About TAA Inspector"), {}, [&session, window] {
     auto* box = new QMessageBox(
         QMessageBox::NoIcon, tr("About TAA Inspector"),

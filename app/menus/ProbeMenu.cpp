@@ -2,9 +2,11 @@
 
 #include "app/commands/GoToPrompts.h"
 #include "app/commands/ProbeCommands.h"
+#include "app/dialogs/MapDialog.h"
 #include "app/panels/ProbePanel.h"
 #include "app/session/ProbeChoices.h"
 #include "app/session/SceneChoices.h"
+#include "app/session/Session.h"
 #include "app/session/VerdictChoices.h"
 #include "app/style/Icons.h"
 #include "app/views/MeasuredRegion.h"
@@ -39,7 +41,7 @@ ProbeMenu::ProbeMenu(Commands& commands, const Targets& on, QWidget* parent)
   addVerdicts(on);
   addRemedies(on.verdicts);
   addSeparator();
-  addPages(on.panel);
+  addPages(on.panel, on.session);
   addPlot(on.panel);
 }
 
@@ -158,7 +160,7 @@ void ProbeMenu::addRemedies(VerdictChoices& verdicts) {
   }
 }
 
-void ProbeMenu::addPages(ProbePanel& panel) {
+void ProbeMenu::addPages(ProbePanel& panel, Session& session) {
   add(tr("&Values"), keys({"F2"}), [&panel] { panel.openTab(ProbeTab::Values); });
   add(tr("&Color space"), keys({"F3"}), [&panel] { panel.openTab(ProbeTab::ColorSpace); });
   const auto openWhatIf = [&panel] {
@@ -171,6 +173,13 @@ void ProbeMenu::addPages(ProbePanel& panel) {
     panel.openTab(ProbeTab::Sensitivity);
     panel.sensitivity()->table()->setFocus();
   })->setToolTip(tr("How much the pixel moves with each sample, each texel of history and each number"));
+  const auto openMap = [&session, window = parentWidget()->window()](const QString& path) {
+    if (session.isOpen()) MapDialog::openAt(session, path, window);
+  };
+  connect(panel.sensitivity(), &SensitivityPage::mapRequested, this, openMap);
+  add(tr("Where a &number matters…"), {}, [openMap] {
+    openMap({});
+  })->setToolTip(tr("How much each pixel of the frame moves with a number of the settings"));
   add(tr("Measure the pictures of w&hat if"), keys({"Ctrl+F4"}), [&panel, openWhatIf] {
     openWhatIf();
     Q_EMIT panel.whatIf()->measuringRequested();

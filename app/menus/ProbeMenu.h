@@ -10,6 +10,7 @@ class ProbeChoices;
 class ProbeCommands;
 class ProbePanel;
 class SceneChoices;
+class Session;
 class VerdictChoices;
 class ViewArea;
 
@@ -24,6 +25,7 @@ class ProbeMenu : public CommandMenu {
     ProbeCommands& probe;
     GoToPrompts& prompts;
     const SceneChoices& scene;
+    Session& session;
   };
   ProbeMenu(Commands& commands, const Targets& on, QWidget* parent);
 
@@ -34,7 +36,7 @@ class ProbeMenu : public CommandMenu {
   void addRegion(const Targets& on);
   void addVerdicts(const Targets& on);
   void addRemedies(VerdictChoices& verdicts);
-  void addPages(ProbePanel& panel);
+  void addPages(ProbePanel& panel, Session& session);
   void addPlot(ProbePanel& panel);
 };
 

@@ -17,13 +17,16 @@
 #include <QClipboard>
 #include <QFileDialog>
 #include <QHBoxLayout>
+#include <QHelpEvent>
 #include <QHideEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QShowEvent>
+#include <QStringList>
 #include <QToolButton>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -35,6 +38,8 @@
 namespace taa::app {
 
 namespace {
+
+constexpr const char* kChipRow = "row"; ///< property: the intermediate of a chip
 
 constexpr int kPlotsRefresh = 100; ///< ms
 
@@ -251,6 +256,8 @@ void PlotsPanel::makeChips() {
     chip->setText(qtext(info.label));
     chip->setAccessibleName(tr("Plot of %1").arg(qtext(info.label)));
     chip->setToolTip(qtext(info.description));
+    chip->setProperty(kChipRow, static_cast<int>(row.id));
+    chip->installEventFilter(this);
     chip->setPopupMode(QToolButton::InstantPopup);
     chip->setFocusPolicy(Qt::TabFocus);
     auto* menu = new QMenu(chip);
@@ -266,6 +273,20 @@ void PlotsPanel::makeChips() {
     chip->setMenu(menu);
     chips_->addWidget(chip);
   }
+}
+
+// A plot's name tells how the value came about, once that is known.
+bool PlotsPanel::eventFilter(QObject* watched, QEvent* event) {
+  const QVariant row = watched->property(kChipRow);
+  if (event->type() != QEvent::ToolTip || !row.isValid() || !formulas_)
+    return QWidget::eventFilter(watched, event);
+  const auto id = static_cast<IntermediateId>(row.toInt());
+  QStringList lines{qtext(intermediate(id).description)};
+  if (const QString formula = formulas_(id); !formula.isEmpty())
+    lines << tr("At the probe, frame %1: %2").arg(frame_).arg(formula);
+  QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), lines.join(QLatin1Char('\n')),
+                     static_cast<QWidget*>(watched));
+  return true;
 }
 
 void PlotsPanel::chooseRow() {

@@ -11,7 +11,9 @@
 #include <QWidget>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 class QHBoxLayout;
@@ -36,6 +38,10 @@ class PlotsPanel : public QWidget {
   /// Null when nothing is known of the probe.
   const PixelTrace* traceOf(const Probe& probe) const;
 
+  /// How the active probe's value of a row in the frame on show was made; empty: not known.
+  using Formulas = std::function<QString(IntermediateId)>;
+  /// Asked when a plot's name is pointed at.
+  void setFormulas(Formulas formulas) { formulas_ = std::move(formulas); }
   void setRows(const std::vector<PlotRow>& rows);
   const std::vector<PlotRow>& rows() const { return rows_; }
   void addRow(IntermediateId id);
@@ -75,6 +81,7 @@ class PlotsPanel : public QWidget {
   void failed(const QString& sentence);
 
  protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void showEvent(QShowEvent*) override;
   void hideEvent(QHideEvent*) override;
   void resizeEvent(QResizeEvent*) override;
@@ -100,6 +107,7 @@ class PlotsPanel : public QWidget {
   std::vector<int> cuts_, restarts_;
   std::vector<PlotRow> rows_;
   SpaceSettings space_; ///< of the settings that made the values
+  Formulas formulas_;
   std::vector<CurveChart*> charts_;
   Span shown_{0.0, 0.0};
   std::optional<Span> ruler_; ///< px of the screen

@@ -393,6 +393,10 @@ QString ProbePanel::story() const {
   return id ? storyText(*id, model_->storyOf(*id)) : QString();
 }
 
+QString ProbePanel::formulaOf(IntermediateId id) const {
+  return result_ && result_->details ? qtext(model_->storyOf(id).formula) : QString();
+}
+
 QString ProbePanel::valueText(IntermediateId fallback) const {
   if (!result_) return {};
   const auto selected = table_->hasFocus() ? model_->idOf(table_->currentIndex()) : std::nullopt;

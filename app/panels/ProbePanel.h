@@ -73,6 +73,8 @@ class ProbePanel : public QWidget {
   SensitivityPage* sensitivity() const { return sensitivity_; }
   /// What the selected row tells: what happened, and its formula with the pixel's numbers.
   QString story() const;
+  /// How the value of a row was made; empty: not known.
+  QString formulaOf(IntermediateId id) const;
   ProbeModel* model() const { return model_; }
   QTreeView* table() const;
   ProbeBar* bar() const { return bar_; }

@@ -1,4 +1,4 @@
-#include "app/importing/PictureBox.h"
+#include "app/widgets/PictureBox.h"
 
 #include "app/style/PictureImage.h"
 #include "app/style/Theme.h"

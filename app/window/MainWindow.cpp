@@ -291,7 +291,7 @@ void MainWindow::makeMenus() {
   bar->addMenu(faults);
   bar->addMenu(new ProbeMenu(all,
                              {session_.probes(), session_.verdicts(), *views_, *probe_, *probeCommands_,
-                              *prompts_, session_.scene()},
+                              *prompts_, session_.scene(), session_},
                              bar));
   bar->addMenu(new HelpMenu(all, session_, *lists_, *learning_, bar));
 }
@@ -301,6 +301,7 @@ void MainWindow::makeFeeds() {
   verdictFeed_ = std::make_unique<VerdictFeed>(session_, *views_, *probe_);
   plotFeed_ =
       std::make_unique<PlotFeed>(session_, PlotFeed::Panels{*plots_, *jitter_, *weights_, *timeline_});
+  plots_->setFormulas([this](IntermediateId id) { return probe_->formulaOf(id); });
   lineageFeed_ = std::make_unique<LineageFeed>(session_, *lineage_, *views_);
   sceneFeed_ = std::make_unique<SceneFeed>(session_, *views_, *scene_);
   flightFeed_ = std::make_unique<FlightFeed>(session_, *flight_, *flightBar_, *messages_);

@@ -17,7 +17,8 @@ namespace taa::cli {
 inline constexpr int kDone = 0;
 inline constexpr int kWorldsFault = 1;
 inline constexpr int kUsage = 2;
-inline constexpr int kFindings = 3; ///< doctor, import --check and lessons --check: something is wrong
+inline constexpr int kFindings =
+    3; ///< doctor, import --check, lessons --check and verify: something is wrong
 
 class Command : public CLI::App {
  public:
@@ -41,5 +42,6 @@ std::shared_ptr<Command> importCommand();
 std::shared_ptr<Command> sweepCommand();
 std::shared_ptr<Command> tuneCommand();
 std::shared_ptr<Command> lessonsCommand();
+std::shared_ptr<Command> verifyCommand();
 
 } // namespace taa::cli

@@ -1,11 +1,14 @@
 // taa-batch probe: one pixel of one frame.
+#include "core/base/ExistingFiles.h"
 #include "core/base/NumberText.h"
 #include "core/cli/Command.h"
 #include "core/cli/Shot.h"
 #include "core/cli/Table.h"
+#include "core/inspect/MappedShot.h"
 #include "core/inspect/ShownPicture.h"
 #include "core/inspect/WorstOfShot.h"
 #include "core/io/FrameJson.h"
+#include "core/io/PictureFile.h"
 #include "core/picture/RegionSpreadText.h"
 
 #include <algorithm>
@@ -36,11 +39,14 @@ struct ProbeCommand final : Command {
   std::string pixel;
   int frame = -1; ///< −1: that of the session
   bool json = false;
+  bool force = false;                     ///< replaces the picture that is there
   bool whatIf = false;                    ///< also the pixel under other choices
   bool sensitivity = false;               ///< also how much it moves with what it is made of
   std::string compare;                    ///< the other side; empty: none
   std::string region;                     ///< X,Y,WxH instead of a pixel; empty: none
   std::string find;                       ///< of kFindSteps, instead of a pixel; empty: none
+  std::string where;                      ///< a number of the settings, instead of a pixel; empty: none
+  std::string picture;                    ///< of `where`; empty: none
   std::vector<std::string> emit;          ///< of a region; empty: all of the frame's own resolve
   int referenceSamples = kVerdictSamples; ///< of rows of the reference that are named
 
@@ -54,6 +60,13 @@ struct ProbeCommand final : Command {
                "In place of --pixel: the worst pixel whose history is rejected, the one whose history is "
                "moved farthest (clipped), or the first one that is NaN or infinite in the output (nan)")
         ->check(CLI::IsMember(kFindSteps));
+    add_option("--where", where,
+               "In place of --pixel: how much each pixel moves with this number of the settings, as path "
+               "(neighborhood.gamma): in how many, how much, and where most");
+    add_option("--picture", picture,
+               "Of --where: a PNG of it, darker over gray to brighter, to the change that 99 of 100 of the "
+               "pixels that move do not exceed");
+    addForce(*this, force);
     add_option("--region", region,
                "X,Y,WxH in place of --pixel: least and greatest value, mean, deviation, percentiles and "
                "histogram of each row there, and how many are NaN, infinite or absent");
@@ -80,18 +93,22 @@ struct ProbeCommand final : Command {
   void checkPlace() const;
   Comparison comparison(const ShotPlan& plan) const;
   std::vector<IntermediateId> rows() const;
+  void printMap(const ShotPlan& plan, Inspector& inspector, std::ostream& out,
+                const Progress& progress) const;
   void printRegion(const RegionRequest& request, const ShotPlan& plan, Inspector& inspector,
                    std::ostream& out, const Progress& progress) const;
 };
 
 /// What is asked for in place of a pixel is one thing, and what belongs to a pixel is said of one.
 void ProbeCommand::checkPlace() const {
-  const int places = !pixel.empty() + !find.empty() + !region.empty();
+  const int places = !pixel.empty() + !find.empty() + !region.empty() + !where.empty();
   if (places != 1)
-    throw UsageError(
-        "one of --pixel, --find and --region is required; taa-batch probe --help says what they are");
-  if (!region.empty() && (whatIf || sensitivity || !compare.empty()))
-    throw UsageError("--what-if, --sensitivity and --compare are of a pixel, not of a region");
+    throw UsageError("one of --pixel, --find, --region and --where is required; taa-batch probe --help says "
+                     "what they are");
+  if (!(region.empty() && where.empty()) && (whatIf || sensitivity || !compare.empty()))
+    throw UsageError("--what-if, --sensitivity and --compare are of a pixel");
+  if (where.empty() && !picture.empty()) throw UsageError("--picture is of --where");
+  if (!where.empty()) readOption("--where", [&] { return &parameter(where); });
   if (region.empty() && !emit.empty())
     throw UsageError("--emit is of a region: probe prints all rows of a pixel");
 }
@@ -215,12 +232,39 @@ void ProbeCommand::printRegion(const RegionRequest& request, const ShotPlan& pla
   if (json) print(out, result);
 }
 
+void ProbeCommand::printMap(const ShotPlan& plan, Inspector& inspector, std::ostream& out,
+                            const Progress& progress) const {
+  const SensitivityMap map =
+      readOption("--where", [&] { return inspector.probes().sensitivityMap(where, progress); });
+  if (!picture.empty()) {
+    const Picture drawn = mapPicture(map);
+    writePng(picture, drawn.width, drawn.height, drawn.rgba);
+  }
+  if (!json) {
+    out << laneHeading(plan, 0) << sensitivityMapText(map) << '\n';
+    return;
+  }
+  nlohmann::ordered_json result = shotJson(inspector);
+  result["frame"] = inspector.shot().frame();
+  result["where"] = {{"path", map.number.path},
+                     {"value", map.number.value},
+                     {"step", map.number.step()},
+                     {"share", map.share},
+                     {"meanLuma", map.mean},
+                     {"largestLuma", map.largest},
+                     {"largestAt", {map.largestAt.x, map.largestAt.y}},
+                     {"range", mappedRange(map)}};
+  print(out, result);
+}
+
 int ProbeCommand::run(std::ostream& out, const Progress& progress) const {
   ShotPlan plan = planShot(shot);
   const Comparison other = comparison(plan);
   const auto laneCount = static_cast<int>(plan.lanes.size());
   if (other.kind == OtherKind::Preset) plan.lanes.push_back(laneOfPreset("other", other.preset));
   checkPlace();
+  if (!picture.empty() && !force) refuseToReplace({picture});
+  if (!where.empty() && laneCount > 1) throw UsageError("--where is of one lane: leave --lane out");
   std::optional<glm::ivec2> place;
   if (!pixel.empty()) place = parsePixel(pixel);
   std::optional<RegionRequest> request;
@@ -240,6 +284,10 @@ int ProbeCommand::run(std::ostream& out, const Progress& progress) const {
   inspector.shot().seek(shown, progress);
   if (request) {
     printRegion(*request, plan, inspector, out, progress);
+    return kDone;
+  }
+  if (!where.empty()) {
+    printMap(plan, inspector, out, progress);
     return kDone;
   }
   const glm::ivec2 at = place ? *place : foundPixel(inspector, find);

@@ -70,7 +70,7 @@ int run(int argc, char** argv) {
   std::vector<std::shared_ptr<Command>> commands;
   for (const auto make : {listCommand, renderCommand, probeCommand, lineageCommand, verdictCommand,
                           doctorCommand, traceCommand, profileCommand, metricsCommand, glslCommand,
-                          importCommand, sweepCommand, tuneCommand, lessonsCommand}) {
+                          importCommand, sweepCommand, tuneCommand, lessonsCommand, verifyCommand}) {
     commands.push_back(make());
     app.add_subcommand(commands.back());
   }

@@ -7,7 +7,9 @@
 #include "core/inspect/RowsBefore.h"
 #include "core/measure/Profiler.h"
 #include "core/probe/TwinInputs.h"
+#include "core/probe/Verification.h"
 #include "core/replay/ShotPlayer.h"
+#include "core/settings/Parameters.h"
 #include "core/taa/TaaPass.h"
 #include "core/taa/twin/SampleStages.h"
 #include "core/taa/twin/Traced.h"
@@ -173,6 +175,36 @@ std::vector<Sensitivity> Probes::sensitivities(int x, int y, int lane) {
   return sensitivitiesOf(
       twinInputs(player_.inputs(lane), player_.lane(lane).previous.get(), TwinReading::Parts),
       player_.settings(lane), {x, y});
+}
+
+SensitivityMap Probes::sensitivityMap(const std::string& path, const Progress& progress, int lane) {
+  if (parameter(path).kind != ParameterKind::Number)
+    throw Error(say<"%1 is no number: it has no slope">(path));
+  const gl::PassGroup group(pass_group::kProbe);
+  return taa::sensitivityMap(
+      path, twinInputs(player_.inputs(lane), player_.lane(lane).previous.get(), TwinReading::Whole),
+      player_.settings(lane), progress);
+}
+
+void Probes::verify(FrameVerifier& verifier, const Progress& progress, int lane) {
+  const gl::PassGroup group(pass_group::kProbe);
+  const ShownLane& shown = player_.lane(lane);
+  const FrameInputs& inputs = player_.inputs(lane);
+  twin::Inputs twin = twinInputs(inputs, shown.previous.get(), TwinReading::Whole);
+  twin.resolved = twinTexels(shown.current->color, TwinReading::Whole);
+  const std::vector<IntermediateId> ids = allRows();
+  const glm::ivec2 size = player_.picturePx();
+  constexpr int kLines = 32; // of a part: its rows take less memory than the frame
+  for (int first = 0; first < size.y; first += kLines) {
+    report(progress, say<"Verifying lines">(), first, size.y);
+    ExposedRows exposedRows(ids, {0, first, size.x, std::min(kLines, size.y - first)});
+    player_.maker().pass.expose(inputs, shown.previous.get(), *shown.current, player_.settings(lane),
+                                exposedRows);
+    std::vector<Image> rows;
+    for (const IntermediateId id : ids) rows.push_back(exposedRows.image(id));
+    verifier.add(twin, player_.settings(lane), first, ids, rows);
+  }
+  report(progress, say<"Verifying lines">(), size.y, size.y);
 }
 
 Probe Probes::anchored(const Probe& probe) {

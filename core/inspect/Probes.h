@@ -14,10 +14,12 @@
 #include "core/taa/twin/Twin.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace taa {
 
+class FrameVerifier;
 class ReferenceOfShot;
 class ShotPlayer;
 using twin::PixelRecord;
@@ -42,6 +44,12 @@ class Probes {
   std::vector<WhatIfRow> whatIf(int x, int y, int lane = 0);
   /// How much the pixel moves with each thing that it is made of.
   std::vector<Sensitivity> sensitivities(int x, int y, int lane = 0);
+  /// How much all pixels move with a number of the settings. Throws Error where none is called `path`,
+  /// Cancelled.
+  SensitivityMap sensitivityMap(const std::string& path, const Progress& progress = {}, int lane = 0);
+  /// Every value that this machine's driver makes of the frame, against what GLSL allows it: added to
+  /// `verifier`. Throws Cancelled.
+  void verify(FrameVerifier& verifier, const Progress& progress, int lane = 0);
   /// The probe with the surface it follows looked up, in the frame it was set in; others as they are.
   Probe anchored(const Probe& probe);
   /// Where a probe is in the frame on show. Expects an anchored one.

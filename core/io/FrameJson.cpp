@@ -70,7 +70,6 @@ ordered_json intermediateJson(const Intermediate& row) {
                        {"unit", row.unit},
                        {"range", {floatJson(row.low), floatJson(row.high)}},
                        {"visual", visualName(row.visual)},
-                       {"tolerance", floatJson(row.tolerance)},
                        {"description", row.description}};
   if (row.visual == Visual::Box) json["channelsBySpace"] = channelsBySpace(row);
   return json;

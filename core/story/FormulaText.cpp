@@ -295,7 +295,8 @@ class Writer {
 } // namespace
 
 std::string formulaText(const twin::Trace& trace, IntermediateId id, int channel, const FormulaStyle& style) {
-  return *Writer(trace, style).text({trace.of(id)[static_cast<std::size_t>(channel)]});
+  return *Writer(trace, style)
+              .text({trace.of(id)[static_cast<std::size_t>(channel)]}); // one is made as itself
 }
 
 std::optional<std::string> formulaText(const twin::Trace& trace, IntermediateId id,

@@ -171,11 +171,11 @@ std::optional<RowStory> storyWithoutTaa(Id id, const Teller& t) {
   case Id::color:
     return RowStory{say<"the sample of this frame, at the pixel's center">(), "", ""};
   case Id::currentFiltered:
-    return RowStory{say<"TAA is off: the sample as it is">(), t.equals(t.tuple(Id::color), id), ""};
+    return t.story(say<"TAA is off: the sample as it is">(), id);
   case Id::sampleConfidence:
-    return RowStory{say<"TAA is off: the nearest sample is all there is">(), t.equals("1", id), ""};
+    return t.story(say<"TAA is off: the nearest sample is all there is">(), id);
   case Id::alpha:
-    return RowStory{say<"TAA is off: the current frame alone">(), t.equals("1", id), ""};
+    return t.story(say<"TAA is off: the current frame alone">(), id);
   case Id::alphaChannels:
     return RowStory{say<"TAA is off: 1 in each">(), "", ""};
   default:

@@ -21,7 +21,7 @@ struct ProbedPixel {
 };
 
 /// One row. The formula reads "expression = value", in plain arithmetic: + − × / ^ √( |…| min( max( clamp(x,
-/// low, high) smooth( length( exp( log₂( floor( half(, and (a, b, c) for colors and positions. `subject` says
+/// low, high) smooth( exp( log₂( floor( half(, and (a, b, c) for colors and positions. `subject` says
 /// of what, where that is not the row's value as it stands: a channel, or a color before it goes back from
 /// box space.
 struct RowStory {

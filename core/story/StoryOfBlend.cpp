@@ -21,9 +21,9 @@ RowStory toneStory(Id id, const Teller& t) {
 RowStory factorStory(const Teller& t) {
   const ToneWeight tone = t.settings().blend.tone;
   const bool isWeighted = tone == ToneWeight::Luma || tone == ToneWeight::LumaAsPrinted;
-  if (!isWeighted || t.value(Id::alpha) >= 1.0f)
-    return {say<"α itself">(), t.equals(t.number(Id::alpha), Id::blendFactor), ""};
-  return t.story(say<"α with the tone weights">(), Id::blendFactor);
+  return t.story(isWeighted && t.value(Id::alpha) < 1.0f ? say<"α with the tone weights">()
+                                                         : say<"α itself">(),
+                 Id::blendFactor);
 }
 
 std::string lengthWords(const Teller& t) {

@@ -5,25 +5,13 @@
 #include "core/capture/source/Capture.h"
 #include "core/gl/Turn.h"
 #include "core/inspect/Inspector.h"
+#include "core/inspect/OpenedShot.h"
 #include "core/scene/builtin/SceneSource.h"
 
 #include <memory>
 #include <string_view>
 
 namespace taa {
-
-void openShotOf(Inspector& inspector, const SessionFile& session, const Progress& progress) {
-  InspectedShot& shot = inspector.shot();
-  if (isBuiltinScene(session.source) || !capture::isCapture(session.source))
-    shot.setSize(session.size.x, session.size.y);
-  shot.open(session.source, progress, session.choice);
-  if (!session.camera.empty() && !session.track) shot.setCamera(session.camera);
-  if (session.track) shot.setCameraTrack(*session.track);
-  shot.setMotionModes(session.motionModes);
-  shot.setObjectFilter(session.filter);
-  shot.setObjectClasses(session.objectClasses);
-  shot.setRestarts(session.restarts);
-}
 
 namespace {
 

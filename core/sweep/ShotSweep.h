@@ -12,8 +12,6 @@
 
 namespace taa {
 
-class Inspector;
-
 struct ShotSweepRequest {
   std::vector<SessionFile> shots;      ///< all of them but their settings and lanes
   std::vector<SweepSettings> settings; ///< that are measured on each of them
@@ -29,9 +27,6 @@ struct ShotSweepRequest {
 
 /// The metrics of every frame of `settingsOf(index)` on `shotOf(index)`, as soon as they are known.
 using SettingsMeasured = std::function<void(std::size_t index, const LaneMetrics& frames)>;
-
-/// Opens what `shot` says, but for its settings and lanes. Throws Error, Cancelled.
-void openShotOf(Inspector& inspector, const SessionFile& shot, const Progress& progress);
 
 /// With an Inspector of its own: expects a thread that has none. The same numbers as `taa-batch metrics` has.
 /// Reports frame by frame over all settings on all shots. Throws Error, also where a shot has no such frames,

@@ -51,231 +51,223 @@ inline constexpr MadeOf kOfFrames{.overTime = OverTime::Flicker};
 inline constexpr MadeOf kOfFlicker{.isReference = true, .overTime = OverTime::Flicker};
 inline constexpr MadeOf kOfParts{.isReference = true, .overTime = OverTime::Parts};
 
-// One row each: id, label, stage, channels, unit, range (lowest, highest shown), visual, tolerance on a GPU
-// (relative to max(1, |value|); llvmpipe is exact), description, and of stage Reference what else it is made
-// of. Colors are scene-linear Rec. 709; "box
-// space" is the color space of parameters space.color and space.tone. Motion is current − previous, x right,
-// y down. Where the scene is drawn smaller than the picture, rows show the nearest render texel; "render px"
-// are pixels of that size, "px" those of the picture.
+// One row each: id, label, stage, channels, unit, range (lowest, highest shown), visual, description, and of
+// stage Reference what else it is made of. Colors are scene-linear Rec. 709; "box space" is the color space
+// of parameters space.color and space.tone. Motion is current − previous, x right, y down. Where the scene is
+// drawn smaller than the picture, rows show the nearest render texel; "render px" are pixels of that size,
+// "px" those of the picture.
 #define TAA_INTERMEDIATES(ROW)                                                                               \
-  ROW(color, "Color", Inputs, 3, "", 0, 1, Color, 1e-3, "This frame's jittered samples, scene-linear.")      \
-  ROW(depth, "Depth", Inputs, 1, "", 0, 1, Depth, 1e-6, "Device depth: reversed, 0 is the sky.")             \
-  ROW(depthView, "View depth", Inputs, 1, "m", 0, 20, Depth, 1e-5,                                           \
+  ROW(color, "Color", Inputs, 3, "", 0, 1, Color, "This frame's jittered samples, scene-linear.")            \
+  ROW(depth, "Depth", Inputs, 1, "", 0, 1, Depth, "Device depth: reversed, 0 is the sky.")                   \
+  ROW(depthView, "View depth", Inputs, 1, "m", 0, 20, Depth,                                                 \
       "Distance along the view axis; 0 stands for the sky.")                                                 \
-  ROW(motion, "Motion", Inputs, 2, "px", -16, 16, Vector, 1e-3,                                              \
+  ROW(motion, "Motion", Inputs, 2, "px", -16, 16, Vector,                                                    \
       "Where the surface came from, render px: current minus previous position, jitter removed; 65504 "      \
       "where there is no previous.")                                                                         \
-  ROW(normal, "Normal", Inputs, 3, "", -1, 1, Normal, 1e-3, "Shading normal in world space.")                \
-  ROW(objectId, "Object id", Inputs, 1, "", 0, 255, Index, 0, "Number of the drawn object; 0 is the sky.")   \
-  ROW(reactive, "Reactive", Inputs, 1, "", 0, 1, Scalar, 1e-6,                                               \
+  ROW(normal, "Normal", Inputs, 3, "", -1, 1, Normal, "Shading normal in world space.")                      \
+  ROW(objectId, "Object id", Inputs, 1, "", 0, 255, Index, "Number of the drawn object; 0 is the sky.")      \
+  ROW(reactive, "Reactive", Inputs, 1, "", 0, 1, Scalar,                                                     \
       "Mask of what was blended into the color; 0 where none is drawn.")                                     \
-  ROW(responsive, "Responsive", Inputs, 1, "", 0, 1, Scalar, 1e-6,                                           \
+  ROW(responsive, "Responsive", Inputs, 1, "", 0, 1, Scalar,                                                 \
       "Mask of materials that change without motion: screens, flip-books, particles; 0 where none is "       \
       "drawn.")                                                                                              \
-  ROW(overlay, "Overlay", Inputs, 3, "", 0, 1, Color, 1e-3,                                                  \
+  ROW(overlay, "Overlay", Inputs, 3, "", 0, 1, Color,                                                        \
       "What is laid over the output, without jitter, times its opacity; 0 where nothing is.")                \
-  ROW(overlayAlpha, "Overlay opacity", Inputs, 1, "", 0, 1, Scalar, 1e-3,                                    \
+  ROW(overlayAlpha, "Overlay opacity", Inputs, 1, "", 0, 1, Scalar,                                          \
       "How much of the output the overlay hides.")                                                           \
-  ROW(fog, "Fog", Inputs, 3, "", 0, 1, Color, 1e-3,                                                          \
-      "Light that fog adds to the color; 0 where there is none.")                                            \
-  ROW(fogOpacity, "Fog opacity", Inputs, 1, "", 0, 1, Scalar, 1e-3,                                          \
+  ROW(fog, "Fog", Inputs, 3, "", 0, 1, Color, "Light that fog adds to the color; 0 where there is none.")    \
+  ROW(fogOpacity, "Fog opacity", Inputs, 1, "", 0, 1, Scalar,                                                \
       "How much of the surface's light the fog takes: 1 − transmittance.")                                   \
-  ROW(objectClass, "Object class", Inputs, 1, "", 0, 4, Index, 0,                                            \
+  ROW(objectClass, "Object class", Inputs, 1, "", 0, 4, Index,                                               \
       "What the object is: 0 the sky, 1 still, 2 moves rigidly, 3 deforms, 4 a character.")                  \
-  ROW(forwardCount, "Forward count", Inputs, 1, "", -1, 4, Index, 0,                                         \
+  ROW(forwardCount, "Forward count", Inputs, 1, "", -1, 4, Index,                                            \
       "Pixels of the last frame whose surface lies here now, render px: 0 a hole of forward reprojection, "  \
       "2 and more a collision; −1 where inputs.forward is off or frames do not say it.")                     \
-  ROW(dilatedOffset, "Dilated offset", DilateMotion, 2, "px", -1, 1, Vector, 0,                              \
+  ROW(dilatedOffset, "Dilated offset", DilateMotion, 2, "px", -1, 1, Vector,                                 \
       "Step to the neighbor whose motion is used, render px.")                                               \
-  ROW(dilatedDepth, "Dilated depth", DilateMotion, 1, "", 0, 1, Depth, 1e-6,                                 \
-      "Device depth of that neighbor.")                                                                      \
-  ROW(dilatedMotion, "Dilated motion", DilateMotion, 2, "px", -16, 16, Vector, 1e-3,                         \
+  ROW(dilatedDepth, "Dilated depth", DilateMotion, 1, "", 0, 1, Depth, "Device depth of that neighbor.")     \
+  ROW(dilatedMotion, "Dilated motion", DilateMotion, 2, "px", -16, 16, Vector,                               \
       "Motion of that neighbor, from here on in px of the picture.")                                         \
-  ROW(historyPosition, "History position", Reproject, 2, "px", 0, 0, Position, 1e-3,                         \
+  ROW(historyPosition, "History position", Reproject, 2, "px", 0, 0, Position,                               \
       "Where this pixel was in the previous frame: pixel center minus dilated motion.")                      \
-  ROW(onScreen, "On screen", Reproject, 1, "", 0, 1, Mask, 0,                                                \
+  ROW(onScreen, "On screen", Reproject, 1, "", 0, 1, Mask,                                                   \
       "1 where the history position lies inside the picture.")                                               \
-  ROW(speed, "Speed", Reproject, 1, "px", 0, 16, Scalar, 1e-3, "Length of the dilated motion.")              \
-  ROW(historyRaw, "History", SampleHistory, 3, "", 0, 1, Color, 1e-3,                                        \
+  ROW(speed, "Speed", Reproject, 1, "px", 0, 16, Scalar, "Length of the dilated motion.")                    \
+  ROW(historyRaw, "History", SampleHistory, 3, "", 0, 1, Color,                                              \
       "The accumulated color at the history position.")                                                      \
-  ROW(historyRawLength, "History length before", SampleHistory, 1, "frames", 0, 20, Scalar, 1e-3,            \
+  ROW(historyRawLength, "History length before", SampleHistory, 1, "frames", 0, 20, Scalar,                  \
       "N at the history position: how many frames' worth of samples it holds.")                              \
-  ROW(depthEdge, "Depth edge", SampleHistory, 1, "", 0, 1, Mask, 0,                                          \
+  ROW(depthEdge, "Depth edge", SampleHistory, 1, "", 0, 1, Mask,                                             \
       "1 where history was read by one bilinear tap because of an edge in depth; 0 when off.")               \
-  ROW(currentFiltered, "Current filtered", FilterCurrent, 3, "", 0, 1, Color, 1e-3,                          \
+  ROW(currentFiltered, "Current filtered", FilterCurrent, 3, "", 0, 1, Color,                                \
       "This frame's color at the pixel's center.")                                                           \
-  ROW(sampleConfidence, "κ", FilterCurrent, 1, "", 0, 1, Scalar, 1e-3,                                       \
+  ROW(sampleConfidence, "κ", FilterCurrent, 1, "", 0, 1, Scalar,                                             \
       "How much this frame's samples say about the pixel, a factor on α; 1 when drawn at full size.")        \
-  ROW(neighborhoodMean, "Mean", Neighborhood, 3, "", 0, 1, Box, 1e-3,                                        \
-      "Mean of the neighborhood, box space.")                                                                \
-  ROW(neighborhoodDeviation, "Deviation", Neighborhood, 3, "", 0, 1, Box, 1e-3,                              \
+  ROW(neighborhoodMean, "Mean", Neighborhood, 3, "", 0, 1, Box, "Mean of the neighborhood, box space.")      \
+  ROW(neighborhoodDeviation, "Deviation", Neighborhood, 3, "", 0, 1, Box,                                    \
       "Standard deviation of the neighborhood, box space.")                                                  \
-  ROW(neighborhoodMin, "Minimum", Neighborhood, 3, "", 0, 1, Box, 1e-3,                                      \
-      "Smallest of each channel, box space.")                                                                \
-  ROW(neighborhoodMax, "Maximum", Neighborhood, 3, "", 0, 1, Box, 1e-3,                                      \
-      "Largest of each channel, box space.")                                                                 \
-  ROW(boxGamma, "γ used", Neighborhood, 1, "σ", 0, 4, Scalar, 1e-3,                                          \
+  ROW(neighborhoodMin, "Minimum", Neighborhood, 3, "", 0, 1, Box, "Smallest of each channel, box space.")    \
+  ROW(neighborhoodMax, "Maximum", Neighborhood, 3, "", 0, 1, Box, "Largest of each channel, box space.")     \
+  ROW(boxGamma, "γ used", Neighborhood, 1, "σ", 0, 4, Scalar,                                                \
       "Deviations from the mean to the wall of the box, after motion and contrast.")                         \
-  ROW(boxMin, "Box minimum", Neighborhood, 3, "", 0, 1, Box, 1e-3,                                           \
-      "Lower corner of the box history must lie in.")                                                        \
-  ROW(boxMax, "Box maximum", Neighborhood, 3, "", 0, 1, Box, 1e-3,                                           \
-      "Upper corner of the box history must lie in.")                                                        \
-  ROW(depthExpected, "Depth expected", ValidateHistory, 1, "m", 0, 20, Depth, 1e-4,                          \
+  ROW(boxMin, "Box minimum", Neighborhood, 3, "", 0, 1, Box, "Lower corner of the box history must lie in.") \
+  ROW(boxMax, "Box maximum", Neighborhood, 3, "", 0, 1, Box, "Upper corner of the box history must lie in.") \
+  ROW(depthExpected, "Depth expected", ValidateHistory, 1, "m", 0, 20, Depth,                                \
       "View depth this surface had in the previous frame.")                                                  \
-  ROW(historyDepth, "History depth", ValidateHistory, 1, "m", 0, 20, Depth, 1e-5,                            \
+  ROW(historyDepth, "History depth", ValidateHistory, 1, "m", 0, 20, Depth,                                  \
       "Depth stored with the history, the best match of the texels around that are asked; 0: the sky.")      \
-  ROW(depthMismatch, "Depth mismatch", ValidateHistory, 1, "", 0, 0.1, Scalar, 1e-3,                         \
+  ROW(depthMismatch, "Depth mismatch", ValidateHistory, 1, "", 0, 0.1, Scalar,                               \
       "Relative difference of expected and stored depth, 0 for what is farther where that does not count; "  \
       "the depth test rejects what is above the allowed one.")                                               \
-  ROW(depthAllowed, "Depth allowed", ValidateHistory, 1, "", 0, 0.1, Scalar, 1e-3,                           \
+  ROW(depthAllowed, "Depth allowed", ValidateHistory, 1, "", 0, 0.1, Scalar,                                 \
       "Largest mismatch that still counts as the same surface: the tolerance, and more where it recedes.")   \
-  ROW(geometricFlicker, "Geometric flicker", ValidateHistory, 1, "", 0, 1, Mask, 0,                          \
+  ROW(geometricFlicker, "Geometric flicker", ValidateHistory, 1, "", 0, 1, Mask,                             \
       "1 where depth differs at rest because single frames miss a thin feature: history is kept.")           \
-  ROW(historyObjectId, "History object id", ValidateHistory, 1, "", 0, 255, Index, 0,                        \
+  ROW(historyObjectId, "History object id", ValidateHistory, 1, "", 0, 255, Index,                           \
       "Object stored with the history: that of this pixel when it is one of the nine texels around, else "   \
       "the nearest one; 0: the sky, or not kept.")                                                           \
-  ROW(normalAgreement, "Normal agreement", ValidateHistory, 1, "", -1, 1, Signed, 1e-3,                      \
+  ROW(normalAgreement, "Normal agreement", ValidateHistory, 1, "", -1, 1, Signed,                            \
       "Cosine between the normals of now and then, the best of nine; 1 when off.")                           \
-  ROW(velocityChange, "Velocity change", ValidateHistory, 1, "px", 0, 16, Scalar, 1e-3,                      \
+  ROW(velocityChange, "Velocity change", ValidateHistory, 1, "px", 0, 16, Scalar,                            \
       "Change of motion since the previous frame, the smallest of nine; 0 when off.")                        \
-  ROW(rejectReason, "Reject reason", ValidateHistory, 1, "", 0, 9, Index, 0,                                 \
+  ROW(rejectReason, "Reject reason", ValidateHistory, 1, "", 0, 9, Index,                                    \
       "Why history was rejected: 0 kept, 1 no history, 2 no previous position, 3 off screen, 4 depth, 5 "    \
       "too fast, 6 another object, 7 another class, 8 another normal, 9 another velocity.")                  \
-  ROW(historyRectified, "History rectified", RectifyHistory, 3, "", 0, 1, Color, 1e-3,                       \
+  ROW(historyRectified, "History rectified", RectifyHistory, 3, "", 0, 1, Color,                             \
       "History after it was pulled into the box.")                                                           \
-  ROW(clipAmount, "Clip amount", RectifyHistory, 1, "", 0, 1, Scalar, 1e-3,                                  \
+  ROW(clipAmount, "Clip amount", RectifyHistory, 1, "", 0, 1, Scalar,                                        \
       "How far history was pulled towards its target: 0 kept, 1 all the way.")                               \
-  ROW(rectifyStrength, "Rectify strength", RectifyHistory, 1, "", 0, 1, Scalar, 1e-3,                        \
+  ROW(rectifyStrength, "Rectify strength", RectifyHistory, 1, "", 0, 1, Scalar,                              \
       "Part of the correction that is applied.")                                                             \
-  ROW(lock, "Lock", RectifyHistory, 1, "", 0, 1, Scalar, 1e-3,                                               \
+  ROW(lock, "Lock", RectifyHistory, 1, "", 0, 1, Scalar,                                                     \
       "How much of the correction a lock takes back; 0 when off.")                                           \
-  ROW(lockLife, "Lock life", RectifyHistory, 1, "", 0, 2, Scalar, 1e-3,                                      \
+  ROW(lockLife, "Lock life", RectifyHistory, 1, "", 0, 2, Scalar,                                            \
       "2: locked in this frame; less than 1 does nothing, 0: no lock.")                                      \
-  ROW(instability, "Luma instability", RectifyHistory, 1, "", 0, 1, Mask, 0,                                 \
+  ROW(instability, "Luma instability", RectifyHistory, 1, "", 0, 1, Mask,                                    \
       "1 where luma comes and goes, which takes back all of the correction; 0 when off.")                    \
-  ROW(historyKeptLength, "History length kept", RectifyHistory, 1, "frames", 0, 20, Scalar, 1e-3,            \
+  ROW(historyKeptLength, "History length kept", RectifyHistory, 1, "frames", 0, 20, Scalar,                  \
       "N after rectification: less than before only where that forgets.")                                    \
-  ROW(alphaBase, "α base", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "α of the chosen source.")                \
-  ROW(alphaFloor, "α floor", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "The least α may be.")                  \
-  ROW(alphaLumaFlicker, "α damping luma", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                            \
+  ROW(alphaBase, "α base", BlendWeight, 1, "", 0, 1, Scalar, "α of the chosen source.")                      \
+  ROW(alphaFloor, "α floor", BlendWeight, 1, "", 0, 1, Scalar, "The least α may be.")                        \
+  ROW(alphaLumaFlicker, "α damping luma", BlendWeight, 1, "", 0, 1, Scalar,                                  \
       "Factor on α where luma differs from history; 1 when off.")                                            \
-  ROW(alphaNearClamp, "α damping clamp", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                             \
+  ROW(alphaNearClamp, "α damping clamp", BlendWeight, 1, "", 0, 1, Scalar,                                   \
       "Factor on α by the distance of history to the box's walls; 1 when off.")                              \
-  ROW(alphaHistoryContrast, "α damping contrast", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                    \
+  ROW(alphaHistoryContrast, "α damping contrast", BlendWeight, 1, "", 0, 1, Scalar,                          \
       "Factor on α by the size of the box; 1 when off.")                                                     \
-  ROW(alphaRelax, "α relax", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                         \
+  ROW(alphaRelax, "α relax", BlendWeight, 1, "", 0, 1, Scalar,                                               \
       "Factor on α where the mask is set; 1 when off.")                                                      \
-  ROW(alphaSampleDistance, "α sample distance", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                      \
+  ROW(alphaSampleDistance, "α sample distance", BlendWeight, 1, "", 0, 1, Scalar,                            \
       "Factor on α by how far the sample is from the pixel's center; 1 when off.")                           \
-  ROW(alphaFlicker, "α at flicker", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                  \
+  ROW(alphaFlicker, "α at flicker", BlendWeight, 1, "", 0, 1, Scalar,                                        \
       "Factor on α, after its floor, at geometric flicker; 1 elsewhere and when off.")                       \
-  ROW(alphaMotion, "α motion", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "What motion adds to α; 0 when off.") \
-  ROW(alphaVelocityChange, "α velocity change", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                      \
+  ROW(alphaMotion, "α motion", BlendWeight, 1, "", 0, 1, Scalar, "What motion adds to α; 0 when off.")       \
+  ROW(alphaVelocityChange, "α velocity change", BlendWeight, 1, "", 0, 1, Scalar,                            \
       "What a change of motion adds to α; 0 when off.")                                                      \
-  ROW(alphaDivergence, "α divergence", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                               \
+  ROW(alphaDivergence, "α divergence", BlendWeight, 1, "", 0, 1, Scalar,                                     \
       "What motion that parts adds to α; 0 when off.")                                                       \
-  ROW(alphaFrameRate, "α by frame rate", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                             \
+  ROW(alphaFrameRate, "α by frame rate", BlendWeight, 1, "", 0, 1, Scalar,                                   \
       "α after motion, for the time this frame took; unchanged when off.")                                   \
-  ROW(alphaMask, "α mask", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                           \
+  ROW(alphaMask, "α mask", BlendWeight, 1, "", 0, 1, Scalar,                                                 \
       "The least that the mask asks of α; 0 when off.")                                                      \
-  ROW(alphaInvalid, "α invalid", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                     \
+  ROW(alphaInvalid, "α invalid", BlendWeight, 1, "", 0, 1, Scalar,                                           \
       "Least α where history was rejected: 1 where it is dropped, 0 where it was kept.")                     \
-  ROW(alpha, "α", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                                    \
+  ROW(alpha, "α", BlendWeight, 1, "", 0, 1, Scalar,                                                          \
       "Weight of the current frame: base times the damping factors, at least the floor, what motion adds "   \
       "joined, for the frame's time, times κ, at least α mask and α invalid.")                               \
-  ROW(alphaChannels, "α of channels", BlendWeight, 3, "", 0, 1, Color, 1e-3,                                 \
+  ROW(alphaChannels, "α of channels", BlendWeight, 3, "", 0, 1, Color,                                       \
       "Weight of the current frame in red, green and blue: α in each, unless its source has three.")         \
-  ROW(toneWeightCurrent, "Tone weight current", Blend, 1, "", 0, 1, Scalar, 1e-3,                            \
+  ROW(toneWeightCurrent, "Tone weight current", Blend, 1, "", 0, 1, Scalar,                                  \
       "1/(1+luma) of the current color, 1 without tone weighting.")                                          \
-  ROW(toneWeightHistory, "Tone weight history", Blend, 1, "", 0, 1, Scalar, 1e-3,                            \
+  ROW(toneWeightHistory, "Tone weight history", Blend, 1, "", 0, 1, Scalar,                                  \
       "1/(1+luma) of the rectified history, 1 without tone weighting.")                                      \
-  ROW(blendFactor, "Blend factor", Blend, 1, "", 0, 1, Scalar, 1e-3,                                         \
+  ROW(blendFactor, "Blend factor", Blend, 1, "", 0, 1, Scalar,                                               \
       "Share of the current color after tone weighting.")                                                    \
-  ROW(historyLength, "History length", Blend, 1, "frames", 0, 20, Scalar, 1e-3,                              \
+  ROW(historyLength, "History length", Blend, 1, "frames", 0, 20, Scalar,                                    \
       "N after this frame: samples' worth of averaging in this pixel.")                                      \
-  ROW(resolved, "Resolved", Blend, 3, "", 0, 1, Color, 1e-3,                                                 \
+  ROW(resolved, "Resolved", Blend, 3, "", 0, 1, Color,                                                       \
       "The output of TAA, which is the next frame's history.")                                               \
-  ROW(sharpenDetail, "Sharpening", Output, 1, "", -0.1, 0.1, Signed, 1e-3,                                   \
+  ROW(sharpenDetail, "Sharpening", Output, 1, "", -0.1, 0.1, Signed,                                         \
       "Luma that sharpening adds to the resolved color; 0 when off.")                                        \
-  ROW(blurTrust, "Blur trust", Output, 1, "", 0, 1, Scalar, 1e-3,                                            \
+  ROW(blurTrust, "Blur trust", Output, 1, "", 0, 1, Scalar,                                                  \
       "Share of the resolved color in what is shown; the rest is this frame blurred along its motion.")      \
-  ROW(output, "Output", Output, 3, "", 0, 1, Color, 1e-3,                                                    \
+  ROW(output, "Output", Output, 3, "", 0, 1, Color,                                                          \
       "What is shown: the resolved color sharpened, or blurred where it moves fast, and the overlay over "   \
       "it; the same as resolved when all are off.")                                                          \
-  ROW(reference, "Reference", Reference, 3, "", 0, 1, Color, 1e-3,                                           \
+  ROW(reference, "Reference", Reference, 3, "", 0, 1, Color,                                                 \
       "The same instant drawn many times over the pixel's square, without mip bias and noise, at full "      \
       "size: the mean, scene-linear.",                                                                       \
       kOfReference)                                                                                          \
-  ROW(referenceError, "Error", Reference, 1, "", -0.25, 0.25, Signed, 1e-3,                                  \
+  ROW(referenceError, "Error", Reference, 1, "", -0.25, 0.25, Signed,                                        \
       "Luma of the output less luma of the reference, scene-linear: above 0 the output is too bright.",      \
       kOfReference)                                                                                          \
-  ROW(referenceErrorAbs, "Absolute error", Reference, 1, "", 0, 0.25, Scalar, 1e-3,                          \
+  ROW(referenceErrorAbs, "Absolute error", Reference, 1, "", 0, 0.25, Scalar,                                \
       "Largest difference of output and reference in red, green or blue, scene-linear.", kOfReference)       \
-  ROW(relativeError, "Relative error", Reference, 1, "", 0, 1, Scalar, 1e-3,                                 \
+  ROW(relativeError, "Relative error", Reference, 1, "", 0, 1, Scalar,                                       \
       "Squared difference of output and reference over the reference's own square + 0.01, scene-linear: "    \
       "the "                                                                                                 \
       "mean over red, green and blue.",                                                                      \
       kOfReference)                                                                                          \
-  ROW(flip, "FLIP", Reference, 1, "", 0, 1, Scalar, 1e-3,                                                    \
+  ROW(flip, "FLIP", Reference, 1, "", 0, 1, Scalar,                                                          \
       "How much a person who flips between output and reference sees of their difference, on a screen with " \
       "67 pixels per degree: 0 nothing, 1 all there can be.",                                                \
       kOfPixelsAround)                                                                                       \
-  ROW(ssimMap, "1 − SSIM", Reference, 1, "", 0, 1, Scalar, 1e-3,                                             \
+  ROW(ssimMap, "1 − SSIM", Reference, 1, "", 0, 1, Scalar,                                                   \
       "How unlike output and reference are in structure, by luma as it is shown in 11 × 11 pixels: 0 "      \
       "alike, "                                                                                              \
       "1 nothing in common, 2 the negative.",                                                                \
       kOfPixelsAround)                                                                                       \
-  ROW(ghost, "Ghost", Reference, 1, "", 0, 0.25, Scalar, 1e-3,                                               \
+  ROW(ghost, "Ghost", Reference, 1, "", 0, 0.25, Scalar,                                                     \
       "Part of the error that lies towards what was shown a frame ago where history was read: of what is "   \
       "shown (sRGB, 0 to 1), without what a blur of the reference could have made.",                         \
       kOfFlicker)                                                                                            \
-  ROW(flicker, "Flicker", Reference, 1, "", 0, 0.05, Scalar, 1e-3,                                           \
+  ROW(flicker, "Flicker", Reference, 1, "", 0, 0.05, Scalar,                                                 \
       "Standard deviation over the last frames of what is shown (sRGB, 0 to 1), followed along the motion, " \
       "without what the reference has of it: the root of the difference of variances.",                      \
       kOfFlicker)                                                                                            \
-  ROW(deviationOverTime, "Deviation over time", Reference, 1, "", 0, 0.05, Scalar, 1e-3,                     \
+  ROW(deviationOverTime, "Deviation over time", Reference, 1, "", 0, 0.05, Scalar,                           \
       "The same with what really changes: the reference is not taken off.", kOfFrames)                       \
-  ROW(framesFollowed, "Frames followed", Reference, 1, "frames", 0, 16, Scalar, 0,                           \
+  ROW(framesFollowed, "Frames followed", Reference, 1, "frames", 0, 16, Scalar,                              \
       "Frames that flicker is taken over: fewer where the surface was hidden, off screen or cut off "        \
       "before.",                                                                                             \
       kOfFrames)                                                                                             \
-  ROW(errorGhost, "Ghost part", Reference, 1, "", -0.1, 0.1, Signed, 1e-3,                                   \
+  ROW(errorGhost, "Ghost part", Reference, 1, "", -0.1, 0.1, Signed,                                         \
       "Luma of the resolved color's error, scene-linear, that comes of history of something else: of "       \
       "surfaces that were in front, or of a place beside that of the surface.",                              \
       kOfParts)                                                                                              \
-  ROW(errorLag, "Lag part", Reference, 1, "", -0.1, 0.1, Signed, 1e-3,                                       \
+  ROW(errorLag, "Lag part", Reference, 1, "", -0.1, 0.1, Signed,                                             \
       "Luma of the error that comes of changes on the surface since history was made: light, shadow, what "  \
       "lies over it.",                                                                                       \
       kOfParts)                                                                                              \
-  ROW(errorBlur, "Blur part", Reference, 1, "", -0.1, 0.1, Signed, 1e-3,                                     \
+  ROW(errorBlur, "Blur part", Reference, 1, "", -0.1, 0.1, Signed,                                           \
       "Luma of the error that comes of reading history between its pixels.", kOfParts)                       \
-  ROW(errorAliasing, "Aliasing part", Reference, 1, "", -0.1, 0.1, Signed, 1e-3,                             \
+  ROW(errorAliasing, "Aliasing part", Reference, 1, "", -0.1, 0.1, Signed,                                   \
       "Luma of the error that single frames' samples have, with their noise.", kOfParts)                     \
-  ROW(errorRectification, "Rectification part", Reference, 1, "", -0.1, 0.1, Signed, 1e-3,                   \
+  ROW(errorRectification, "Rectification part", Reference, 1, "", -0.1, 0.1, Signed,                         \
       "Luma of the error that no other part has: of clamping and clipping, with locks, deringing, mixing "   \
       "of "                                                                                                  \
       "compressed colors, rounding and dithering.",                                                          \
       kOfParts)                                                                                              \
-  ROW(errorOlder, "Older part", Reference, 1, "", -0.1, 0.1, Signed, 1e-3,                                   \
+  ROW(errorOlder, "Older part", Reference, 1, "", -0.1, 0.1, Signed,                                         \
       "Luma of the error from before the frames that the others are followed over.", kOfParts)               \
-  ROW(verdictMap, "History verdict", Reference, 1, "", 0, 3, Index, 0,                                       \
+  ROW(verdictMap, "History verdict", Reference, 1, "", 0, 3, Index,                                          \
       "Whether history had to be removed, being off by more than 8/255 of what is shown, and was, by "       \
       "rejection or by more than that: 0 rightly kept, 1 wrong history removed, 2 wrong history let "        \
       "through, "                                                                                            \
       "3 good history thrown away.",                                                                         \
       kOfParts)                                                                                              \
-  ROW(geometryVerdict, "Geometry verdict", Reference, 1, "", 0, 3, Index, 0,                                 \
+  ROW(geometryVerdict, "Geometry verdict", Reference, 1, "", 0, 3, Index,                                    \
       "The same of rejection alone: whether history was of something else, by the scene's geometry, and "    \
       "was rejected.",                                                                                       \
       kOfParts)                                                                                              \
-  ROW(engineOutput, "Engine's output", Reference, 3, "", 0, 1, Color, 1e-3,                                  \
+  ROW(engineOutput, "Engine's output", Reference, 3, "", 0, 1, Color,                                        \
       "What the engine's own TAA made of the frame, scene-linear; only captures that hold it have it.",      \
       kOfEngine)                                                                                             \
-  ROW(engineDifference, "Engine difference", Reference, 1, "", -0.25, 0.25, Signed, 1e-3,                    \
+  ROW(engineDifference, "Engine difference", Reference, 1, "", -0.25, 0.25, Signed,                          \
       "Luma of the resolved color less luma of the engine's output, scene-linear: above 0 ours is "          \
       "brighter.",                                                                                           \
       kOfEngine)                                                                                             \
-  ROW(engineDifferenceAbs, "Engine distance", Reference, 1, "", 0, 0.25, Scalar, 1e-3,                       \
+  ROW(engineDifferenceAbs, "Engine distance", Reference, 1, "", 0, 0.25, Scalar,                             \
       "Largest difference of the resolved color and the engine's output in red, green or blue, "             \
       "scene-linear.",                                                                                       \
       kOfEngine)
@@ -295,15 +287,14 @@ struct Intermediate {
   std::string_view unit;
   float low, high; ///< range shown at first; equal: the visual decides
   Visual visual;
-  float tolerance;
   std::string_view description;
   MadeOf madeOf{};
 };
 
 inline constexpr auto kIntermediates = std::to_array<Intermediate>({
-#define TAA_ROW(id, label, stage, channels, unit, low, high, visual, tolerance, ...)                         \
-  {IntermediateId::id, #id,         label,          Stage::stage,     channels,   unit,                      \
-   float(low),         float(high), Visual::visual, float(tolerance), __VA_ARGS__},
+#define TAA_ROW(id, label, stage, channels, unit, low, high, visual, ...)                                    \
+  {IntermediateId::id, #id,         label,          Stage::stage, channels, unit,                            \
+   float(low),         float(high), Visual::visual, __VA_ARGS__},
     TAA_INTERMEDIATES(TAA_ROW)
 #undef TAA_ROW
 });

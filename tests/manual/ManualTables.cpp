@@ -13,6 +13,7 @@
 #include "tests/manual/ChoiceFunctions.h"
 #include "tests/manual/Confusions.h"
 #include "tests/manual/DoctorManual.h"
+#include "tests/manual/ExamplePixel.h"
 #include "tests/manual/VerdictLabels.h"
 
 #include <algorithm>
@@ -223,6 +224,14 @@ ManualPage intermediatesPage() {
     if (!rows.empty()) rows = "\n" + head({"id", "shown as", "what it is", "channels", "unit"}) + rows;
     page.text += stageText(stage, rows);
   }
+  page.text +=
+      "\n## A pixel\n\nAs the probe writes it, from how each value was made, here by `balanced` at the "
+      "rim of something bright that moves: what changes nothing is left out.\n\n" +
+      head({"id", "what happened", "formula"});
+  for (const ExampleRow& row : exampleRows())
+    page.text += cells(
+        {code(intermediate(row.id).name), markdownText(row.story.words),
+         markdownText((row.story.subject.empty() ? "" : row.story.subject + ": ") + row.story.formula)});
   return page;
 }
 

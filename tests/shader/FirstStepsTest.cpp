@@ -58,6 +58,7 @@ Image filled(const FrameShape& shape, float value) {
 
 class FirstStepsTest : public taa::test::ResolveTest {};
 
+// Techniques: J0.
 TEST_F(FirstStepsTest, WithoutTaaTheFrameIsShownAsItIsDrawn) {
   const FrameShape shape = fullFloats();
   for (const bool hasHistory : {true, false}) {
@@ -95,6 +96,7 @@ TEST_F(FirstStepsTest, WithoutTaaHistoryIsReadAndMeasuredAllTheSame) {
 }
 
 // Frames that all move by 2 px: in place history is the pixel's own, reprojected it is that 2 px behind.
+// Techniques: 5.8.
 TEST_F(FirstStepsTest, HistoryInPlaceIsThatOfThePixel) {
   const FrameShape shape = fullFloats();
   taa::twin::Inputs frame = taa::test::stillFrame(shape, 83);
@@ -121,6 +123,7 @@ TEST_F(FirstStepsTest, HistoryInPlaceIsThatOfThePixel) {
 
 // The kernel of Mitchell and Netravali 1988 with B = C = 1/3, by its two pieces: (16 − 6B…)/18 at 0, 1/18 at
 // 1, 0 at 2.
+// Techniques: 18.4.
 TEST_F(FirstStepsTest, MitchellAfterTaaHasTheKernelsWeightsAtPixelCenters) {
   const auto kernel = [](double x) {
     const double b = 1.0 / 3.0, c = 1.0 / 3.0;
@@ -152,6 +155,7 @@ TEST_F(FirstStepsTest, MitchellAfterTaaHasTheKernelsWeightsAtPixelCenters) {
 }
 
 // Source 004: at rest every sample counts alike, in motion the one near the center counts more.
+// Techniques: 7.7.
 TEST_F(FirstStepsTest, InMotionTheSampleNearTheCenterIsPreferred) {
   const FrameShape shape = fullFloats();
   taa::twin::Inputs frame = taa::test::stillFrame(shape, 86);

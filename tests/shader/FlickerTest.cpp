@@ -1,12 +1,11 @@
 // Geometric flicker (manual 13.9): thin lines that come and go before a wall at rest, in GLSL and on the
 // CPU.
-#include "tests/support/CompareImages.h"
+#include "tests/support/frames/Frames.h"
 #include "tests/support/frames/ResolveTest.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <random>
-#include <string>
 #include <vector>
 
 using taa::Image;
@@ -79,21 +78,7 @@ TEST_F(FlickerTest, IsWhatTheTwinSays) {
     const Image& flicker = exposed.at(IntermediateId::geometricFlicker);
     EXPECT_GT(std::ranges::count(flicker.pixels, 1.0f), 20);
     EXPECT_GT(std::ranges::count(exposed.at(IntermediateId::rejectReason).pixels, 4.0f), 50);
-    taa::twin::Inputs inputs = frame;
-    inputs.resolved = exposed.at(IntermediateId::resolved);
-    std::vector<taa::twin::PixelRecord> twin;
-    for (int i = 0; i < kWidth * kHeight; ++i)
-      twin.push_back(taa::twin::resolvePixel(inputs, settings, i % kWidth, i / kWidth));
-    for (const taa::Intermediate& row : taa::kResolveRows) {
-      Image expected(kWidth, kHeight, row.channels);
-      for (int i = 0; i < kWidth * kHeight; ++i)
-        std::copy_n(&taa::twin::at(twin[static_cast<std::size_t>(i)], row.id).x, row.channels,
-                    expected.at(i % kWidth, i / kWidth));
-      EXPECT_EQ(
-          taa::test::difference(exposed.at(row.id), expected, taa::test::limitsOf(isExact(), row.tolerance)),
-          "")
-          << row.name;
-    }
+    EXPECT_EQ(taa::test::differenceFromTwin(frame, settings, taa::test::resolveRows(exposed), isExact()), "");
   }
 }
 

@@ -91,6 +91,7 @@ TEST_F(GeometryTest, KeepsWhatIsOfTheSame) {
   EXPECT_EQ(difference(reasons(sameAsBefore(), everyTest()), picture(all(kKept))), "");
 }
 
+// Techniques: 12.3.
 TEST_F(GeometryTest, AnotherObjectAtTheSameDepthIsRejectedByItsNumber) {
   taa::twin::Inputs frame = sameAsBefore();
   fill(frame.objectId, 0, [](int x, int) { return x < 8 ? 1.0f : 2.0f; });
@@ -144,6 +145,7 @@ TEST_F(GeometryTest, TheDilatedSampleSaysWhoseAPixelIs) {
   EXPECT_EQ(difference(left, expected), "");
 }
 
+// Techniques: 12.2.
 TEST_F(GeometryTest, AnotherClassIsRejectedWhateverItsNumber) {
   taa::twin::Inputs frame = sameAsBefore();
   fill(frame.objectId, 0, all(7.0f)); // another object of the same class is no matter
@@ -184,6 +186,7 @@ TEST_F(GeometryTest, WhatFacedAnotherWayIsRejected) {
             "");
 }
 
+// Techniques: 12.4.
 TEST_F(GeometryTest, NormalsMayDifferByTheAngleOfTheLimit) {
   for (const float degrees : {25.0f, 26.0f}) { // cos 25.84° = 0.9
     taa::twin::Inputs frame = sameAsBefore();
@@ -198,6 +201,7 @@ TEST_F(GeometryTest, NormalsMayDifferByTheAngleOfTheLimit) {
 }
 
 // Godot's numbers: beyond 2.5 px a hundredth for each.
+// Techniques: 12.5.
 TEST_F(GeometryTest, AChangeOfVelocityRejectsMoreTheLargerItIs) {
   Settings settings = depthAlone();
   settings.weight.alpha = 0.0f;
@@ -214,6 +218,7 @@ TEST_F(GeometryTest, AChangeOfVelocityRejectsMoreTheLargerItIs) {
   }
 }
 
+// Techniques: 12.5.
 TEST_F(GeometryTest, OnlyLengthsCountWhereSoChosen) {
   taa::twin::Inputs frame = sameAsBefore();
   fill(frame.motion, 0, all(3.0f));
@@ -232,6 +237,7 @@ TEST_F(GeometryTest, WhatHasNoPreviousPositionHasNotChanged) {
   EXPECT_EQ(difference(reasons(frame, everyTest()), picture(all(kKept))), "");
 }
 
+// Techniques: 12.5.
 TEST_F(GeometryTest, SoftRejectionKeepsTheHistory) {
   taa::twin::Inputs frame = sameAsBefore();
   fill(frame.objectId, 0, all(2.0f));
@@ -254,6 +260,7 @@ TEST_F(GeometryTest, SoftRejectionKeepsTheHistory) {
             "");
 }
 
+// Techniques: 13.7.
 TEST_F(GeometryTest, AChangeOfVelocityIsJoinedToAlpha) {
   taa::twin::Inputs frame = sameAsBefore();
   fill(frame.historyMotion, 0, all(2.0f));
@@ -268,6 +275,7 @@ TEST_F(GeometryTest, AChangeOfVelocityIsJoinedToAlpha) {
 }
 
 // The left half goes left, the right half right; then all go alike.
+// Techniques: 12.7.
 TEST_F(GeometryTest, MotionThatPartsRaisesAlpha) {
   Settings settings = depthAlone();
   settings.validate.depth = Switch::Off;

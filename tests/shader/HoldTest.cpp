@@ -68,6 +68,7 @@ class HoldTest : public taa::test::ResolveTest {
   }
 };
 
+// Techniques: 17.3.
 TEST_F(HoldTest, ASecondSightLocksAThinLineAndNothingElse) {
   taa::twin::Inputs frame = lines(1.0f, 1.5f);
   advance(frame, shape(), locking());
@@ -90,6 +91,7 @@ TEST_F(HoldTest, LinesOfTwoPixelsAndFaintOnesAreNotThin) {
 }
 
 // The line is missed from now on: life falls by 1/16 a frame, four times which is what is taken back.
+// Techniques: 11.7, 17.3.
 TEST_F(HoldTest, ALockHoldsHistoryAndFades) {
   taa::twin::Inputs frame = locked(locking());
   const Image history = frame.historyColor;
@@ -160,6 +162,7 @@ Settings withInstability() {
 
 } // namespace
 
+// Techniques: 17.4.
 TEST_F(HoldTest, LumaThatComesAndGoesIsUnstable) {
   struct Case {
     std::vector<float> scales; // of the picture, frame by frame
@@ -184,6 +187,7 @@ TEST_F(HoldTest, LumaThatComesAndGoesIsUnstable) {
   }
 }
 
+// Techniques: 17.4.
 TEST_F(HoldTest, UnstableLumaKeepsItsHistory) {
   taa::twin::Inputs frame = lines(0.2f, 0.6f);
   for (const float scale : {1.0f, 1.5f, 1.0f, 1.5f, 1.0f}) {
@@ -215,6 +219,7 @@ TEST_F(HoldTest, WhatIsReactiveIsHeldLess) {
 }
 
 // 11.7: a tenth of what FSR2 accumulates is 0.1 / (0.74/12) frames.
+// Techniques: 11.7.
 TEST_F(HoldTest, ForgetsHistoryThatWasMoved) {
   taa::twin::Inputs frame = lines(1.0f, 1.0f);
   frame.historyColor = frame.color;

@@ -101,6 +101,7 @@ TEST_F(LookingTest, ShowsInARegionWhatTheWholePictureHasThere) {
     }
 }
 
+// Techniques: 1.5.
 TEST_F(LookingTest, ShowsAsResolvedWhatTheHistoryHolds) {
   for (const taa::Precision precision : {taa::Precision::Half, taa::Precision::Full}) {
     FrameShape shape;

@@ -57,6 +57,7 @@ TEST_F(OutputTest, IsTheResolvedPictureWhenAllIsOff) {
 }
 
 // output·(1 − a) + overlay, in what is shown and nowhere else (21.1).
+// Techniques: 21.1.
 TEST_F(OutputTest, LaysTheOverlayOverWhatIsShown) {
   const FrameShape shape;
   taa::twin::Inputs frame = taa::test::randomFrame(shape, 14, true);

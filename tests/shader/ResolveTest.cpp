@@ -115,6 +115,7 @@ TEST_F(ResolveTest, IsFiniteAndNotNegativeWhateverComesIn) {
 }
 
 // Invariant 54.
+// Techniques: 1.7.
 TEST_F(ResolveTest, StartsWithTheFilteredColorAndOneFrame) {
   for (const Precision precision : {Precision::Half, Precision::Full}) {
     FrameShape shape;
@@ -134,6 +135,7 @@ TEST_F(ResolveTest, StartsWithTheFilteredColorAndOneFrame) {
   }
 }
 
+// Techniques: 1.7.
 TEST_F(ResolveTest, ForgetsItsHistoryAtACut) {
   const FrameShape shape;
   taa::twin::Inputs frame = taa::test::randomFrame(shape, 51, true);
@@ -148,6 +150,7 @@ TEST_F(ResolveTest, ForgetsItsHistoryAtACut) {
 }
 
 // Invariant 25.
+// Techniques: 13.17.
 TEST_F(ResolveTest, RestartsWhatComesFromOffTheScreenOrNowhere) {
   const FrameShape shape = full();
   const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -272,6 +275,7 @@ TEST_F(ResolveTest, WeightsAFireflyDown) {
 }
 
 // Invariant 66.
+// Techniques: 14.1.
 TEST_F(ResolveTest, IsAPlainLerpWithEveryStageOff) {
   const FrameShape shape = full();
   taa::twin::Inputs frame = taa::test::stillFrame(shape, 70);

@@ -1,6 +1,7 @@
 // Derivatives by the twin: the values are the float twin's bit for bit, slopes those of the formulas, of
 // steps of the twin, and of steps of the GLSL itself over whole frames.
 #include "core/probe/Sensitivity.h"
+#include "core/base/Light.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 #include "core/taa/twin/Dual.h"
@@ -28,17 +29,9 @@ test::FrameShape smallShape(const Settings& settings) {
 
 /// Nothing but a share α of this frame's sample and the rest of history, read at rest.
 Settings plainMix(float alpha) {
-  Settings settings;
-  settings.weight.source = AlphaSource::Constant;
+  Settings settings = test::bareSettings();
   settings.weight.alpha = alpha;
   settings.weight.minimum = 0.0f;
-  settings.weight.motion = MotionAlpha::None;
-  settings.current.filter = CurrentFilter::Center;
-  settings.rectify.method = RectifyMethod::None;
-  settings.validate.depth = Switch::Off;
-  settings.history.precision = Precision::Full;
-  settings.history.filter = HistoryFilter::Bilinear;
-  settings.blend.tone = ToneWeight::None;
   return settings;
 }
 
@@ -150,6 +143,27 @@ TEST_F(SensitivityTest, OfMixedRowsIsThatOfStepsOfTheFloatTwin) {
   }
   EXPECT_GT(compared, 1500);
 }
+
+TEST_F(SensitivityTest, MapsANumberOverAllPixels) {
+  const Settings settings = plainMix(0.25f);
+  const twin::Inputs frame = rested(smallShape(settings), settings, 3);
+  const SensitivityMap map = sensitivityMap("weight.alpha", frame, settings);
+  ASSERT_EQ(map.number.step(), 0.025);
+  double largest = 0.0;
+  for (int y = 0; y < map.change.height; ++y)
+    for (int x = 0; x < map.change.width; ++x) {
+      // The resolved color is history + α (sample − history).
+      const glm::dvec3 slope = glm::dvec3(glm::vec3(frame.color.texel(x, y))) -
+                               glm::dvec3(glm::vec3(frame.historyColor.texel(x, y)));
+      const glm::vec3 change(map.change.texel(x, y));
+      for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(change[i], 0.025 * slope[i], 1e-6 * (1.0 + std::fabs(slope[i]))) << x << ' ' << y;
+      largest = std::max(largest, std::fabs(luminance(0.025 * slope)));
+    }
+  EXPECT_NEAR(map.largest, largest, 1e-5 * largest);
+  EXPECT_GT(map.share, 0.99);
+}
+
 TEST_F(SensitivityTest, AgreesWithStepsOfTheShaderOnWholeFrames) {
   Agreement all;
   for (const Preset& preset : wholePresets()) {

@@ -1,12 +1,10 @@
 // The resolve in GLSL against its CPU twin: every intermediate of whole frames, bit for bit on llvmpipe.
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
-#include "tests/support/CompareImages.h"
+#include "tests/support/frames/Frames.h"
 #include "tests/support/frames/ResolveTest.h"
 #include "tests/support/frames/Variants.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -15,51 +13,13 @@
 using taa::test::FrameShape;
 using taa::test::Variant;
 
-namespace {
-
-std::vector<taa::Image> twinImages(taa::twin::Inputs inputs, const taa::Image& resolved,
-                                   const taa::Settings& settings) {
-  inputs.resolved = resolved;
-  std::vector<taa::Image> images;
-  for (const taa::Intermediate& row : taa::kResolveRows)
-    images.emplace_back(inputs.outputWidth(), inputs.outputHeight(), row.channels);
-  for (int y = 0; y < inputs.outputHeight(); ++y)
-    for (int x = 0; x < inputs.outputWidth(); ++x) {
-      const taa::twin::PixelRecord record = taa::twin::resolvePixel(inputs, settings, x, y);
-      for (std::size_t row = 0; row < images.size(); ++row)
-        for (int channel = 0; channel < images[row].channels; ++channel)
-          images[row].at(x, y)[channel] = record[row][channel];
-    }
-  return images;
-}
-
-bool hasOnlyNumbers(const taa::twin::Inputs& frame) {
-  const auto isFinite = [](float value) { return std::isfinite(value); };
-  return std::ranges::all_of(frame.color.pixels, isFinite) &&
-         std::ranges::all_of(frame.motion.pixels, isFinite);
-}
-
-} // namespace
-
 class TwinTest : public taa::test::ResolveTest {
  protected:
-  // Random frames hold many pixels within rounding of a threshold, where a GPU may decide the other way and
-  // everything after it differs: there, one value in a hundred may. A wild frame has NaN and infinity in its
-  // pixels: the other decision may read them, or not.
   static void expectTwin(const taa::twin::Inputs& frame, const FrameShape& shape, const Variant& variant,
                          const std::string& what) {
-    const taa::test::Exposed exposed = expose(frame, shape, variant.settings);
-    const std::vector<taa::Image> twin =
-        twinImages(frame, exposed.at(taa::IntermediateId::resolved), variant.settings);
-    for (const taa::Intermediate& row : taa::kResolveRows) {
-      const taa::Image& expected = twin[static_cast<std::size_t>(row.id)];
-      taa::test::Limits limits = taa::test::limitsOf(isExact(), row.tolerance);
-      limits.mayLoseFinite = !isExact() && !hasOnlyNumbers(frame);
-      const std::string differs = taa::test::difference(exposed.at(row.id), expected, limits);
-      EXPECT_EQ(differs, "") << row.name << " of " << what << " with " << variant.name;
-      // Everything after the first difference follows from it.
-      if (!differs.empty()) return;
-    }
+    const auto rows = taa::test::resolveRows(expose(frame, shape, variant.settings));
+    EXPECT_EQ(taa::test::differenceFromTwin(frame, variant.settings, rows, isExact()), "")
+        << what << " with " << variant.name;
   }
 
   static void expectTwin(const Variant& variant, std::uint32_t seed) {

@@ -48,6 +48,7 @@ TEST_F(UpsampleTest, NoKernelMattersAtFullSize) {
 }
 
 // 0.999 of this size is the whole size: the upsampling code runs, with a ratio of 1.
+// Techniques: 22.5.
 TEST_F(UpsampleTest, IsTheNativePathWhereAsManyTexelsAreDrawnAtPixelCenters) {
   for (const UpsampleKernel kernel : {UpsampleKernel::SampleWeight, UpsampleKernel::Lanczos2}) {
     Settings settings;
@@ -97,6 +98,7 @@ TEST_F(UpsampleTest, ConfidenceOfNothingKeepsTheRectifiedHistory) {
   }
 }
 
+// Techniques: 8.9.
 TEST_F(UpsampleTest, ShowsTheNearestTexelOfEachPixel) {
   Settings settings;
   settings.inputs.renderScale = 0.5f;

@@ -147,11 +147,6 @@ class Calculator {
         const double x = std::clamp(a, 0.0, 1.0);
         return x * x * (3 - 2 * x);
       });
-    if (name == "length") {
-      double squares = 0;
-      for (const double part : list.front()) squares += part * part;
-      return {std::sqrt(squares)};
-    }
     ADD_FAILURE() << "unknown function " << name;
     return {0.0};
   }

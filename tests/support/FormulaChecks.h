@@ -32,7 +32,7 @@ inline double storedStep(IntermediateId id, double value, const Settings& settin
   return 0.0;
 }
 
-/// The largest number that the value was made of.
+/// The largest number that the value was made of; what a bound would have been that does not bind is none.
 inline double largestOf(const twin::Trace& trace, const twin::Operand& value) {
   double largest = 0.0;
   std::vector<twin::Operand> left{value};
@@ -42,7 +42,11 @@ inline double largestOf(const twin::Trace& trace, const twin::Operand& value) {
     left.pop_back();
     if (std::isfinite(x.value)) largest = std::max(largest, std::fabs(x.value));
     if (x.node == 0 || !seen.insert(x.node).second) continue;
-    for (const twin::Operand& from : trace.at(x).from) left.push_back(from);
+    const twin::TraceNode& node = trace.at(x);
+    const bool isBound = node.operation == twin::Operation::Min || node.operation == twin::Operation::Max ||
+                         node.operation == twin::Operation::Clamp;
+    for (const twin::Operand& from : node.from)
+      if (!isBound || from.value == node.value) left.push_back(from);
   }
   return largest;
 }

@@ -3,6 +3,7 @@
 #include "app/style/Numbers.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
+#include "app/widgets/Note.h"
 #include "app/widgets/ValueTable.h"
 #include "core/settings/Parameters.h"
 
@@ -61,8 +62,8 @@ QString tipOf(const Sensitivity& each) {
   lines << SensitivityPage::tr("By it: red %1, green %2, blue %3")
                .arg(shortText(each.slope.x), shortText(each.slope.y), shortText(each.slope.z));
   if (each.isOneSided)
-    lines << SensitivityPage::tr("One-sided: two things that are compared are the same here, and to the "
-                                 "other side it is another.");
+    lines << SensitivityPage::tr("To the other side the slope is another, or may be: two things that are "
+                                 "compared are the same here.");
   return lines.join(QLatin1Char('\n'));
 }
 
@@ -83,9 +84,9 @@ SensitivityPage::SensitivityPage(QWidget* parent)
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setItemDelegateForColumn(LumaColumn, new LumaBars(table_));
   auto* note = new QLabel(tr(
-      "By how much the resolved pixel changes if that moves by this step, everything else as it is, on the "
-      "history it had: exact slopes, so true of small steps. What is not here changes nothing. * is "
-      "another on the other side."));
+      "Exact slopes of the resolved pixel in this frame, on the history it had, times the step: true where "
+      "the step is small. Samples, texels of history and numbers that are not here have none. * has "
+      "another to the other side, or may have. Enter on a number shows where over the picture it matters."));
   setSecondary(*note);
   note->setWordWrap(true);
   note->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
@@ -94,6 +95,15 @@ SensitivityPage::SensitivityPage(QWidget* parent)
   column->setSpacing(0);
   column->addWidget(table_, 1);
   column->addWidget(note);
+  connect(table_, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
+    if (const QString path = pathAt(table_->indexOfTopLevelItem(item)); !path.isEmpty())
+      Q_EMIT mapRequested(path);
+  });
+}
+
+QString SensitivityPage::pathAt(int line) const {
+  return line >= 0 && line < static_cast<int>(paths_.size()) ? qtext(paths_[static_cast<std::size_t>(line)])
+                                                             : QString();
 }
 
 void SensitivityPage::setResult(const std::optional<ProbeResult>& result) {
@@ -101,12 +111,15 @@ void SensitivityPage::setResult(const std::optional<ProbeResult>& result) {
   const std::vector<Sensitivity>& all = result ? result->sensitivities : kNone;
   std::vector<ValueTable::Row> rows;
   std::vector<double> shares;
+  paths_.clear();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const bool isFirst = i == 0 || all[i - 1].to != all[i].to;
     if (isFirst) {
       rows.push_back({{qtext(sensitivityLabel(all[i].to))}, {}, true});
       shares.push_back(0.0);
+      paths_.emplace_back();
     }
+    paths_.push_back(all[i].path);
     const auto largest = std::ranges::find(all, all[i].to, &Sensitivity::to); // sorted
     rows.push_back(lineOf(all[i]));
     shares.push_back(largest->lumaChange() == 0.0 ? 0.0

@@ -6,6 +6,8 @@
 #include <QWidget>
 
 #include <optional>
+#include <string_view>
+#include <vector>
 
 namespace taa::app {
 
@@ -21,8 +23,16 @@ class SensitivityPage : public QWidget {
   /// The table, to copy.
   QString text() const;
 
+ Q_SIGNALS:
+  /// Where over the picture a number of the settings matters is asked for.
+  void mapRequested(const QString& path);
+
  private:
+  /// The number of a line; empty: it is none.
+  QString pathAt(int line) const;
+
   ValueTable* table_;
+  std::vector<std::string_view> paths_; ///< of the table's lines
 };
 
 } // namespace taa::app

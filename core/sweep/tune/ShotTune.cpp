@@ -2,6 +2,7 @@
 
 #include "core/gl/Turn.h"
 #include "core/inspect/Inspector.h"
+#include "core/inspect/OpenedShot.h"
 #include "core/sweep/ShotSweep.h"
 
 #include <algorithm>

@@ -80,11 +80,6 @@ Real weightLuma(const Vec3<Real>& color, WeightLuma chosen) {
 }
 
 template <typename Real>
-Real saturated(Real x) {
-  return x > 0.0f ? (x < 1.0f ? x : 1.0f) : 0.0f;
-}
-
-template <typename Real>
 Vec3<Real> compress(const Vec3<Real>& c, ToneSpace tone) {
   switch (tone) {
   case ToneSpace::Linear:
@@ -303,7 +298,6 @@ Vec3<Real> currentColor(const Inputs& inputs, const glm::ivec2& texel) {
   template Vec3<Real> storable(const Vec3<Real>& color);                                                     \
   template Real luma(const Vec3<Real>& color);                                                               \
   template Real weightLuma(const Vec3<Real>& color, WeightLuma chosen);                                      \
-  template Real saturated(Real x);                                                                           \
   template Vec3<Real> compress(const Vec3<Real>& color, ToneSpace tone);                                     \
   template Vec3<Real> decompress(const Vec3<Real>& color, ToneSpace tone);                                   \
   template Vec3<Real> compress(const Vec3<Real>& color, const BlendSettings& blend);                         \

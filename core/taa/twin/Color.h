@@ -29,54 +29,6 @@ Real luma(const Vec3<Real>& color);
 template <typename Real = float>
 Real weightLuma(const Vec3<Real>& color, WeightLuma chosen);
 
-/// x^(e/8) by whole powers and square roots; e: whole, 1 to 64.
-template <typename Real = float>
-Real powerOfEighths(Real x, double eighths) {
-  Real power = 1.0f;
-  for (; eighths >= 8.0; eighths -= 8.0) power = power * x;
-  Real root = x;
-  for (double share = 4.0; share >= 1.0; share /= 2.0) {
-    root = sqrt(root);
-    if (eighths < share) continue;
-    eighths -= share;
-    power = power * root;
-  }
-  return power;
-}
-
-/// x^(steps/256), likewise; steps ≥ 0.
-template <typename Real = float>
-Real powerOf256ths(Real x, int steps) {
-  Real result = 1.0f;
-  for (int left = steps / 256; left > 0; --left) result = result * x;
-  Real root = x;
-  for (int bit = 7; bit >= 0; --bit) {
-    root = sqrt(root);
-    if ((steps >> bit & 1) != 0) result = result * root;
-  }
-  return result;
-}
-
-/// The same value, which formulas state as a number, however it was made.
-template <typename Real = float>
-Real named(Real x) {
-  return x;
-}
-template <typename Real = float>
-Vec3<Real> named(const Vec3<Real>& color) {
-  return {named(color.x), named(color.y), named(color.z)};
-}
-
-/// Within 0 and 1; NaN becomes 0.
-template <typename Real = float>
-Real saturated(Real x);
-/// x²(3 − 2x) of that.
-template <typename Real = float>
-Real smooth(Real x) {
-  const Real t = saturated(x);
-  return (t * t) * (3.0f - 2.0f * t);
-}
-
 /// Highlights bounded (manual §15), and back.
 template <typename Real = float>
 Vec3<Real> compress(const Vec3<Real>& color, ToneSpace tone);
@@ -101,20 +53,7 @@ SpaceSettings withoutClamp(const SpaceSettings& space);
 template <typename Real = float>
 Real boxLuma(const Vec3<Real>& box, const SpaceSettings& space);
 
-// By comparisons, so that what NaN does is defined; of colors channel by channel.
-template <typename Real = float>
-Real minimum(Real a, Same<Real> b) {
-  return a < b ? a : b;
-}
-template <typename Real = float>
-Real maximum(Real a, Same<Real> b) {
-  return a > b ? a : b;
-}
-template <typename Real = float>
-Real bounded(Real value, Same<Real> low, Same<Real> high) {
-  const Real atLeast = value < low ? low : value; // the upper wall has the last word
-  return atLeast > high ? high : atLeast;
-}
+// Channel by channel.
 template <typename Real = float>
 Vec3<Real> minimum(const Vec3<Real>& a, const Vec3<Real>& b);
 template <typename Real = float>

@@ -1,10 +1,9 @@
 #include "core/taa/twin/Dual.h"
 
-#include "core/taa/twin/Color.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace taa::twin {
@@ -25,43 +24,47 @@ double slopeOfLog2(double x) {
 
 } // namespace
 
-Seeding::Seeding(const Seed& seed) : seed_(seed), before_(presentSeeding) {
-  presentSeeding = this;
+void noteTie(bool isOpen) {
+  if (!presentSeeding) return;
+  presentSeeding->hasTie_ = true;
+  if (isOpen) presentSeeding->hasOpenTie_ = true;
 }
+
+Seeding::Seeding(const Seed& seed) : seed_(seed), before_(std::exchange(presentSeeding, this)) {}
 
 Seeding::~Seeding() {
   presentSeeding = before_;
 }
 
-Seeding* Seeding::present() {
-  return presentSeeding;
-}
-
 Vec4<Dual> Source<Dual>::read(const Texels& plane, int x, int y) {
   Vec4<Dual> out(plane.texel(x, y));
-  Seeding* seeding = Seeding::present();
+  Seeding* seeding = presentSeeding;
   if (!seeding) return out;
-  addOnce(seeding->reads_.texels, Reads::Texel{&plane, {x, y}});
+  if (seeding->collects()) addOnce(seeding->reads_.texels, Reads::Texel{&plane, {x, y}});
   if (seeding->seed_.plane == &plane && seeding->seed_.texel == glm::ivec2(x, y))
-    for (int channel = 0; channel < 4; ++channel) out[channel].slope = 1.0;
+    for (int channel = 0; channel < 4; ++channel) out[channel].slope = seeding->seed_.direction;
   return out;
 }
 
 Dual Source<Dual>::number(const float& field) {
-  Seeding* seeding = Seeding::present();
+  Seeding* seeding = presentSeeding;
   if (!seeding) return field;
-  addOnce<const float*>(seeding->reads_.numbers, &field);
-  return {field, seeding->seed_.setting == &field ? 1.0 : 0.0};
+  if (seeding->collects()) addOnce<const float*>(seeding->reads_.numbers, &field);
+  return {field, seeding->seed_.setting == &field ? seeding->seed_.direction : 0.0};
 }
 
 Dual minimum(Dual a, Dual b) {
-  if (a.value != b.value) return a < b ? a : b;
-  return {minimum(a.value, b.value), a < b ? a.slope : std::min(a.slope, b.slope)};
+  if (a.partsFrom(b)) noteTie(false);
+  const float value = minimum(a.value, b.value);
+  if (a.value == b.value) return {value, std::min(a.slope, b.slope)};
+  return {value, a.value < b.value ? a.slope : b.slope};
 }
 
 Dual maximum(Dual a, Dual b) {
-  if (a.value != b.value) return a > b ? a : b;
-  return {maximum(a.value, b.value), a > b ? a.slope : std::max(a.slope, b.slope)};
+  if (a.partsFrom(b)) noteTie(false);
+  const float value = maximum(a.value, b.value);
+  if (a.value == b.value) return {value, std::max(a.slope, b.slope)};
+  return {value, a.value > b.value ? a.slope : b.slope};
 }
 
 Dual bounded(Dual value, Dual low, Dual high) {

@@ -2,7 +2,6 @@
 // themselves.
 #pragma once
 
-#include "core/settings/Parameters.h"
 #include "core/taa/twin/Numbers.h"
 
 #include <glm/vec2.hpp>
@@ -14,10 +13,12 @@
 
 namespace taa::twin {
 
-/// A value, as the stages have it bit for bit, and its derivative by the seed. Where two are compared that
-/// are the same but do not change the same way, the function has a corner there, and Seeding::isCorner says
-/// so: minimum() and maximum() have the slope to the side where the seed grows. Rounding (to half floats, to
-/// steps) passes slopes on.
+/// Says to the present Seeding that two such were met; `isOpen`: in a comparison.
+void noteTie(bool isOpen);
+
+/// A value, as the stages have it bit for bit, and its derivative by the seed, to the side that the seed
+/// goes: where minimum(), maximum() or fabs() have a corner, theirs is the slope to that side. Comparisons
+/// are of values alone. Rounding (to half floats, to steps) passes slopes on; a root of 0 has none.
 template <typename Value>
 struct DualOf {
   Value value;
@@ -49,7 +50,7 @@ struct DualOf {
 
   friend bool operator==(DualOf a, DualOf b) { return a.value == b.value; }
   friend auto operator<=>(DualOf a, DualOf b) {
-    a.noteCorner(b);
+    if (a.partsFrom(b)) noteTie(true);
     return a.value <=> b.value;
   }
 
@@ -58,7 +59,8 @@ struct DualOf {
     return {root, x.slope == 0.0 ? 0.0 : x.slope / (2.0 * static_cast<double>(root))};
   }
   friend DualOf fabs(DualOf x) {
-    x.noteCorner(DualOf(0));
+    if (x.partsFrom(0)) noteTie(false);
+    if (x.value == Value(0)) return {std::fabs(x.value), std::fabs(x.slope)};
     return {std::fabs(x.value), std::signbit(x.value) ? -x.slope : x.slope};
   }
   friend DualOf floor(DualOf x) { return {std::floor(x.value), 0.0}; }
@@ -70,9 +72,8 @@ struct DualOf {
   friend DualOf cos(DualOf x) { return {std::cos(x.value), -std::sin(x.wide()) * x.slope}; }
 
   double wide() const { return static_cast<double>(value); }
-
- private:
-  void noteCorner(DualOf other) const;
+  /// Whether the two are the same, but do not change the same way.
+  bool partsFrom(DualOf other) const { return value == other.value && slope != other.slope; }
 };
 
 using Dual = DualOf<float>;
@@ -87,6 +88,7 @@ struct Seed {
   const Texels* plane = nullptr;
   glm::ivec2 texel{0};
   const float* setting = nullptr; ///< a field of the settings that the resolve is given
+  double direction = 1.0;         ///< −1: it falls
 };
 
 /// What was read, each once, in the order of the first time.
@@ -108,27 +110,24 @@ class Seeding {
   Seeding(const Seeding&) = delete;
   Seeding& operator=(const Seeding&) = delete;
 
-  /// Whether a comparison was met whose sides are the same but do not change the same way.
-  bool isCorner() const { return isCorner_; }
+  /// Whether two numbers were met that are the same but do not change the same way: there the slope to the
+  /// other side may be another.
+  bool hasTie() const { return hasTie_; }
+  /// Whether a comparison was among them, so that neither slope may be right.
+  bool hasOpenTie() const { return hasOpenTie_; }
+  /// Of an empty seed; else none.
   const Reads& reads() const { return reads_; }
 
  private:
+  bool collects() const { return !seed_.plane && !seed_.setting; }
   friend struct Source<Dual>;
-  template <typename Value>
-  friend struct DualOf;
-  static Seeding* present();
+  friend void noteTie(bool isOpen);
 
   Seed seed_;
   Seeding* before_;
-  bool isCorner_ = false;
+  bool hasTie_ = false, hasOpenTie_ = false;
   Reads reads_;
 };
-
-template <typename Value>
-void DualOf<Value>::noteCorner(DualOf other) const {
-  if (value == other.value && slope != other.slope)
-    if (Seeding* present = Seeding::present()) present->isCorner_ = true;
-}
 
 template <>
 struct Source<Dual> {

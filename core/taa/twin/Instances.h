@@ -3,6 +3,8 @@
 #pragma once
 
 #include "core/taa/twin/Dual.h"
+#include "core/taa/twin/Interval.h"
 #include "core/taa/twin/Traced.h"
 
-#define TAA_EACH_NUMBER(functions) functions(float) functions(taa::twin::Dual) functions(taa::twin::Traced)
+#define TAA_EACH_NUMBER(functions)                                                                           \
+  functions(float) functions(taa::twin::Dual) functions(taa::twin::Traced) functions(taa::twin::Interval)

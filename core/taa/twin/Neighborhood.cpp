@@ -252,7 +252,12 @@ NeighborhoodOf<Real> measureNeighborhood(const Inputs& inputs, const Settings& s
   }
   measureSamples(inputs, settings, pixel, given, result);
   const Vec3<Real> center = result.samples[4];
+  observe(IntermediateId::neighborhoodMean, result.mean);
+  observe(IntermediateId::neighborhoodDeviation, result.deviation);
+  observe(IntermediateId::neighborhoodMin, result.min);
+  observe(IntermediateId::neighborhoodMax, result.max);
   result.gamma = gammaUsed(inputs, settings, result, center, given);
+  observe(IntermediateId::boxGamma, result.gamma);
   boundByMoments(settings.neighborhood.box, result);
   if (settings.neighborhood.chromaShrink == Switch::On && settings.space.color != ColorSpace::Rgb) {
     const Real half = 0.125f * (result.max.x - result.min.x); // manual 10.6

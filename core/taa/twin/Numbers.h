@@ -10,7 +10,6 @@
 #include <glm/vec4.hpp>
 
 #include <cmath>
-#include <concepts>
 #include <type_traits>
 
 namespace taa::twin {
@@ -71,6 +70,54 @@ Real number(const float& field) {
 template <typename Real>
 int whole(Real x) {
   return static_cast<int>(floor(x));
+}
+
+// By comparisons, so that what NaN does is defined.
+template <typename Real = float>
+Real minimum(Real a, Same<Real> b) {
+  return a < b ? a : b;
+}
+template <typename Real = float>
+Real maximum(Real a, Same<Real> b) {
+  return a > b ? a : b;
+}
+template <typename Real = float>
+Real bounded(Real value, Same<Real> low, Same<Real> high) {
+  const Real atLeast = value < low ? low : value; // the upper wall has the last word
+  return atLeast > high ? high : atLeast;
+}
+/// Within 0 and 1; NaN becomes 0.
+template <typename Real = float>
+Real saturated(Real x) {
+  return x > 0.0f ? (x < 1.0f ? x : Real(1.0f)) : Real(0.0f);
+}
+/// x²(3 − 2x) of that.
+template <typename Real = float>
+Real smooth(Real x) {
+  const Real t = saturated(x);
+  return (t * t) * (3.0f - 2.0f * t);
+}
+/// x^(steps/256) by whole powers and square roots; steps ≥ 0.
+template <typename Real = float>
+Real powerOf256ths(Real x, int steps) {
+  Real result = 1.0f;
+  for (int left = steps / 256; left > 0; --left) result = result * x;
+  Real root = x;
+  for (int bit = 7; bit >= 0; --bit) {
+    root = sqrt(root);
+    if ((steps >> bit & 1) != 0) result = result * root;
+  }
+  return result;
+}
+
+/// The same value, which formulas state as a number, however it was made.
+template <typename Real = float>
+Real named(Real x) {
+  return x;
+}
+template <typename Real = float>
+Vec3<Real> named(const Vec3<Real>& color) {
+  return {named(color.x), named(color.y), named(color.z)};
 }
 
 /// A number of ours, no float.

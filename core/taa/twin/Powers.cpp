@@ -1,9 +1,14 @@
 // Both are series about the nearest power of two; order of operations as in the definition of the resolve.
 #include "core/taa/twin/Powers.h"
 
+#include "core/taa/twin/Interval.h"
+#include "core/taa/twin/Numbers.h"
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 
 namespace taa::twin {
@@ -29,58 +34,94 @@ constexpr std::array<float, 7> kPower = [] {
 }();
 
 /// Σ terms[k]·xᵏ, from the last.
-template <std::size_t kCount>
-float series(const std::array<float, kCount>& terms, float x) {
-  float sum = terms.back();
+template <typename Real, std::size_t kCount>
+Real series(const std::array<float, kCount>& terms, Real x) {
+  Real sum = terms.back();
   for (std::size_t k = kCount - 1; k-- > 0;) sum = sum * x + terms[k];
   return sum;
 }
 
+// x = m·2^exponent, m from √½ to √2
+int exponentOf(float x) {
+  int exponent = 0;
+  const float m = std::frexp(x, &exponent); // ½ to 1
+  return m < std::numbers::sqrt2_v<float> / 2.0f ? exponent - 1 : exponent;
+}
+int exponentOf(const Interval& x) {
+  const auto of = [](float end) { return exponentOf(std::max(end, std::numeric_limits<float>::min())); };
+  const int likely = of(x.value), low = of(x.low), high = of(x.high);
+  if (low == high || chosen(true)) return likely;
+  return likely == low ? high : low;
+}
+
+float timesPowerOfTwo(float x, int exponent) {
+  return std::ldexp(x, exponent);
+}
+Interval timesPowerOfTwo(const Interval& x, int exponent) {
+  return {std::ldexp(x.value, exponent), std::ldexp(x.low, exponent), std::ldexp(x.high, exponent)};
+}
+
 /// 2^x = whole·(1 + rest).
+template <typename Real>
 struct PowerOfTwo {
-  float whole, rest;
+  float whole;
+  Real rest;
 };
-PowerOfTwo powerOfTwo(float x) {
-  const float within = x > -126.0f ? (x < 127.0f ? x : 127.0f) : -126.0f; // NaN: −126
-  const float nearest = std::floor(within + 0.5f);
-  const float f = within - nearest;
+template <typename Real>
+PowerOfTwo<Real> powerOfTwo(Real x) {
+  const Real within = minimum(maximum(x, -126.0f), 127.0f); // NaN: −126
+  const Real nearest = floor(within + 0.5f);
+  const Real f = within - nearest;
   return {std::ldexp(1.0f, static_cast<int>(nearest)), f * series(kPower, f)};
 }
 
 } // namespace
 
-float log2OfRatio(float t) {
+template <typename Real>
+Real log2OfRatio(Real t) {
   return t * series(kLogarithm, t * t);
 }
 
-float log2Of(float x) {
-  int exponent = 0;
-  float m = std::frexp(x, &exponent); // ½ to 1
-  if (m < std::numbers::sqrt2_v<float> / 2.0f) {
-    m = 2.0f * m;
-    --exponent;
-  }
-  return static_cast<float>(exponent) + log2OfRatio((m - 1.0f) / (m + 1.0f));
+template <typename Real>
+Real log2Of(Real x) {
+  const int exponent = exponentOf(x);
+  const Real m = timesPowerOfTwo(x, -exponent);
+  return static_cast<float>(exponent) + log2OfRatio<Real>((m - 1.0f) / (m + 1.0f));
 }
 
-float log2OfOnePlus(float x) {
-  if (x < std::numbers::sqrt2_v<float> - 1.0f) return log2OfRatio(x / (2.0f + x));
-  return log2Of(1.0f + x);
+template <typename Real>
+Real log2OfOnePlus(Real x) {
+  if (x < std::numbers::sqrt2_v<float> - 1.0f) return log2OfRatio<Real>(x / (2.0f + x));
+  return log2Of<Real>(1.0f + x);
 }
 
-float exp2Of(float x) {
+template <typename Real>
+Real exp2Of(Real x) {
   if (!(x >= -126.0f)) return 0.0f;
-  const PowerOfTwo parts = powerOfTwo(x);
+  const PowerOfTwo<Real> parts = powerOfTwo(x);
   return parts.whole * (1.0f + parts.rest);
 }
 
-float exp2LessOne(float x) {
-  const PowerOfTwo parts = powerOfTwo(x);
+template <typename Real>
+Real exp2LessOne(Real x) {
+  const PowerOfTwo<Real> parts = powerOfTwo(x);
   return parts.whole * parts.rest + (parts.whole - 1.0f);
 }
 
-float power(float x, float e) {
-  return x >= 1e-37f ? exp2Of(e * log2Of(x)) : 0.0f;
+template <typename Real>
+Real power(Real x, std::type_identity_t<Real> e) {
+  return x >= 1e-37f ? exp2Of<Real>(e * log2Of(x)) : Real(0.0f);
 }
+
+#define TAA_POWERS(Real)                                                                                     \
+  template Real log2OfRatio(Real t);                                                                         \
+  template Real log2Of(Real x);                                                                              \
+  template Real log2OfOnePlus(Real x);                                                                       \
+  template Real exp2Of(Real x);                                                                              \
+  template Real exp2LessOne(Real x);                                                                         \
+  template Real power(Real x, std::type_identity_t<Real> e);
+TAA_POWERS(float)
+TAA_POWERS(Interval)
+#undef TAA_POWERS
 
 } // namespace taa::twin

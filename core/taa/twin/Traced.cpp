@@ -1,7 +1,5 @@
 #include "core/taa/twin/Traced.h"
 
-#include "core/taa/twin/Color.h"
-
 #include <utility>
 
 namespace taa::twin {
@@ -47,11 +45,6 @@ Traced smooth(Traced x) {
 
 Traced named(Traced x) {
   return Traced::made(Operation::Named, x.value, x);
-}
-
-Traced powerOfEighths(Traced x, double eighths) {
-  return Traced::made(Operation::Power, powerOfEighths(x.value, eighths), x,
-                      static_cast<float>(eighths / 8.0));
 }
 
 Traced powerOf256ths(Traced x, int steps) {

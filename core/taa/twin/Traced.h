@@ -145,7 +145,6 @@ Traced bounded(Traced value, Traced low, Traced high);
 Traced saturated(Traced x);
 Traced smooth(Traced x);
 Traced named(Traced x);
-Traced powerOfEighths(Traced x, double eighths);
 Traced powerOf256ths(Traced x, int steps);
 Traced log2Of(Traced x);
 Traced log2OfRatio(Traced t);

@@ -14,44 +14,52 @@ namespace taa::twin {
 namespace {
 
 template <typename Real>
-void set(PixelRecordOf<Real>& record, IntermediateId id, const Vec3<Real>& value) {
+void set(PixelRecordOf<Real>& record, IntermediateId id, Vec3<Real>& value) {
+  observe(id, value);
   at(record, id) = Vec4<Real>(value, 0.0f);
 }
 template <typename Real>
-void set(PixelRecordOf<Real>& record, IntermediateId id, const Vec2<Real>& value) {
+void set(PixelRecordOf<Real>& record, IntermediateId id, Vec2<Real>& value) {
+  observe(id, value);
   at(record, id) = Vec4<Real>(value, 0.0f, 0.0f);
 }
 template <typename Real>
-void set(PixelRecordOf<Real>& record, IntermediateId id, Same<Real> value) {
+void set(PixelRecordOf<Real>& record, IntermediateId id, Real& value) {
+  observe(id, value);
   at(record, id) = Vec4<Real>(value, 0.0f, 0.0f, 0.0f);
+}
+/// Of what does not go on.
+template <typename Real, typename Value>
+void write(PixelRecordOf<Real>& record, IntermediateId id, Value value) {
+  set(record, id, value);
 }
 
 template <typename Real>
 void recordInputs(PixelRecordOf<Real>& record, const Inputs& inputs, const PlaceOf<Real>& place) {
   const glm::ivec2& p = place.texel;
   const Real depth = read<Real>(inputs.depth, p).x;
-  set(record, IntermediateId::color, Vec3<Real>(read<Real>(inputs.color, p)));
-  set(record, IntermediateId::depth, depth);
-  set(record, IntermediateId::depthView, viewDepth(depth, inputs.depthTerms));
-  set(record, IntermediateId::motion, Vec2<Real>(read<Real>(inputs.motion, p)));
-  set(record, IntermediateId::normal, Vec3<Real>(read<Real>(inputs.normal, p)));
-  set(record, IntermediateId::objectId, read<Real>(inputs.objectId, p).x);
-  set(record, IntermediateId::reactive, maskAt<Real>(inputs, p).x);
-  set(record, IntermediateId::responsive, maskAt<Real>(inputs, p).y);
+  write(record, IntermediateId::color, Vec3<Real>(read<Real>(inputs.color, p)));
+  write(record, IntermediateId::depth, depth);
+  write(record, IntermediateId::depthView, viewDepth(depth, inputs.depthTerms));
+  write(record, IntermediateId::motion, Vec2<Real>(read<Real>(inputs.motion, p)));
+  write(record, IntermediateId::normal, Vec3<Real>(read<Real>(inputs.normal, p)));
+  write(record, IntermediateId::objectId, read<Real>(inputs.objectId, p).x);
+  write(record, IntermediateId::reactive, maskAt<Real>(inputs, p).x);
+  write(record, IntermediateId::responsive, maskAt<Real>(inputs, p).y);
   const Vec4<Real> overlay =
       inputs.overlay.empty() ? Vec4<Real>(0.0f) : read<Real>(inputs.overlay, place.still);
-  set(record, IntermediateId::overlay, Vec3<Real>(overlay));
-  set(record, IntermediateId::overlayAlpha, overlay.w);
+  write(record, IntermediateId::overlay, Vec3<Real>(overlay));
+  write(record, IntermediateId::overlayAlpha, overlay.w);
   const Vec4<Real> fog = inputs.fog.empty() ? Vec4<Real>(0.0f) : read<Real>(inputs.fog, p);
-  set(record, IntermediateId::fog, Vec3<Real>(fog));
-  set(record, IntermediateId::fogOpacity, fog.w);
-  set(record, IntermediateId::objectClass, read<Real>(inputs.normal, p).w);
-  set(record, IntermediateId::forwardCount,
-      inputs.forwardCount.empty() ? Real(-1.0f) : read<Real>(inputs.forwardCount, p).x);
+  write(record, IntermediateId::fog, Vec3<Real>(fog));
+  write(record, IntermediateId::fogOpacity, fog.w);
+  write(record, IntermediateId::objectClass, read<Real>(inputs.normal, p).w);
+  write(record, IntermediateId::forwardCount,
+        inputs.forwardCount.empty() ? Real(-1.0f) : read<Real>(inputs.forwardCount, p).x);
 }
 
 template <typename Real>
-void recordNeighborhood(PixelRecordOf<Real>& record, const NeighborhoodOf<Real>& neighborhood) {
+void recordNeighborhood(PixelRecordOf<Real>& record, NeighborhoodOf<Real>& neighborhood) {
   set(record, IntermediateId::neighborhoodMean, neighborhood.mean);
   set(record, IntermediateId::neighborhoodDeviation, neighborhood.deviation);
   set(record, IntermediateId::neighborhoodMin, neighborhood.min);
@@ -62,31 +70,31 @@ void recordNeighborhood(PixelRecordOf<Real>& record, const NeighborhoodOf<Real>&
 }
 
 template <typename Real>
-void recordValidation(PixelRecordOf<Real>& record, const ValidityOf<Real>& validated) {
+void recordValidation(PixelRecordOf<Real>& record, ValidityOf<Real>& validated) {
   set(record, IntermediateId::depthExpected, validated.depthExpected);
   set(record, IntermediateId::historyDepth, validated.historyDepth);
   set(record, IntermediateId::depthMismatch, validated.depthMismatch);
   set(record, IntermediateId::depthAllowed, validated.depthAllowed);
-  set(record, IntermediateId::geometricFlicker, validated.isFlicker ? 1.0f : 0.0f);
-  set(record, IntermediateId::rejectReason, static_cast<float>(validated.reason));
+  write(record, IntermediateId::geometricFlicker, Real(validated.isFlicker ? 1.0f : 0.0f));
+  write(record, IntermediateId::rejectReason, Real(static_cast<float>(validated.reason)));
 }
 
 template <typename Real>
-void recordGeometry(PixelRecordOf<Real>& record, const GeometryMatchOf<Real>& match) {
+void recordGeometry(PixelRecordOf<Real>& record, GeometryMatchOf<Real>& match) {
   set(record, IntermediateId::historyObjectId, match.object);
   set(record, IntermediateId::normalAgreement, match.normalAgreement);
   set(record, IntermediateId::velocityChange, match.velocityChange);
 }
 
 template <typename Real>
-void recordHeld(PixelRecordOf<Real>& record, const LockStateOf<Real>& lockState) {
+void recordHeld(PixelRecordOf<Real>& record, LockStateOf<Real>& lockState) {
   set(record, IntermediateId::lock, lockState.lock);
   set(record, IntermediateId::lockLife, lockState.lockLife);
   set(record, IntermediateId::instability, lockState.instability);
 }
 
 template <typename Real>
-void recordWeights(PixelRecordOf<Real>& record, const WeightsOf<Real>& weights) {
+void recordWeights(PixelRecordOf<Real>& record, WeightsOf<Real>& weights) {
   set(record, IntermediateId::alphaBase, weights.base);
   set(record, IntermediateId::alphaFloor, weights.floor);
   set(record, IntermediateId::alphaLumaFlicker, weights.lumaFlicker);
@@ -106,7 +114,7 @@ void recordWeights(PixelRecordOf<Real>& record, const WeightsOf<Real>& weights) 
 }
 
 template <typename Real>
-void recordBlend(PixelRecordOf<Real>& record, const BlendedOf<Real>& blended) {
+void recordBlend(PixelRecordOf<Real>& record, BlendedOf<Real>& blended) {
   set(record, IntermediateId::toneWeightCurrent, blended.toneWeightCurrent);
   set(record, IntermediateId::toneWeightHistory, blended.toneWeightHistory);
   set(record, IntermediateId::blendFactor, blended.factor);
@@ -115,14 +123,14 @@ void recordBlend(PixelRecordOf<Real>& record, const BlendedOf<Real>& blended) {
 }
 
 template <typename Real>
-void recordOutput(PixelRecordOf<Real>& record, const ShownColorOf<Real>& shown) {
+void recordOutput(PixelRecordOf<Real>& record, ShownColorOf<Real>& shown) {
   set(record, IntermediateId::sharpenDetail, shown.detail);
   set(record, IntermediateId::blurTrust, shown.trust);
   set(record, IntermediateId::output, shown.color);
 }
 
 template <typename Real>
-void recordRectified(PixelRecordOf<Real>& record, const RectifiedOf<Real>& rectified, Real historyLength) {
+void recordRectified(PixelRecordOf<Real>& record, RectifiedOf<Real>& rectified, Real& historyLength) {
   set(record, IntermediateId::historyRectified, rectified.value);
   set(record, IntermediateId::clipAmount, rectified.amount);
   set(record, IntermediateId::rectifyStrength, rectified.strength);
@@ -239,55 +247,55 @@ ChainOf<Real> resolved(const Inputs& inputs, const Settings& settings, const glm
   const glm::ivec2& texel = out.place.texel;
   recordInputs(record, inputs, out.place);
 
-  const DilatedMotionOf<Real>& dilated = out.dilated = dilateMotion<Real>(inputs, settings.dilate, texel);
-  set(record, IntermediateId::dilatedOffset, Vec2<Real>(dilated.offset));
+  DilatedMotionOf<Real>& dilated = out.dilated = dilateMotion<Real>(inputs, settings.dilate, texel);
+  write(record, IntermediateId::dilatedOffset, Vec2<Real>(dilated.offset));
   set(record, IntermediateId::dilatedDepth, dilated.depth);
   set(record, IntermediateId::dilatedMotion, dilated.motion);
 
   const Vec2<Real> readOff = isOn(settings.fault.historyJitter)
                                  ? Vec2<Real>(inputs.lastJitterPx) / renderRatio<Real>(inputs)
                                  : Vec2<Real>(0.0f);
-  const ReprojectionOf<Real> reprojected = reproject(inputs, settings.reproject, dilated.motion, p, readOff);
+  ReprojectionOf<Real> reprojected = reproject(inputs, settings.reproject, dilated.motion, p, readOff);
   set(record, IntermediateId::historyPosition, reprojected.position);
   set(record, IntermediateId::speed, reprojected.speed);
-  set(record, IntermediateId::onScreen, reprojected.onScreen ? 1.0f : 0.0f);
+  write(record, IntermediateId::onScreen, Real(reprojected.onScreen ? 1.0f : 0.0f));
 
-  const HistorySampleOf<Real>& history = out.history =
+  HistorySampleOf<Real>& history = out.history =
       sampleHistory(inputs, settings.history, reprojected.position, p, texel);
   set(record, IntermediateId::historyRaw, history.color);
   set(record, IntermediateId::historyRawLength, history.historyLength);
-  set(record, IntermediateId::depthEdge, history.isEdge ? 1.0f : 0.0f);
+  write(record, IntermediateId::depthEdge, Real(history.isEdge ? 1.0f : 0.0f));
 
-  const auto [current, confidence] = filteredAt(inputs, settings, out.place, reprojected.speed);
+  auto [current, confidence] = filteredAt(inputs, settings, out.place, reprojected.speed);
   set(record, IntermediateId::currentFiltered, current);
   set(record, IntermediateId::sampleConfidence, confidence);
 
   const Vec2<Real> mask = maskAt<Real>(inputs, texel);
   const Real largestMask = maximum(mask.x, mask.y);
-  const NeighborhoodOf<Real>& neighborhood = out.neighborhood =
+  NeighborhoodOf<Real>& neighborhood = out.neighborhood =
       measureNeighborhood(inputs, settings, current, texel,
                           {history.color, reprojected.speed, largestMask,
                            viewDepth(dilated.depth, inputs.depthTerms), dilated.motion});
   recordNeighborhood(record, neighborhood);
 
   out.geometry = geometryOf(inputs, dilated, texel);
-  const GeometryMatchOf<Real>& match = out.match =
+  GeometryMatchOf<Real>& match = out.match =
       compareGeometry(inputs, settings, out.geometry, history.position);
   recordGeometry(record, match);
-  const ValidityOf<Real> validated =
+  ValidityOf<Real> validated =
       validateHistory(inputs, settings.validate, dilated, reprojected, history.position, texel, match);
   recordValidation(record, validated);
 
-  const LockStateOf<Real>& lockState = out.lockState =
+  LockStateOf<Real>& lockState = out.lockState =
       holdHistory(inputs, settings, reprojected, history.position, neighborhood,
                   validated.reason == RejectReason::Kept, p, texel);
   recordHeld(record, lockState);
-  const RectifiedOf<Real> rectified =
+  RectifiedOf<Real> rectified =
       rectifyHistory(inputs, settings, history.color, current, neighborhood,
                      {reprojected.speed, lockState.protection, validated.isFlicker});
   out.rectifiedBox = rectified.boxed;
   const Real left = lengthLeft(settings.validate, history.historyLength, validated);
-  const Real length = lengthKept(settings, left, rectified, lockState.protection);
+  Real length = lengthKept(settings, left, rectified, lockState.protection);
   recordRectified(record, rectified, length);
 
   out.divergence = motionDivergence<Real>(inputs, settings.weight, texel);
@@ -310,16 +318,19 @@ ChainOf<Real> resolved(const Inputs& inputs, const Settings& settings, const glm
   weighed.divergence = out.divergence.value;
   weighed.isFrozen = validated.isFrozen;
   weighed.decays = settings.validate.action == RejectAction::Decay;
-  const WeightsOf<Real> weights = blendWeight(settings, length, validated.invalid, weighed);
+  WeightsOf<Real> weights = blendWeight(settings, length, validated.invalid, weighed);
   recordWeights(record, weights);
   const bool isBlurred =
       isTaaOn(settings) && settings.blend.restart == Restart::Blurred && validated.invalid >= 1.0f;
   const Vec3<Real> shown = isBlurred ? blurredRestart<Real>(inputs, texel) : current;
   const bool isNan = isOn(settings.fault.nan) && holdsNan(inputs, texel, reprojected);
-  recordBlend(record, blend<Real>(settings, {shown, rectified.value, weights.alpha, weights.channels, length,
-                                             confidence, dilated.motion, p, inputs.frame,
-                                             inputs.historyColor.empty(), isNan}));
-  if (!inputs.resolved.empty()) recordOutput(record, showOutput<Real>(inputs, settings, p));
+  BlendedOf<Real> blended =
+      blend<Real>(settings, {shown, rectified.value, weights.alpha, weights.channels, length, confidence,
+                             dilated.motion, p, inputs.frame, inputs.historyColor.empty(), isNan});
+  recordBlend(record, blended);
+  if (inputs.resolved.empty()) return out;
+  ShownColorOf<Real> output = showOutput<Real>(inputs, settings, p);
+  recordOutput(record, output);
   return out;
 }
 
@@ -372,6 +383,8 @@ template PixelIn<Dual> resolvePixelIn(const Inputs& inputs, const Settings& sett
                                       const glm::ivec2& pixel);
 template PixelIn<Traced> resolvePixelIn(const Inputs& inputs, const Settings& settings,
                                         const glm::ivec2& pixel);
+template PixelIn<Interval> resolvePixelIn(const Inputs& inputs, const Settings& settings,
+                                          const glm::ivec2& pixel);
 
 #define TAA_TWIN(Real) template Vec2<Real> maskAt(const Inputs& inputs, const glm::ivec2& texel);
 TAA_EACH_NUMBER(TAA_TWIN)

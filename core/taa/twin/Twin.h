@@ -61,6 +61,15 @@ const Vec4<Real>& at(const PixelRecordOf<Real>& record, IntermediateId id) {
   return record[static_cast<std::size_t>(id)];
 }
 
+// Of a row that is made: what the stages go on with is its value, or, of an Interval, what a driver made of
+// it.
+template <typename Real>
+void observe(IntermediateId, Real&, int = 0) {}
+template <glm::length_t n, typename Real>
+void observe(IntermediateId id, glm::vec<n, Real>& value) {
+  for (glm::length_t i = 0; i < n; ++i) observe(id, value[i], i);
+}
+
 /// What the pixel leaves in the layers that only some settings keep; see History.
 struct KeptLayers {
   glm::vec2 object{0.0f};

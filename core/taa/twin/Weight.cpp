@@ -148,7 +148,7 @@ Real byFrameRate(const WeightSettings& settings, Real alpha, double stepSeconds)
   double eighths = std::round(stepSeconds * static_cast<double>(settings.referenceRate) * 8.0);
   eighths = eighths < 1.0 ? 1.0 : eighths > 64.0 ? 64.0 : eighths;
   if (eighths == 8.0) return alpha;
-  return 1.0f - powerOfEighths(1.0f - alpha, eighths);
+  return 1.0f - powerOf256ths(1.0f - alpha, 32 * static_cast<int>(eighths));
 }
 
 /// What motion adds to α (manual 13.4 to 13.6).
@@ -244,6 +244,26 @@ Real confidenceAfter(Real before, const Vec2<Real>& motionPx) {
   return isStill ? before + 10.0f : 1.0f;
 }
 
+namespace {
+
+/// What α is composed of.
+template <typename Real>
+void observeTerms(WeightsOf<Real>& terms) {
+  observe(IntermediateId::alphaBase, terms.base);
+  observe(IntermediateId::alphaLumaFlicker, terms.lumaFlicker);
+  observe(IntermediateId::alphaNearClamp, terms.nearClamp);
+  observe(IntermediateId::alphaHistoryContrast, terms.historyContrast);
+  observe(IntermediateId::alphaRelax, terms.relax);
+  observe(IntermediateId::alphaSampleDistance, terms.sampleDistance);
+  observe(IntermediateId::alphaVelocityChange, terms.velocityChange);
+  observe(IntermediateId::alphaDivergence, terms.divergence);
+  observe(IntermediateId::alphaFlicker, terms.flicker);
+  observe(IntermediateId::alphaMask, terms.mask);
+  observe(IntermediateId::alphaInvalid, terms.invalid);
+}
+
+} // namespace
+
 template <typename Real>
 WeightsOf<Real> blendWeight(const WeightSettings& settings, Real historyLength, Real invalid,
                             const WeightInputsOf<Real>& weighed) {
@@ -260,6 +280,7 @@ WeightsOf<Real> blendWeight(const WeightSettings& settings, Real historyLength, 
   result.divergence = weighed.divergence;
   result.flicker = flickerFactor(settings, weighed);
   result.invalid = invalid;
+  observeTerms(result);
   compose(settings, weighed, result);
   result.alpha = wholeWeight(result, weighed);
   result.channels = Vec3<Real>(result.alpha);

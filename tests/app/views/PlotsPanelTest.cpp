@@ -13,10 +13,12 @@
 
 #include <QClipboard>
 #include <QFile>
+#include <QHelpEvent>
 #include <QMenu>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QToolButton>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include <cmath>
@@ -60,6 +62,27 @@ class Plots : public test::FakeWindow {
 };
 
 } // namespace
+
+TEST_F(Plots, TellInTheTipOfANameHowTheProbesValueWasMade) {
+  std::vector<IntermediateId> asked;
+  plots()->setFormulas([&asked](IntermediateId id) {
+    asked.push_back(id);
+    return id == IntermediateId::alpha ? QStringLiteral("1 / (7 + 1) = 0.125") : QString();
+  });
+  const auto tipOf = [this](const QString& label) {
+    for (QToolButton* chip : plots()->findChildren<QToolButton*>())
+      if (chip->text() == label) {
+        QHelpEvent event(QEvent::ToolTip, {2, 2}, chip->mapToGlobal(QPoint(2, 2)));
+        QApplication::sendEvent(chip, &event);
+      }
+    return QToolTip::text();
+  };
+  const QString alpha = tipOf(QString::fromUtf8(intermediate(IntermediateId::alpha).label.data()));
+  EXPECT_TRUE(alpha.endsWith("At the probe, frame 0: 1 / (7 + 1) = 0.125")) << alpha.toStdString();
+  const Intermediate& clip = intermediate(IntermediateId::clipAmount);
+  EXPECT_EQ(tipOf(QString::fromUtf8(clip.label.data())).toStdString(), clip.description);
+  EXPECT_EQ(asked, (std::vector{IntermediateId::alpha, IntermediateId::clipAmount}));
+}
 
 TEST_F(Plots, EveryFrameThatIsShownAddsAPoint) {
   for (const int frame : {5, 6, 9}) goTo(frame);

@@ -156,7 +156,7 @@ TEST(Batch, ExplainsEveryCommand) {
 TEST(Batch, NamesWhatThereIsWhenTheCallerIsWrong) {
   expectUsageError({}, {"subcommand", "taa-batch --help"});
   expectUsageError({"probe", "builtin:fan"},
-                   {"one of --pixel, --find and --region", "taa-batch probe --help"});
+                   {"one of --pixel, --find, --region and --where", "taa-batch probe --help"});
   expectUsageError({"list", "scenes", "--nope\x1b[31m\ntaa-batch: well"}, {"--nope?[31m taa-batch: well"});
   expectUsageError({"paint"}, {"paint", "render"});
   expectUsageError({"list", "lights"}, {"intermediates", "presets"});

@@ -17,10 +17,33 @@ using namespace taa;
 
 namespace {
 
-constexpr int kVariants = 10, kPixels = 20; ///< of each scene
+constexpr std::size_t kVariants = 10, kPixels = 20; ///< of each scene
+constexpr std::size_t kFewPixels = 3;               ///< of every variant
+constexpr glm::ivec2 kSize{96, 54};
 
 class FormulasOnScenesTest : public test::GlTest, public testing::WithParamInterface<std::size_t> {
  protected:
+  /// At random pixels of the scene, under each of the variants.
+  void check(const std::vector<test::Variant>& variants, std::size_t pixels) {
+    if (!isExact()) GTEST_SKIP() << "this driver rounds its own way";
+    const std::string scene = "builtin:" + std::string(builtinScenes()[GetParam()].id);
+    Inspector inspector;
+    inspector.shot().setSize(kSize.x, kSize.y);
+    inspector.shot().open(scene);
+    inspector.shot().seek(5);
+    const Settings own = inspector.shot().settings();
+    std::mt19937 random(static_cast<unsigned>(GetParam()));
+    for (test::Variant variant : variants) {
+      variant.settings.jitter = own.jitter;
+      variant.settings.inputs = own.inputs;
+      variant.settings.history.dither = Switch::Off;  // what it chooses is said beside the formula
+      inspector.shot().setSettings(variant.settings); // on the history at hand
+      for (std::size_t count = 0; count < pixels; ++count)
+        checkPixel(inspector, {static_cast<int>(random() % kSize.x), static_cast<int>(random() % kSize.y)},
+                   scene + " with " + variant.name);
+    }
+    EXPECT_GT(formulas_, 10000);
+  }
   void checkPixel(Inspector& inspector, const glm::ivec2& pixel, const std::string& where) {
     const twin::PixelRecord record = inspector.probes().probe(pixel.x, pixel.y);
     const twin::Details details = inspector.probes().details(pixel.x, pixel.y);
@@ -38,37 +61,25 @@ class FormulasOnScenesTest : public test::GlTest, public testing::WithParamInter
   int formulas_ = 0;
 };
 
-/// Those of this scene: every scene has others.
-std::vector<test::Variant> variantsOfScene(std::size_t scene, const Settings& own) {
-  std::vector<test::Variant> all = test::presetsAndChoices(), out;
-  for (const test::Variant& variant : test::randomCombinations()) all.push_back(variant);
-  for (std::size_t i = 0; i < kVariants; ++i) {
-    test::Variant variant = all[(scene + i * 37) % all.size()];
-    variant.settings.jitter = own.jitter;
-    variant.settings.inputs = own.inputs;
-    variant.settings.history.dither = Switch::Off; // what it chooses is said beside the formula
-    out.push_back(std::move(variant));
-  }
-  return out;
+std::vector<test::Variant> allVariants() {
+  std::vector<test::Variant> all = test::presetsAndChoices();
+  for (test::Variant& variant : test::randomCombinations()) all.push_back(std::move(variant));
+  return all;
 }
 
 } // namespace
 
+// Every scene has others.
 TEST_P(FormulasOnScenesTest, GiveTheValuesOfTheShader) {
-  if (!isExact()) GTEST_SKIP() << "this driver rounds its own way";
-  const std::string scene = "builtin:" + std::string(builtinScenes()[GetParam()].id);
-  Inspector inspector;
-  inspector.shot().setSize(96, 54);
-  inspector.shot().open(scene);
-  inspector.shot().seek(5);
-  std::mt19937 random(static_cast<unsigned>(GetParam()));
-  for (const test::Variant& variant : variantsOfScene(GetParam(), inspector.shot().settings())) {
-    inspector.shot().setSettings(variant.settings); // on the history at hand
-    for (int count = 0; count < kPixels; ++count)
-      checkPixel(inspector, {static_cast<int>(random() % 96), static_cast<int>(random() % 54)},
-                 scene + " with " + variant.name);
-  }
-  EXPECT_GT(formulas_, 10000);
+  const std::vector<test::Variant> all = allVariants();
+  std::vector<test::Variant> variants;
+  for (std::size_t i = 0; i < kVariants; ++i) variants.push_back(all[(GetParam() + i * 37) % all.size()]);
+  check(variants, kPixels);
+}
+
+// All of them on all scenes, which takes an hour: what only meets there is found here alone.
+TEST_P(FormulasOnScenesTest, GiveThemUnderPresetsChoicesAndRandomCombinations) {
+  check(allVariants(), kFewPixels);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, FormulasOnScenesTest, testing::Range<std::size_t>(0, 13));

@@ -14,11 +14,15 @@ namespace taa::test {
 /// What the twin is given for a frame, downloaded.
 twin::Inputs twinInputs(const FrameInputs& inputs, const History* previous);
 
-/// Compares pictures (in the table's order) with the twin's, every pixel: bit for bit when `exact`, else
-/// within the table's tolerances but for one value in 500 pixels, where a comparison may fall the other way
-/// (limitsOf()). Says how the first row that differs does, and names the others; empty when none does.
+/// Compares pictures (in the table's order) with the twin's, every pixel: bit for bit when `exact`, else with
+/// what GLSL allows a driver. Says how the first row that differs does, and names the others; empty when none
+/// does.
 std::string differenceFromTwin(twin::Inputs inputs, const Settings& settings,
                                const std::vector<Image>& pictures, bool exact);
+
+/// What of them lies outside of what GLSL allows a driver, a line for each row; empty: nothing.
+std::string outsideOfRanges(twin::Inputs inputs, const Settings& settings,
+                            const std::vector<Image>& pictures);
 
 /// Resolves frames one after another, each on the history of the one before.
 class Accumulator {

@@ -15,6 +15,12 @@ Exposed images(const ExposedRows& exposedRows) {
   return all;
 }
 
+std::vector<Image> resolveRows(const Exposed& exposed) {
+  std::vector<Image> rows;
+  for (const Intermediate& row : kResolveRows) rows.push_back(exposed.at(row.id));
+  return rows;
+}
+
 void ResolveTest::SetUp() {
   GlTest::SetUp();
   if (IsSkipped() || HasFatalFailure() || sharedPass) return;
@@ -34,12 +40,14 @@ History ResolveTest::resolve(const twin::Inputs& images, const FrameShape& shape
   return out;
 }
 
-Exposed ResolveTest::expose(const twin::Inputs& images, const FrameShape& shape, const Settings& settings) {
+Exposed ResolveTest::expose(const twin::Inputs& images, const FrameShape& shape, const Settings& settings,
+                            TaaPass* other) {
   const FrameInputs inputs = upload(images, shape);
   const History previous = uploadHistory(images, shape);
   ExposedRows exposedRows(allRows(), whole(shape));
   History out;
-  pass().resolve(inputs, previous.color ? &previous : nullptr, settings, out, &exposedRows);
+  TaaPass& by = other ? *other : pass();
+  by.resolve(inputs, previous.color ? &previous : nullptr, settings, out, &exposedRows);
   return test::images(exposedRows);
 }
 

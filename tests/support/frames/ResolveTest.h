@@ -17,6 +17,8 @@ using Exposed = std::map<IntermediateId, Image>;
 
 /// Everything exposed, read back.
 Exposed images(const ExposedRows& exposedRows);
+/// Those of the resolve and of the output, in the table's order.
+std::vector<Image> resolveRows(const Exposed& exposed);
 
 /// Shares one TaaPass, hence its programs, among all tests of the process.
 class ResolveTest : public GlTest {
@@ -28,8 +30,9 @@ class ResolveTest : public GlTest {
   /// The history after `images` were resolved on their own history, nothing exposed.
   static History resolve(const twin::Inputs& images, const FrameShape& shape, const Settings& settings,
                          ExposedRows* exposedRows = nullptr);
-  /// Everything about that frame.
-  static Exposed expose(const twin::Inputs& images, const FrameShape& shape, const Settings& settings);
+  /// Everything about that frame, by another pass than the shared one where that is given.
+  static Exposed expose(const twin::Inputs& images, const FrameShape& shape, const Settings& settings,
+                        TaaPass* other = nullptr);
   /// Resolves `images` and makes the result their history.
   static void advance(twin::Inputs& images, const FrameShape& shape, const Settings& settings);
   /// A still picture whose history are four others: their random colors, and all that the settings keep.

@@ -62,7 +62,7 @@ TEST(FormulaText, SetsParenthesesWhereTheyAreNeeded) {
   EXPECT_EQ(textOf([] { return twin::maximum(twin::maximum(read(1.5f), read(2.0f)), read(3.0f)); }),
             "max(1.5, 2, 3)");
   EXPECT_EQ(textOf([] { return exp(-(read(1.5f) + read(2.0f)) / read(3.0f)); }), "exp(−(1.5 + 2) / 3)");
-  EXPECT_EQ(textOf([] { return twin::powerOfEighths(1.0f - read(0.25f), 12.0); }), "(1 − 0.25)^1.5");
+  EXPECT_EQ(textOf([] { return twin::powerOf256ths(1.0f - read(0.25f), 384); }), "(1 − 0.25)^1.5");
 }
 
 TEST(FormulaText, StatesNamedValuesAndOpensOneThatIsAsked) {

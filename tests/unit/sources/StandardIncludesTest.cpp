@@ -43,6 +43,7 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
      "swap_ranges ranges::includes ranges::set_intersection"},
     {"array", "array get to_array tuple_size_v size_t ptrdiff_t begin end size initializer_list"},
     {"atomic", "atomic"},
+    {"bitset", "bitset"},
     {"bit", "bit_cast bit_ceil bit_width endian has_single_bit countr_zero popcount"},
     {"cctype", "isalnum isalpha isdigit islower isspace isupper isxdigit tolower toupper isprint iscntrl"},
     {"charconv", "chars_format from_chars to_chars"},

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 using namespace taa;
 using twin::Dual;
@@ -26,14 +27,29 @@ TEST(Dual, KnowsItsFunctions) {
   EXPECT_NEAR(slopeOf([](Dual x) { return twin::exp2LessOne(x); }, 3.0), 8.0 * std::log(2.0), 1e-6);
 }
 
-TEST(Dual, SaysWhereTheOtherSideHasAnotherSlope) {
-  const auto cornerOf = [](auto function) {
+TEST(Dual, HasTheSlopeToTheSideThatTheSeedGoes) {
+  const Dual rising(2.0f, 1.0), falling(2.0f, -1.0), still(2.0f);
+  EXPECT_EQ(maximum(rising, still).slope, 1.0);
+  EXPECT_EQ(maximum(still, falling).slope, 0.0);
+  EXPECT_EQ(minimum(rising, still).slope, 0.0);
+  EXPECT_EQ(minimum(still, falling).slope, -1.0);
+  EXPECT_EQ(maximum(still, minimum(still, rising)).slope, 0.0)
+      << "no more than itself, whatever the other does";
+  EXPECT_EQ(twin::saturated(Dual(1.0f, 1.0)).slope, 0.0);
+  EXPECT_EQ(twin::saturated(Dual(1.0f, -1.0)).slope, -1.0);
+  EXPECT_EQ(fabs(Dual(0.0f, -1.0)).slope, 1.0);
+}
+
+TEST(Dual, SaysWhereTwoPart) {
+  const auto tiesOf = [](auto function) {
     const twin::Seeding seeding({});
     function();
-    return seeding.isCorner();
+    return std::pair(seeding.hasTie(), seeding.hasOpenTie());
   };
-  EXPECT_TRUE(cornerOf([] { return Dual(2.0f, 1.0) < Dual(2.0f); }));
-  EXPECT_FALSE(cornerOf([] { return Dual(2.0f, 1.0) < Dual(2.0f, 1.0); }));
-  EXPECT_FALSE(cornerOf([] { return Dual(2.0f, 1.0) < Dual(3.0f); }));
-  EXPECT_TRUE(cornerOf([] { return fabs(Dual(0.0f, 1.0)); }));
+  const std::pair none(false, false), decided(true, false), open(true, true);
+  EXPECT_EQ(tiesOf([] { return Dual(2.0f, 1.0) < Dual(2.0f); }), open);
+  EXPECT_EQ(tiesOf([] { return maximum(Dual(2.0f, 1.0), Dual(2.0f)).slope; }), decided);
+  EXPECT_EQ(tiesOf([] { return fabs(Dual(0.0f, 1.0)).slope; }), decided);
+  EXPECT_EQ(tiesOf([] { return Dual(2.0f, 1.0) < Dual(2.0f, 1.0); }), none);
+  EXPECT_EQ(tiesOf([] { return Dual(2.0f, 1.0) < Dual(3.0f); }), none);
 }

@@ -1,0 +1,50 @@
+// Checks every intermediate of all presets on this machine's driver, and shows what came out as a table to
+// send with a report.
+#pragma once
+
+#include "app/background/VerifyWork.h"
+
+#include <QDialog>
+#include <QString>
+
+#include <optional>
+
+class QPushButton;
+class QTreeWidget;
+
+namespace taa::app {
+
+class BackgroundBar;
+
+/// There is one of a window: what was found is there again when it is opened again.
+class VerifyDialog : public QDialog {
+  Q_OBJECT
+ public:
+  explicit VerifyDialog(QWidget* parent, VerifyWork::Check check = checkDriver);
+
+  /// Opens that of `window`, or brings it to the front.
+  static void openAt(QWidget* window);
+
+  QTreeWidget* rows() const { return rows_; }
+  BackgroundBar* bar() const { return bar_; }
+  void begin();
+  /// What `taa-batch verify --json` says of the driver; empty: nothing was checked.
+  QString text() const;
+  /// Esc: ends what is under way, else closes.
+  void reject() override;
+
+ protected:
+  void closeEvent(QCloseEvent*) override;
+
+ private:
+  void showCheck(const DriverCheck& check);
+  void finish(const QString& error);
+
+  VerifyWork work_;
+  std::optional<DriverCheck> check_;
+  QTreeWidget* rows_;
+  BackgroundBar* bar_;
+  QPushButton* copy_;
+};
+
+} // namespace taa::app

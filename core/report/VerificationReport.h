@@ -1,0 +1,24 @@
+// What a driver made of frames, to hand on: as a sentence, as lines of a table and as JSON; the same figures
+// in all of them.
+#pragma once
+
+#include "core/probe/Verification.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace taa {
+
+/// "All 1234567 values of 80 rows lie in their ranges on llvmpipe …; 99.9 % are bit-equal to …".
+std::string verificationSentence(const Verification& verification, const std::string& driver);
+/// A line of headings, then the rows; what is outside first, then the widest.
+std::vector<std::vector<std::string>> verificationTable(const Verification& verification);
+/// One value of a row that is outside: where, what it is and what it may be. Expects an example.
+std::string outsideSentence(const RowVerification& row);
+/// Of each row that has one.
+std::vector<std::string> outsideSentences(const Verification& verification);
+nlohmann::ordered_json verificationJson(const Verification& verification);
+
+} // namespace taa
