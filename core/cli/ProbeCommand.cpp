@@ -106,7 +106,8 @@ void ProbeCommand::checkPlace() const {
     throw UsageError("one of --pixel, --find, --region and --where is required; taa-batch probe --help says "
                      "what they are");
   if (!(region.empty() && where.empty()) && (whatIf || sensitivity || !compare.empty()))
-    throw UsageError("--what-if, --sensitivity and --compare are of a pixel");
+    throw UsageError(
+        "--what-if, --sensitivity and --compare are of a pixel, not of a region or of the picture");
   if (where.empty() && !picture.empty()) throw UsageError("--picture is of --where");
   if (!where.empty()) readOption("--where", [&] { return &parameter(where); });
   if (region.empty() && !emit.empty())
