@@ -11,6 +11,7 @@
 #include "app/widgets/PictureBox.h"
 #include "core/settings/Parameters.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -35,6 +36,7 @@ MapDialog::MapDialog(Session& session, QWidget* parent, MapWork::Map map)
       picture_(new PictureBox(tr("Where it matters"))), bar_(new BackgroundBar(work_, tr("Draw"))) {
   setWindowTitle(tr("Where a number matters"));
   numbers_->setAccessibleName(tr("Number of the settings"));
+  numbers_->view()->setAccessibleName(numbers_->accessibleName());
   auto* probe = bar_->addButton(tr("Probe"), tr("Probe the pixel that moves most"));
   probe->setToolTip(tr("Probe the pixel that moves most"));
   probe->setEnabled(false);
