@@ -31,15 +31,15 @@ bool isMapped(const Parameter& row, const Settings& settings) {
 
 } // namespace
 
-MapDialog::MapDialog(Session& session, QWidget* parent, MapWork::Map map)
-    : QDialog(parent), session_(session), work_(std::move(map)), numbers_(new QComboBox),
+MapDialog::MapDialog(Session& session, QWidget* parent, Map map)
+    : WorkDialog(work_, parent), session_(session), make_(std::move(map)), numbers_(new QComboBox),
       picture_(new PictureBox(tr("Where it matters"))), bar_(new BackgroundBar(work_, tr("Draw"))) {
   setWindowTitle(tr("Where a number matters"));
   numbers_->setAccessibleName(tr("Number of the settings"));
   numbers_->view()->setAccessibleName(numbers_->accessibleName());
-  auto* probe = bar_->addButton(tr("Probe"), tr("Probe the pixel that moves most"));
-  probe->setToolTip(tr("Probe the pixel that moves most"));
-  probe->setEnabled(false);
+  probe_ = bar_->addButton(tr("Probe"), tr("Probe the pixel that moves most"));
+  probe_->setToolTip(tr("Probe the pixel that moves most"));
+  probe_->setEnabled(false);
   picture_->setPicture({}, tr("Nothing is drawn yet."));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(3 * kUnit, 3 * kUnit, 3 * kUnit, 3 * kUnit);
@@ -49,11 +49,8 @@ MapDialog::MapDialog(Session& session, QWidget* parent, MapWork::Map map)
   layout->addWidget(bar_);
   connect(bar_, &BackgroundBar::startRequested, this, &MapDialog::begin);
   connect(&session_, &Session::statusChanged, this, &MapDialog::listNumbers);
-  connect(&work_, &MapWork::mapped, this, &MapDialog::showMap);
-  connect(&work_, &MapWork::mapped, probe,
-          [probe](const SensitivityMap& drawn) { probe->setEnabled(drawn.share > 0.0); });
-  connect(&work_, &MapWork::ended, this, &MapDialog::finish);
-  connect(probe, &QPushButton::clicked, this, [this] {
+  connect(&work_, &BackgroundWork::ended, this, &MapDialog::finish);
+  connect(probe_, &QPushButton::clicked, this, [this] {
     if (map_) session_.probes().setPixel(map_->largestAt);
   });
   listNumbers();
@@ -65,9 +62,7 @@ MapDialog::MapDialog(Session& session, QWidget* parent, MapWork::Map map)
 void MapDialog::openAt(Session& session, const QString& path, QWidget* window) {
   auto* dialog = window->findChild<MapDialog*>();
   if (!dialog) dialog = new MapDialog(session, window);
-  dialog->setVisible(true);
-  dialog->raise();
-  dialog->activateWindow();
+  dialog->present();
   if (path.isEmpty()) return;
   dialog->choose(path);
   dialog->begin();
@@ -91,19 +86,26 @@ void MapDialog::choose(const QString& path) {
 
 void MapDialog::begin() {
   if (numbers_->currentIndex() < 0) return;
-  MapRequest request{session_.file(), 0, numbers_->currentData().toString().toStdString()};
+  const MapRequest request{session_.file(), numbers_->currentData().toString().toStdString()};
   frame_ = request.shot.frame;
   map_.reset();
-  work_.begin(request);
+  probe_->setEnabled(false);
+  work_.start(
+      [this, request, make = make_](const BackgroundWork::Deliver& deliver, const Progress& progress) {
+        const SensitivityMap map = make(request, progress);
+        deliver([this, map] { showMap(map); });
+      });
   bar_->setReady(true, {});
 }
 
 void MapDialog::showMap(const SensitivityMap& map) {
   map_ = map;
-  picture_->setPicture(mapPicture(map), {});
+  probe_->setEnabled(map.share > 0.0);
+  const float range = mappedRange(map);
+  picture_->setPicture(mapPicture(map, range), {});
   picture_->setCaption(tr("Frame %1. Orange: brighter, blue: darker, by up to %2 of luma")
                            .arg(frame_)
-                           .arg(shortText(mappedRange(map), 3)));
+                           .arg(shortText(range, 3)));
 }
 
 void MapDialog::finish(const QString& error) {
@@ -113,20 +115,6 @@ void MapDialog::finish(const QString& error) {
     bar_->setReady(true, qtext(sensitivityMapText(*map_)));
   else
     bar_->setReady(true, tr("It was ended before all was drawn."));
-}
-
-void MapDialog::reject() {
-  if (work_.isRunning()) {
-    work_.cancel();
-    return;
-  }
-  QDialog::reject();
-}
-
-// What is drawn stays.
-void MapDialog::closeEvent(QCloseEvent* event) {
-  work_.cancel();
-  QDialog::closeEvent(event);
 }
 
 } // namespace taa::app

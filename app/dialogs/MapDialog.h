@@ -1,14 +1,17 @@
 // Where a number of the settings matters: how much each pixel of the frame on show moves with it.
 #pragma once
 
-#include "app/background/MapWork.h"
+#include "app/background/BackgroundWork.h"
+#include "app/background/WorkDialog.h"
+#include "core/inspect/MappedShot.h"
 
-#include <QDialog>
 #include <QString>
 
+#include <functional>
 #include <optional>
 
 class QComboBox;
+class QPushButton;
 
 namespace taa::app {
 
@@ -17,11 +20,13 @@ class PictureBox;
 class Session;
 
 /// There is one of a window.
-class MapDialog : public QDialog {
+class MapDialog : public WorkDialog {
   Q_OBJECT
  public:
+  /// As mapShot(); tests put another one in its place.
+  using Map = std::function<SensitivityMap(const MapRequest&, const Progress&)>;
   /// Expects that something is open.
-  MapDialog(Session& session, QWidget* parent, MapWork::Map map = mapShot);
+  MapDialog(Session& session, QWidget* parent, Map map = mapShot);
 
   /// Opens that of `window`, or brings it to the front; draws the number of `path` unless that is empty.
   static void openAt(Session& session, const QString& path, QWidget* window);
@@ -30,11 +35,6 @@ class MapDialog : public QDialog {
   PictureBox* picture() const { return picture_; }
   BackgroundBar* bar() const { return bar_; }
   void begin();
-  /// Esc: ends what is under way, else closes.
-  void reject() override;
-
- protected:
-  void closeEvent(QCloseEvent*) override;
 
  private:
   void listNumbers();
@@ -43,12 +43,14 @@ class MapDialog : public QDialog {
   void finish(const QString& error);
 
   Session& session_;
-  MapWork work_;
+  Map make_;
+  BackgroundWork work_;
   std::optional<SensitivityMap> map_;
   int frame_ = 0; ///< that is drawn
   QComboBox* numbers_;
   PictureBox* picture_;
   BackgroundBar* bar_;
+  QPushButton* probe_;
 };
 
 } // namespace taa::app

@@ -62,7 +62,7 @@ QString metricTitle(Metric metric) {
 } // namespace
 
 SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* parent, SweepWork::Sweep sweep)
-    : QDialog(parent), session_(session), work_(std::move(sweep)),
+    : WorkDialog(work_, parent), session_(session), work_(std::move(sweep)),
       choices_(new SweepChoices(session, folder)), scenes_(new SweepScenes(session)),
       frames_(new FramesField(session, kFirstFrames)),
       supersampling_(new QCheckBox(tr("Supersampling beside RMSE"))), table_(new QTreeWidget),
@@ -128,9 +128,7 @@ void SweepDialog::openAt(Session& session, const QString& folder, QWidget* windo
     dialog = new SweepDialog(session, folder, window);
   else if (!dialog->isVisible())
     dialog->choices_->refresh();
-  dialog->show();
-  dialog->raise();
-  dialog->activateWindow();
+  dialog->present();
 }
 
 QWidget* SweepDialog::makeCharts() {
@@ -325,17 +323,6 @@ void SweepDialog::apply() {
   if (!index) return;
   const SweptSettings& wanted = swept_[series_.settingsOf(*index)];
   session_.presets().change(wanted.choice, tr("settings of a sweep: %1").arg(wanted.name));
-}
-
-void SweepDialog::reject() {
-  if (work_.isRunning()) return work_.cancel();
-  QDialog::reject();
-}
-
-// What is known stays.
-void SweepDialog::closeEvent(QCloseEvent* event) {
-  work_.cancel();
-  QDialog::closeEvent(event);
 }
 
 void SweepDialog::copy() {

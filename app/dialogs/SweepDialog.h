@@ -3,10 +3,10 @@
 #pragma once
 
 #include "app/background/SweepWork.h"
+#include "app/background/WorkDialog.h"
 #include "app/dialogs/SweepChoices.h"
 #include "app/models/alternatives/SweepSeries.h"
 
-#include <QDialog>
 #include <QString>
 
 #include <cstddef>
@@ -29,7 +29,7 @@ class Session;
 class SweepScenes;
 
 /// There is one of a window: what was chosen, typed and measured is there again when it is opened again.
-class SweepDialog : public QDialog {
+class SweepDialog : public WorkDialog {
   Q_OBJECT
  public:
   /// `folder` holds the user's own presets. Expects that something is open.
@@ -47,11 +47,6 @@ class SweepDialog : public QDialog {
   QSize sizeHint() const override { return {1100, 820}; }
 
   void begin();
-  /// Esc: ends what is under way, else closes.
-  void reject() override;
-
- protected:
-  void closeEvent(QCloseEvent*) override;
 
  private:
   QWidget* makeCharts();

@@ -44,7 +44,7 @@ QString tunedText(const std::optional<double>& number) {
 } // namespace
 
 TuneDialog::TuneDialog(Session& session, TuneExits exits, QWidget* parent, TuneWork::Tune tune)
-    : QDialog(parent), session_(session), exits_(std::move(exits)), work_(std::move(tune)),
+    : WorkDialog(work_, parent), session_(session), exits_(std::move(exits)), work_(std::move(tune)),
       choices_(new TuneChoices(session)), numbers_(new QTreeWidget), steps_(new QTreeWidget),
       chart_(new CurveChart(tr("Goal"), tr("evaluation"))), bar_(new BackgroundBar(work_, tr("Tune"))) {
   setWindowTitle(tr("Tune"));
@@ -76,9 +76,7 @@ TuneDialog::TuneDialog(Session& session, TuneExits exits, QWidget* parent, TuneW
 void TuneDialog::openAt(Session& session, const TuneExits& exits, QWidget* window) {
   auto* dialog = window->findChild<TuneDialog*>();
   if (!dialog) dialog = new TuneDialog(session, exits, window);
-  dialog->setVisible(true);
-  dialog->raise();
-  dialog->activateWindow();
+  dialog->present();
 }
 
 void TuneDialog::makeTables() {
@@ -195,20 +193,6 @@ void TuneDialog::finish(const QString& error) {
   const QString end =
       way_->result.isComplete ? tr("no single change is better") : tr("it was not at its end");
   bar_->setNote(tr("Settings measured: %1; %2.").arg(way_->result.evaluations).arg(end));
-}
-
-void TuneDialog::reject() {
-  if (work_.isRunning()) {
-    work_.cancel();
-    return;
-  }
-  QDialog::reject();
-}
-
-// What is known stays.
-void TuneDialog::closeEvent(QCloseEvent* event) {
-  work_.cancel();
-  QDialog::closeEvent(event);
 }
 
 } // namespace taa::app

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "app/background/TuneWork.h"
+#include "app/background/WorkDialog.h"
 #include "app/session/PresetChoices.h"
 
-#include <QDialog>
 #include <QString>
 
 #include <functional>
@@ -27,7 +27,7 @@ struct TuneExits {
 };
 
 /// There is one of a window: what was typed and found is there again when it is opened again.
-class TuneDialog : public QDialog {
+class TuneDialog : public WorkDialog {
   Q_OBJECT
  public:
   /// Expects that something is open.
@@ -43,11 +43,6 @@ class TuneDialog : public QDialog {
   QSize sizeHint() const override { return {1000, 680}; }
 
   void begin();
-  /// Esc: ends what is under way, else closes.
-  void reject() override;
-
- protected:
-  void closeEvent(QCloseEvent*) override;
 
  private:
   void makeTables();

@@ -36,8 +36,8 @@ constexpr int kFirstNumber = 2; // after row and stage
 
 } // namespace
 
-VerifyDialog::VerifyDialog(QWidget* parent, VerifyWork::Check check)
-    : QDialog(parent), work_(std::move(check)), rows_(new QTreeWidget),
+VerifyDialog::VerifyDialog(QWidget* parent, Check check)
+    : WorkDialog(work_, parent), make_(std::move(check)), rows_(new QTreeWidget),
       bar_(new BackgroundBar(work_, tr("Check"))) {
   setWindowTitle(tr("Check the driver"));
   rows_->setAccessibleName(tr("Intermediates, and how many of their values lie within what GLSL allows"));
@@ -53,27 +53,27 @@ VerifyDialog::VerifyDialog(QWidget* parent, VerifyWork::Check check)
   layout->addWidget(bar_);
   connect(bar_, &BackgroundBar::startRequested, this, &VerifyDialog::begin);
   connect(copy_, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(text()); });
-  connect(&work_, &VerifyWork::checked, this, &VerifyDialog::showCheck);
-  connect(&work_, &VerifyWork::ended, this, &VerifyDialog::finish);
+  connect(&work_, &BackgroundWork::ended, this, &VerifyDialog::finish);
   copy_->setEnabled(false);
   bar_->setReady(true, tr("Draws two small frames with every preset, and checks every value that the driver "
-                          "makes of them. Takes about a minute."));
+                          "makes of them. Takes up to a minute with a software renderer."));
   resize(sizeOver(parent, {scaled(230 * kUnit), scaled(150 * kUnit)}));
 }
 
 void VerifyDialog::openAt(QWidget* window) {
   auto* dialog = window->findChild<VerifyDialog*>();
   if (!dialog) dialog = new VerifyDialog(window);
-  dialog->setVisible(true);
-  dialog->raise();
-  dialog->activateWindow();
+  dialog->present();
 }
 
 void VerifyDialog::begin() {
   check_.reset();
   rows_->clear();
   copy_->setEnabled(false);
-  work_.begin();
+  work_.start([this, make = make_](const BackgroundWork::Deliver& deliver, const Progress& progress) {
+    const DriverCheck check = make(progress);
+    deliver([this, check] { showCheck(check); });
+  });
   bar_->setReady(true, {});
 }
 
@@ -95,11 +95,9 @@ void VerifyDialog::showCheck(const DriverCheck& check) {
     }
     rows_->addTopLevelItem(line);
   }
-  for (const RowVerification& row : check.verification.rows)
-    if (row.example)
-      for (int i = 0; i < rows_->topLevelItemCount(); ++i)
-        if (rows_->topLevelItem(i)->text(0) == qtext(intermediate(row.id).name))
-          rows_->topLevelItem(i)->setToolTip(0, qtext(outsideSentence(row)));
+  int line = 0; // those that are outside come first
+  for (const std::string& outside : outsideSentences(check.verification))
+    rows_->topLevelItem(line++)->setToolTip(0, qtext(outside));
   copy_->setEnabled(true);
 }
 
@@ -110,20 +108,6 @@ void VerifyDialog::finish(const QString& error) {
     bar_->setReady(true, qtext(verificationSentence(check_->verification, check_->driver)));
   else
     bar_->setReady(true, tr("It was ended before all was checked."));
-}
-
-void VerifyDialog::reject() {
-  if (work_.isRunning()) {
-    work_.cancel();
-    return;
-  }
-  QDialog::reject();
-}
-
-// What is known stays.
-void VerifyDialog::closeEvent(QCloseEvent* event) {
-  work_.cancel();
-  QDialog::closeEvent(event);
 }
 
 } // namespace taa::app

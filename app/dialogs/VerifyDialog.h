@@ -2,11 +2,13 @@
 // send with a report.
 #pragma once
 
-#include "app/background/VerifyWork.h"
+#include "app/background/BackgroundWork.h"
+#include "app/background/WorkDialog.h"
+#include "core/inspect/DriverCheck.h"
 
-#include <QDialog>
 #include <QString>
 
+#include <functional>
 #include <optional>
 
 class QPushButton;
@@ -17,10 +19,12 @@ namespace taa::app {
 class BackgroundBar;
 
 /// There is one of a window: what was found is there again when it is opened again.
-class VerifyDialog : public QDialog {
+class VerifyDialog : public WorkDialog {
   Q_OBJECT
  public:
-  explicit VerifyDialog(QWidget* parent, VerifyWork::Check check = checkDriver);
+  /// As checkDriver(); tests put another one in its place.
+  using Check = std::function<DriverCheck(const Progress&)>;
+  explicit VerifyDialog(QWidget* parent, Check check = checkDriver);
 
   /// Opens that of `window`, or brings it to the front.
   static void openAt(QWidget* window);
@@ -30,17 +34,13 @@ class VerifyDialog : public QDialog {
   void begin();
   /// What `taa-batch verify --json` says of the driver; empty: nothing was checked.
   QString text() const;
-  /// Esc: ends what is under way, else closes.
-  void reject() override;
-
- protected:
-  void closeEvent(QCloseEvent*) override;
 
  private:
   void showCheck(const DriverCheck& check);
   void finish(const QString& error);
 
-  VerifyWork work_;
+  Check make_;
+  BackgroundWork work_;
   std::optional<DriverCheck> check_;
   QTreeWidget* rows_;
   BackgroundBar* bar_;

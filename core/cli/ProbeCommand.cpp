@@ -237,8 +237,9 @@ void ProbeCommand::printMap(const ShotPlan& plan, Inspector& inspector, std::ost
                             const Progress& progress) const {
   const SensitivityMap map =
       readOption("--where", [&] { return inspector.probes().sensitivityMap(where, progress); });
+  const float range = mappedRange(map);
   if (!picture.empty()) {
-    const Picture drawn = mapPicture(map);
+    const Picture drawn = mapPicture(map, range);
     writePng(picture, drawn.width, drawn.height, drawn.rgba);
   }
   if (!json) {
@@ -254,7 +255,7 @@ void ProbeCommand::printMap(const ShotPlan& plan, Inspector& inspector, std::ost
                      {"meanLuma", map.mean},
                      {"largestLuma", map.largest},
                      {"largestAt", {map.largestAt.x, map.largestAt.y}},
-                     {"range", mappedRange(map)}};
+                     {"range", range}};
   print(out, result);
 }
 

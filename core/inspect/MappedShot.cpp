@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace taa {
@@ -25,9 +24,7 @@ SensitivityMap mapShot(const MapRequest& request, const Progress& progress) {
   gl::Turn turn;
   const Progress passing = turn.passing(progress);
   Inspector inspector;
-  std::vector<Settings> lanes{request.shot.settings.settings};
-  for (const SessionLane& lane : request.shot.lanes) lanes.push_back(lane.settings);
-  inspector.shot().setSettings(lanes.at(static_cast<std::size_t>(request.lane)));
+  inspector.shot().setSettings(request.shot.settings.settings);
   openShotOf(inspector, request.shot, passing);
   inspector.shot().seek(request.shot.frame, passing);
   return inspector.probes().sensitivityMap(request.path, passing);
@@ -42,8 +39,7 @@ float mappedRange(const SensitivityMap& map) {
   return changes.empty() ? 0.0f : percentile(changes, 99);
 }
 
-Picture mapPicture(const SensitivityMap& map) {
-  const float range = mappedRange(map);
+Picture mapPicture(const SensitivityMap& map, float range) {
   Picture picture{map.change.width, map.change.height, {}};
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x) {

@@ -11,8 +11,7 @@
 namespace taa {
 
 struct MapRequest {
-  SessionFile shot; ///< with the frame
-  int lane = 0;
+  SessionFile shot; ///< with the frame; of its lanes the first
   std::string path; ///< of a number
 };
 
@@ -23,7 +22,7 @@ SensitivityMap mapShot(const MapRequest& request, const Progress& progress = {})
 /// The change of luma that is drawn as the end of the colors: 99 of 100 pixels that move move less. 0: none
 /// moves.
 float mappedRange(const SensitivityMap& map);
-/// Its change of luma, from darker over gray to brighter.
-Picture mapPicture(const SensitivityMap& map);
+/// Its change of luma, from darker (blue) over gray to brighter (orange), which ends at `range`.
+Picture mapPicture(const SensitivityMap& map, float range);
 
 } // namespace taa

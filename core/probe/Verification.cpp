@@ -45,7 +45,8 @@ std::vector<bool> otherScript(const Path& path, std::size_t place) {
   return script;
 }
 
-/// More paths than pixels at rest have; what more would find is called open.
+/// So often a pixel is resolved at most, in search of a path that gives its values; verify counts what is
+/// left open by that.
 constexpr std::size_t kMaxPaths = 96;
 
 std::size_t indexOf(IntermediateId id) {
@@ -69,7 +70,10 @@ void add(const Compared& value, const glm::ivec2& pixel, bool isOpen, VerifiedVa
     return;
   }
   const float width = high - low;
-  row.widths.push_back(width);
+  if (width == 0.0f)
+    ++row.points;
+  else
+    row.widths.push_back(width);
   row.squares += static_cast<double>(twins) * static_cast<double>(twins);
   if (width <= row.widest) return;
   row.widest = width;
@@ -77,11 +81,8 @@ void add(const Compared& value, const glm::ivec2& pixel, bool isOpen, VerifiedVa
 }
 
 void join(VerifiedValues& all, const VerifiedValues& part) {
-  all.sums.values += part.sums.values;
-  all.sums.equal += part.sums.equal;
-  all.sums.outside += part.sums.outside;
-  all.sums.anything += part.sums.anything;
-  all.sums.open += part.sums.open;
+  all.sums.addCounts(part.sums);
+  all.points += part.points;
   if (!all.sums.example) all.sums.example = part.sums.example;
   all.widths.insert(all.widths.end(), part.widths.begin(), part.widths.end());
   all.squares += part.squares;
@@ -93,9 +94,11 @@ void join(VerifiedValues& all, const VerifiedValues& part) {
 RowVerification measured(const VerifiedValues& row) {
   RowVerification out = row.sums;
   if (row.widths.empty()) return out;
-  const double unit = twin::unitInLastPlace(std::sqrt(row.squares / static_cast<double>(row.widths.size())));
+  const std::size_t count = row.points + row.widths.size(), middle = count / 2;
+  const double unit = twin::unitInLastPlace(std::sqrt(row.squares / static_cast<double>(count)));
   std::vector<float> widths = row.widths;
-  out.medianUlp = static_cast<double>(valueOfRank(widths, widths.size() / 2)) / unit;
+  if (middle >= row.points)
+    out.medianUlp = static_cast<double>(valueOfRank(widths, middle - row.points)) / unit;
   out.widestUlp = static_cast<double>(row.widest) / unit;
   return out;
 }
@@ -116,14 +119,18 @@ VerifiedTable lineOf(const twin::Inputs& inputs, const Settings& settings,
 
 } // namespace
 
+void RowVerification::addCounts(const RowVerification& other) {
+  values += other.values;
+  equal += other.equal;
+  outside += other.outside;
+  anything += other.anything;
+  open += other.open;
+}
+
 RowVerification Verification::all() const {
   RowVerification sum;
   for (const RowVerification& row : rows) {
-    sum.values += row.values;
-    sum.equal += row.equal;
-    sum.outside += row.outside;
-    sum.anything += row.anything;
-    sum.open += row.open;
+    sum.addCounts(row);
     if (row.widestUlp < sum.widestUlp) continue;
     sum.widestUlp = row.widestUlp;
     sum.widestAt = row.widestAt;

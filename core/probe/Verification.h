@@ -39,6 +39,8 @@ struct RowVerification {
   double widestUlp = 0.0;   ///< root of its mean square
   glm::ivec2 widestAt{0};
   std::optional<OutsideValue> example{}; ///< the first one outside
+
+  void addCounts(const RowVerification& other);
 };
 
 /// The rows that there were values of, in the order of the table.
@@ -61,8 +63,9 @@ VerifiedPixel verifyPixel(const twin::Inputs& inputs, const Settings& settings, 
 /// The values of a row, of any number of pixels.
 struct VerifiedValues {
   RowVerification sums;
-  std::vector<float> widths;
-  double squares = 0.0;
+  std::size_t points = 0;    ///< ranges of one float
+  std::vector<float> widths; ///< of the others that end somewhere
+  double squares = 0.0;      ///< of the twin's values in both
   float widest = -1.0f;
 };
 using VerifiedTable = std::array<VerifiedValues, kIntermediateCount>;

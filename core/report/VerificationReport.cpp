@@ -33,6 +33,14 @@ std::string rangeText(const twin::Interval& range) {
   return say<"%1 … %2">(shortestText(range.low), shortestText(range.high));
 }
 
+/// Expects an example.
+std::string outsideSentence(const RowVerification& row) {
+  const OutsideValue& value = row.example.value();
+  return say<"%1, channel %2, pixel %3, %4: %5, allowed %6">(
+      intermediate(row.id).name, value.channel, value.pixel.x, value.pixel.y, shortestText(value.found),
+      rangeText(value.allowed));
+}
+
 /// Infinite numbers have no JSON.
 ordered_json finite(float x) {
   return std::isfinite(x) ? ordered_json(x) : ordered_json();
@@ -42,10 +50,11 @@ ordered_json finite(float x) {
 
 std::string verificationSentence(const Verification& verification, const std::string& driver) {
   const RowVerification all = verification.all();
-  const std::string equal = say<"%1 % have the bits of the CPU twin">(percentText(all.equal, all.values));
-  if (all.outside == 0)
+  std::string equal = say<"%1 % have the bits of the CPU twin">(percentText(all.equal, all.values));
+  if (all.open > 0) equal += say<"; %1 are open">(all.open);
+  if (all.outside + all.open == 0)
     return say<"All %1 values of %2 rows lie within what GLSL allows on %3; %4">(
-        all.values - all.open, verification.rows.size(), driver, equal);
+        all.values, verification.rows.size(), driver, equal);
   const auto rows = std::ranges::count_if(verification.rows, [](const auto& row) { return row.outside > 0; });
   return say<"%1 of %2 values lie outside of what GLSL allows, in %3 of %4 rows, on %5; %6">(
       all.outside, all.values, rows, verification.rows.size(), driver, equal);
@@ -62,13 +71,6 @@ std::vector<std::vector<std::string>> verificationTable(const Verification& veri
                      numberText(row.widestUlp)});
   }
   return table;
-}
-
-std::string outsideSentence(const RowVerification& row) {
-  const OutsideValue& value = row.example.value();
-  return say<"%1, channel %2, pixel %3, %4: %5, allowed %6">(
-      intermediate(row.id).name, value.channel, value.pixel.x, value.pixel.y, shortestText(value.found),
-      rangeText(value.allowed));
 }
 
 std::vector<std::string> outsideSentences(const Verification& verification) {

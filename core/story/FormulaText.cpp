@@ -156,6 +156,8 @@ class Writer {
     const Many &a = made.from[0], &b = made.from[1];
     switch (made.operation) {
     case Operation::Times:
+      if (isLiteral(a, 0.0)) return &a;
+      if (isLiteral(b, 0.0)) return &b;
       return areExactly(a, 1.0) ? &b : areExactly(b, 1.0) ? &a : nullptr;
     case Operation::Over:
       return areExactly(b, 1.0) ? &a : nullptr;
@@ -175,6 +177,8 @@ class Writer {
       return nullptr;
     }
   }
+
+  static bool isLiteral(const Many& all, double value) { return areLiteral(all) && areExactly(all, value); }
 
   static bool isValueOf(const Many& a, const Many& b) {
     return std::ranges::equal(a, b, {}, &Operand::value, &Operand::value);
@@ -232,12 +236,21 @@ class Writer {
     return of(all, made && made->operation == Operation::Minus ? kProduct : kSum);
   }
 
+  /// A literal has its own sign.
+  std::string negative(const Many& given, Strength around) {
+    if (!areLiteral(given)) return within("−" + of(given, kProduct), kProduct, around);
+    Many all = given;
+    for (Operand& x : all) x.value = -x.value;
+    return bare(all, around);
+  }
+
   std::string written(const Made& made, Strength around) {
     const Many &a = made.from[0], &b = made.from[1];
     switch (made.operation) {
     case Operation::Plus:
       return within(of(a, kSum) + " + " + summand(b), kSum, around);
     case Operation::Minus:
+      if (isLiteral(relevant(a), 0.0)) return negative(b, around);
       return within(of(a, kSum) + " − " + of(b, kProduct), kSum, around);
     case Operation::Times:
       if (!areLiteral(a) && areSame(a, b)) return within(of(a, kAtom) + "^2", kPower, around);
@@ -245,7 +258,7 @@ class Writer {
     case Operation::Over:
       return within(of(a, kProduct) + " / " + of(b, kPower), kProduct, around);
     case Operation::Negative:
-      return within("−" + of(a, kProduct), kProduct, around);
+      return negative(a, around);
     case Operation::Root:
       return call("√", made);
     case Operation::Absolute:

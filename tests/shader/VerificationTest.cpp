@@ -201,14 +201,6 @@ const std::vector<Mutation>& mutations() {
 
 constexpr FrameShape kShape{.width = 40, .height = 26};
 
-Verification verified(const twin::Inputs& frame, const Settings& settings, std::vector<Image> rows) {
-  twin::Inputs inputs = frame;
-  inputs.resolved = rows[static_cast<std::size_t>(IntermediateId::resolved)];
-  FrameVerifier verifier;
-  verifier.add(inputs, settings, 0, allRows(), rows);
-  return verifier.verification();
-}
-
 } // namespace
 
 class VerificationTest : public test::ResolveTest {
@@ -230,8 +222,9 @@ class VerificationOfVariants : public VerificationTest, public testing::WithPara
       const twin::Inputs frame = test::randomFrame(shape, seed, seed % 2 == 0);
       ++seed;
       const std::vector<Image> rows = test::resolveRows(expose(frame, shape, variant.settings));
-      EXPECT_EQ(test::outsideOfRanges(frame, variant.settings, rows), "") << variant.name;
-      const RowVerification all = verified(frame, variant.settings, rows).all();
+      const Verification verification = test::verified(frame, variant.settings, rows);
+      EXPECT_EQ(test::outsideText(verification), "") << variant.name;
+      const RowVerification all = verification.all();
       values += all.values;
       open += all.open;
     }
@@ -266,8 +259,9 @@ TEST_P(VerificationOfMutations, FindsWhatIsWritten) {
   TaaPass mutated;
   std::size_t outside = 0;
   for (const twin::Inputs& frame : frames(shape, static_cast<std::uint32_t>(GetParam())))
-    outside +=
-        verified(frame, settings, test::resolveRows(expose(frame, shape, settings, &mutated))).all().outside;
+    outside += test::verified(frame, settings, test::resolveRows(expose(frame, shape, settings, &mutated)))
+                   .all()
+                   .outside;
   EXPECT_GT(outside, 0u) << mutation;
 }
 
@@ -277,10 +271,10 @@ TEST_F(VerificationTest, FindsAValueThatIsOffByALastBit) {
   const FrameShape shape = test::shapeFor(settings, kShape);
   const twin::Inputs frame = test::randomFrame(shape, 7, false);
   std::vector<Image> rows = test::resolveRows(expose(frame, shape, settings));
-  ASSERT_EQ(verified(frame, settings, rows).all().outside, 0u);
+  ASSERT_EQ(test::verified(frame, settings, rows).all().outside, 0u);
   float& value = *rows[static_cast<std::size_t>(IntermediateId::alpha)].at(11, 6);
   value = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) + 1);
-  const Verification verification = verified(frame, settings, rows);
+  const Verification verification = test::verified(frame, settings, rows);
   for (const RowVerification& row : verification.rows)
     if (row.id == IntermediateId::alpha) {
       ASSERT_TRUE(row.example);
@@ -301,7 +295,7 @@ TEST_F(VerificationTest, HasNarrowRanges) {
   const FrameShape shape = test::shapeFor(settings, kShape);
   for (const twin::Inputs& frame : frames(shape, 3)) {
     const std::vector<Image> rows = test::resolveRows(expose(frame, shape, settings));
-    for (const RowVerification& row : verified(frame, settings, rows).rows) {
+    for (const RowVerification& row : test::verified(frame, settings, rows).rows) {
       const std::string_view name = intermediate(row.id).name;
       EXPECT_LE(row.medianUlp, wide.contains(name) ? wide.at(name) : 9.0) << name;
     }

@@ -59,8 +59,9 @@ Vec3<Real> mixed(const Vec3<Real>& current, const Vec3<Real>& history, const Vec
 }
 
 /// x as a multiple of 1/steps, of those around it the one that `u`, 0 to 1, chooses.
-float quantized(float x, float steps, float u) {
-  return std::floor(x * steps + u) / steps;
+template <typename Real>
+Real quantized(Real x, float steps, float u) {
+  return roundedBy(x, [&](float v) { return std::floor(v * steps + u) / steps; });
 }
 
 /// The half below or above x: cutting off 13 bits after `number` was added to them.
@@ -84,9 +85,9 @@ Real asStored(const HistorySettings& settings, Real x, const BlendInputsOf<Real>
   case Precision::Half:
     return roundedBy(x, [&](float v) { return isDithered ? ditheredHalf(v, bits) : roundedToHalf(v); });
   case Precision::Unorm8:
-    return roundedBy(saturated(x), [&](float v) { return quantized(v, 255.0f, u); });
+    return quantized(saturated(x), 255.0f, u);
   case Precision::Unorm10:
-    return roundedBy(saturated(x), [&](float v) { return quantized(v, 1023.0f, u); });
+    return quantized(saturated(x), 1023.0f, u);
   }
   return x;
 }

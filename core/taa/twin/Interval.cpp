@@ -1,8 +1,6 @@
 #include "core/taa/twin/Interval.h"
 
 #include <array>
-#include <bit>
-#include <cstdint>
 
 namespace taa::twin {
 
@@ -148,11 +146,8 @@ bool isnan(const Interval& x) {
   return chosen(std::isnan(x.value));
 }
 
-Interval afterRounding(const Interval& x) {
-  constexpr std::uint32_t kBelowHalf = 0x1FFF;
-  const auto isHalf = [](float end) { return (std::bit_cast<std::uint32_t>(end) & kBelowHalf) == 0; };
-  if (isHalf(x.low) && isHalf(x.high)) return x;
-  return within(x.value, x.low, x.high, kDivision);
+Interval quantized(const Interval& x, float steps, float u) {
+  return roundedBy(x, [&](float v) { return std::floor(v * steps + u); }) / Interval(steps);
 }
 
 Interval minimum(const Interval& a, const Interval& b) {
@@ -206,7 +201,7 @@ void observe(IntermediateId id, Interval& value, int channel) {
   const std::size_t place = 4 * row + static_cast<std::size_t>(channel);
   if (!present->done_[place]) present->compared_.push_back({id, channel, found, value});
   present->done_.set(place);
-  value = found;
+  value = Interval::made(found, found, found);
 }
 
 } // namespace taa::twin

@@ -46,8 +46,10 @@ struct Interval {
   bool isAnything() const { return low == -kInfinity && high == kInfinity; }
   bool isPoint() const { return low == high && low == value; }
   bool isNan() const { return std::isnan(low); }
-  /// Whether both are the same number, whatever a driver makes of it.
-  bool isSame(const Interval& other) const { return origin != 0 && origin == other.origin && !isAnything(); }
+  /// Whether both are the same finite number, whatever a driver makes of it.
+  bool isSame(const Interval& other) const {
+    return origin != 0 && origin == other.origin && high - low < kInfinity;
+  }
   bool contains(float x) const { return isAnything() || (isNan() ? std::isnan(x) : x >= low && x <= high); }
 
   friend Interval operator+(const Interval& a, const Interval& b) {
@@ -149,18 +151,21 @@ class Observation {
 
 void observe(IntermediateId id, Interval& value, int channel = 0);
 
-/// What rounding to half floats leaves is exact; other steps are divided by their number.
+/// `rounding` is exact, and of what is larger no less.
 template <typename Rounding>
 Interval roundedBy(const Interval& x, Rounding rounding) {
-  return afterRounding(Interval::made(rounding(x.value), rounding(x.low), rounding(x.high)));
+  return Interval::made(rounding(x.value), rounding(x.low), rounding(x.high));
 }
+/// Of the resolve's storing (Blend.cpp), whose quotient may err.
+Interval quantized(const Interval& x, float steps, float u);
 Interval minimum(const Interval& a, const Interval& b);
 Interval maximum(const Interval& a, const Interval& b);
 Interval bounded(const Interval& value, const Interval& low, const Interval& high);
 Interval saturated(const Interval& x);
 /// Distance of the floats around x, at least that of the smallest normal ones.
 double unitInLastPlace(double x);
-/// Of what both may be: `likely`, unless the present Observation has another script.
+/// Which way a comparison goes that could go both: the `likely` one, unless the present Observation has a
+/// script.
 bool chosen(bool likely);
 
 } // namespace taa::twin

@@ -20,8 +20,7 @@ using taa::test::ProcessResult;
 
 class VerifyBatchTest : public taa::test::GlTest {};
 
-// All presets: what a user sends of a driver. That takes half a minute and alone goes over whole frames of a
-// scene with every preset.
+// All presets: what a user sends of a driver. Alone it goes over whole frames of a scene with every preset.
 TEST_F(VerifyBatchTest, FindsNothingOutsideOnThisDriver) {
   const ProcessResult result = batch({"verify", "--json"});
   EXPECT_EQ(result.exitCode, 0) << result.err << result.out;

@@ -2,7 +2,6 @@
 #include "tests/support/frames/Frames.h"
 
 #include "core/probe/TwinInputs.h"
-#include "core/probe/Verification.h"
 #include "core/report/VerificationReport.h"
 #include "core/scene/builtin/SceneSource.h"
 #include "tests/support/CompareImages.h"
@@ -35,12 +34,14 @@ twin::Inputs twinInputs(const FrameInputs& inputs, const History* previous) {
   return taa::twinInputs(inputs, previous, TwinReading::Whole);
 }
 
-std::string outsideOfRanges(twin::Inputs inputs, const Settings& settings,
-                            const std::vector<Image>& pictures) {
+Verification verified(twin::Inputs inputs, const Settings& settings, const std::vector<Image>& pictures) {
   inputs.resolved = pictures[static_cast<std::size_t>(IntermediateId::resolved)];
   FrameVerifier verifier;
   verifier.add(inputs, settings, 0, allRows(), pictures);
-  const Verification verification = verifier.verification();
+  return verifier.verification();
+}
+
+std::string outsideText(const Verification& verification) {
   std::string text;
   for (const std::string& line : outsideSentences(verification)) text += line + "\n";
   return text;
@@ -48,7 +49,7 @@ std::string outsideOfRanges(twin::Inputs inputs, const Settings& settings,
 
 std::string differenceFromTwin(twin::Inputs inputs, const Settings& settings,
                                const std::vector<Image>& pictures, bool exact) {
-  if (!exact) return outsideOfRanges(std::move(inputs), settings, pictures);
+  if (!exact) return outsideText(verified(std::move(inputs), settings, pictures));
   inputs.resolved = pictures[static_cast<std::size_t>(IntermediateId::resolved)];
   const std::vector<Image> expected = twinPictures(inputs, settings);
   std::string first, others;

@@ -1,6 +1,7 @@
 // Frames of a scene resolved one after another, and what the CPU twin says of them.
 #pragma once
 
+#include "core/probe/Verification.h"
 #include "core/render/passes/SceneRenderer.h"
 #include "core/taa/TaaPass.h"
 #include "core/taa/twin/Twin.h"
@@ -20,9 +21,10 @@ twin::Inputs twinInputs(const FrameInputs& inputs, const History* previous);
 std::string differenceFromTwin(twin::Inputs inputs, const Settings& settings,
                                const std::vector<Image>& pictures, bool exact);
 
-/// What of them lies outside of what GLSL allows a driver, a line for each row; empty: nothing.
-std::string outsideOfRanges(twin::Inputs inputs, const Settings& settings,
-                            const std::vector<Image>& pictures);
+/// The same pictures against what GLSL allows a driver.
+Verification verified(twin::Inputs inputs, const Settings& settings, const std::vector<Image>& pictures);
+/// A line for each row of which something is outside; empty: nothing is.
+std::string outsideText(const Verification& verification);
 
 /// Resolves frames one after another, each on the history of the one before.
 class Accumulator {

@@ -109,6 +109,26 @@ TEST(Interval, KnowsItselfAgain) {
   EXPECT_LT((around * Interval(0.1f, -0.2f, 0.3f)).low, 0.0f);
 }
 
+TEST(Interval, OfNoNumberIsNotItself) {
+  const Interval nan = kNan, stored = Interval::made(kNan, kNan, kNan), copy = stored;
+  EXPECT_FALSE(nan == nan);
+  EXPECT_FALSE(stored == copy);
+  EXPECT_FALSE(stored <= copy);
+  EXPECT_TRUE((stored - copy).isNan());
+  const Interval huge = Interval(3e38f, 3e38f, Interval::kInfinity);
+  EXPECT_TRUE((huge - huge).isAnything()) << "infinity less infinity";
+}
+
+// Of 8 bits: the count is exact, its quotient by 255 is not; 0 is.
+TEST(Interval, OfStoredStepsMayErrInTheirQuotient) {
+  const Interval white = twin::quantized(Interval(1.0f), 255.0f, 0.5f);
+  EXPECT_TRUE(white.contains(std::nextafter(1.0f, 0.0f)));
+  EXPECT_TRUE(twin::quantized(Interval(0.0f), 255.0f, 0.5f).isPoint());
+  const Interval between(0.5f, 0.499f, 0.501f);
+  EXPECT_TRUE(twin::quantized(between, 255.0f, 0.5f).contains(127.0f / 255.0f));
+  EXPECT_TRUE(twin::quantized(between, 255.0f, 0.5f).contains(128.0f / 255.0f));
+}
+
 TEST(Interval, GoesBothWaysWhereBothMayBe) {
   const Interval wide(1.0f, 0.9f, 1.1f);
   EXPECT_TRUE(wide > Interval(0.5f)) << "nothing to choose";
