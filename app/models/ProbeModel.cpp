@@ -140,13 +140,16 @@ void ProbeModel::setPixel(const ProbeResult& result) {
   pixel_ = result;
 }
 
-RowStory ProbeModel::storyOf(IntermediateId id) const {
+RowStory ProbeModel::storyOf(IntermediateId id, FormulaDepth depth) const {
   if (!pixel_ || !pixel_->details) return {};
-  return taa::storyOf(id, {pixel_->around[kProbedMiddle],
-                           *pixel_->details,
-                           pixel_->settings,
-                           pixel_->info,
-                           {pixel_->x, pixel_->y}});
+  constexpr int kDigits = 4;
+  return taa::storyOf(id,
+                      {pixel_->around[kProbedMiddle],
+                       *pixel_->details,
+                       pixel_->settings,
+                       pixel_->info,
+                       {pixel_->x, pixel_->y}},
+                      kDigits, depth);
 }
 
 QString ProbeModel::comparedText(IntermediateId id, const Comparison& comparison) const {

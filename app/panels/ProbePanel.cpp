@@ -162,7 +162,12 @@ QWidget* ProbePanel::makeValues() {
   description_ = new QLabel;
   description_->setFont(secondaryFont());
   description_->setToolTip(tr("What happened in the selected row; Enter shows the row in the active view."));
-  description_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  description_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::LinksAccessibleByMouse |
+                                        Qt::LinksAccessibleByKeyboard);
+  connect(description_, &QLabel::linkActivated, this, [this](const QString& link) {
+    depth_ = static_cast<FormulaDepth>(link.toInt());
+    describeCurrentRow();
+  });
   description_->setWordWrap(true);
   description_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   description_->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
@@ -382,10 +387,25 @@ void ProbePanel::describeCurrentRow() {
   const auto id = model_->idOf(table_->currentIndex());
   const QString other = id ? model_->comparedText(*id, comparison_) : QString();
   description_->setText(id ? (other.isEmpty() ? other : other.toHtmlEscaped() + QStringLiteral("<br>")) +
-                                 storyHtml(*id, model_->storyOf(*id))
+                                 storyHtml(*id, model_->storyOf(*id, depth_)) + depthLinks(*id)
                            : tr("Select a row to read about it."));
   // Seven lines high whatever it says of a row, so that the values stay where they are; in a low window one.
   descriptionArea_->setAlways(id ? 7 * QFontMetrics(secondaryFont()).lineSpacing() + 2 * kUnit : 0);
+}
+
+QString ProbePanel::depthLinks(IntermediateId id) const {
+  if (model_->storyOf(id).formula.empty()) return {};
+  const std::array<std::pair<FormulaDepth, QString>, 3> all{
+      {{FormulaDepth::Rows, tr("other rows")},
+       {FormulaDepth::Stage, tr("rows of other stages")},
+       {FormulaDepth::Samples, tr("samples and settings")}}};
+  QStringList links;
+  for (const auto& [depth, label] : all)
+    links << (depth == depth_ ? QStringLiteral("<b>%1</b>").arg(label.toHtmlEscaped())
+                              : QStringLiteral("<a href=\"%1\">%2</a>")
+                                    .arg(static_cast<int>(depth))
+                                    .arg(label.toHtmlEscaped()));
+  return QStringLiteral("<br>") + tr("Formula down to: %1").arg(links.join(QStringLiteral(" · ")));
 }
 
 QString ProbePanel::story() const {

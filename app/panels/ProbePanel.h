@@ -110,6 +110,8 @@ class ProbePanel : public QWidget {
   void showColors();
   void makeTable();
   void describeCurrentRow();
+  /// Below the row's formula: what it is written down to, and what else it could be.
+  QString depthLinks(IntermediateId id) const;
   void showLost(const ProbeResult& result);
   void showSummary(const ProbeResult& result);
 
@@ -125,6 +127,7 @@ class ProbePanel : public QWidget {
   QLabel *summary_ = nullptr, *description_ = nullptr;
   FittingArea* descriptionArea_ = nullptr; ///< what is said of a row
   QWidget *content_ = nullptr, *invitation_ = nullptr, *conclusions_ = nullptr, *head_ = nullptr;
+  FormulaDepth depth_ = FormulaDepth::Rows; ///< of the formula of the current row
   bool isPlaying_ = false, areFaultsNamed_ = true;
   QTabBar* tabs_ = nullptr;
   QStackedWidget* pages_ = nullptr;

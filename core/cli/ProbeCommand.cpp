@@ -28,6 +28,10 @@ namespace {
 const std::vector<std::pair<std::string, WorstStep>> kFindSteps = {
     {"rejected", WorstStep::Rejected}, {"clipped", WorstStep::Clipped}, {"nan", WorstStep::NoNumber}};
 
+/// What --formulas takes.
+const std::vector<std::pair<std::string, FormulaDepth>> kDepths = {
+    {"rows", FormulaDepth::Rows}, {"stage", FormulaDepth::Stage}, {"samples", FormulaDepth::Samples}};
+
 /// A region with its rows.
 struct RegionRequest {
   gl::Rect rect;
@@ -37,7 +41,8 @@ struct RegionRequest {
 struct ProbeCommand final : Command {
   ShotOptions shot;
   std::string pixel;
-  int frame = -1; ///< −1: that of the session
+  int frame = -1;                               ///< −1: that of the session
+  std::string formulas = kDepths.front().first; ///< what they are written down to
   bool json = false;
   bool force = false;                     ///< replaces the picture that is there
   bool whatIf = false;                    ///< also the pixel under other choices
@@ -83,6 +88,10 @@ struct ProbeCommand final : Command {
     add_flag("--sensitivity", sensitivity,
              "Also print how much the pixel moves with each sample, each texel of history and each number of "
              "the settings: exact derivatives of the resolve, on the history it had");
+    add_option("--formulas", formulas,
+               "What formulas are written down to: rows, one line each; stage, the rows of other stages; "
+               "samples, the texels and settings that were read")
+        ->check(CLI::IsMember(kDepths));
     add_option(
         "--compare", compare,
         "Also print each row of what the pixel is compared with, and their difference: preset:NAME, frame:N, "
@@ -300,6 +309,7 @@ int ProbeCommand::run(std::ostream& out, const Progress& progress) const {
     probed.details = std::make_shared<twin::Details>(inspector.probes().details(at.x, at.y, lane));
     if (whatIf) probed.whatIf = inspector.probes().whatIf(at.x, at.y, lane);
     if (sensitivity) probed.sensitivities = inspector.probes().sensitivities(at.x, at.y, lane);
+    probed.depth = std::ranges::find(kDepths, formulas, &decltype(kDepths)::value_type::first)->second;
     addOtherSide(inspector, other, at, lane, probed, progress);
     report.lanes.push_back(std::move(probed));
   }

@@ -112,7 +112,8 @@ std::string bulletList(const std::vector<std::string>& lines) {
 /// What the window tells of a row; nothing without details.
 RowStory laneStory(const ProbedLane& lane, const glm::ivec2& pixel, IntermediateId id) {
   if (!lane.details) return {};
-  return taa::storyOf(id, {lane.record, *lane.details, lane.lane.settings, lane.lane.info, pixel});
+  return taa::storyOf(id, {lane.record, *lane.details, lane.lane.settings, lane.lane.info, pixel}, 4,
+                      lane.depth);
 }
 
 /// "R: half(0.5) = 0.5"
@@ -123,7 +124,7 @@ std::string formulaText(const RowStory& story) {
 /// Words and formula as lines below a row.
 std::string storyLines(const RowStory& story, const std::string& indent) {
   std::string text;
-  for (const std::string& line : {story.words, formulaText(story)})
+  for (const std::string& line : {story.words, formulaText(story), becauseText(story)})
     if (!line.empty()) text += indent + line + "\n";
   return text;
 }
@@ -146,6 +147,7 @@ ordered_json storiesJson(const ProbedLane& lane, const glm::ivec2& pixel) {
       told["meaning"] = meaning;
     if (!story.formula.empty()) told["formula"] = story.formula;
     if (!story.subject.empty()) told["of"] = story.subject;
+    if (!story.because.empty()) told["because"] = story.because;
   }
   return json;
 }

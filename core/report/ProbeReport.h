@@ -45,6 +45,7 @@ struct ProbedLane {
   std::vector<Sensitivity> sensitivities{};       ///< likewise
   std::shared_ptr<const twin::Details> details{}; ///< what stories are made from; null: none are told
   std::optional<ComparedPixel> compared{};        ///< the other side; nothing: there is none
+  FormulaDepth depth = FormulaDepth::Rows;        ///< of stories
 };
 struct ProbeReport {
   ShotFacts shot;

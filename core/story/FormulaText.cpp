@@ -46,10 +46,17 @@ struct Made {
 
 class Writer {
  public:
-  Writer(const twin::Trace& trace, const FormulaStyle& style) : trace_(trace), style_(style) {
-    for (const auto& row : trace.rows)
-      for (const Operand& of : row)
-        if (of.node != 0) stated_.insert(of.node);
+  /// `stage`: of the row.
+  Writer(const twin::Trace& trace, const FormulaStyle& style, std::optional<Stage> stage)
+      : trace_(trace), style_(style) {
+    for (const Intermediate& row : kIntermediates)
+      for (const Operand& of : trace.of(row.id)) {
+        if (of.node == 0) continue;
+        rows_.insert(of.node);
+        const bool isOpen = style.depth == FormulaDepth::Samples ||
+                            (style.depth == FormulaDepth::Stage && row.stage == stage);
+        if (!isOpen) stated_.insert(of.node);
+      }
     isConstant_.push_back(true); // literals
     for (const TraceNode& node : trace.nodes) {
       const bool isLeaf = node.operation == Operation::Read || node.operation == Operation::Setting;
@@ -61,7 +68,7 @@ class Writer {
 
   /// Nothing: the channels are made in different ways.
   std::optional<std::string> text(Many at) {
-    for (const Operand& x : at) stated_.erase(x.node);
+    for (const Operand& x : at) stated_.erase(x.node), rows_.erase(x.node);
     bool isOpened = false;     // a named value was, which numbers state as well
     while (!areConstant(at)) { // down to what was computed
       if (const Many inside = relevant(at); !areSame(inside, at)) {
@@ -70,7 +77,7 @@ class Writer {
       }
       if (areRows(at)) {
         if (!style_.unfolds) break;
-        for (const Operand& x : at) stated_.erase(x.node);
+        for (const Operand& x : at) stated_.erase(x.node), rows_.erase(x.node);
         continue;
       }
       const auto made = madeOf(at);
@@ -108,7 +115,10 @@ class Writer {
   bool isStated(const Operand& x) const {
     if (isConstant_[x.node] || stated_.contains(x.node)) return true;
     const Operation operation = trace_.at(x).operation;
-    return operation == Operation::Named || operation == Operation::Setting || operation == Operation::Read;
+    const bool isWhole = left_ > 0; // as deep as was asked for
+    if (!isWhole && rows_.contains(x.node)) return true;
+    return (operation == Operation::Named && !(isWhole && style_.depth == FormulaDepth::Samples)) ||
+           operation == Operation::Setting || operation == Operation::Read;
   }
   bool areStated(const Many& all) const {
     return std::ranges::all_of(all, [this](const Operand& x) { return isStated(x); });
@@ -245,6 +255,7 @@ class Writer {
   }
 
   std::string written(const Made& made, Strength around) {
+    --left_;
     const Many &a = made.from[0], &b = made.from[1];
     switch (made.operation) {
     case Operation::Plus:
@@ -302,25 +313,37 @@ class Writer {
   FormulaStyle style_;
   std::unordered_set<std::uint32_t> stated_; ///< nodes that are written as a number: those of other rows
   std::vector<bool> isConstant_;             ///< by node: made of literals alone
+  std::unordered_set<std::uint32_t> rows_;   ///< nodes of all other rows
+  int left_ = kLongestFormula;               ///< operations that may be written as deep
   bool isUneven_ = false;                    ///< channels were made in different ways
 };
 
 } // namespace
 
+bool isComputed(const twin::Trace& trace, IntermediateId id) {
+  const auto channels = static_cast<std::size_t>(intermediate(id).channels);
+  return std::ranges::any_of(std::span(trace.of(id)).first(channels), [&](const Operand& x) {
+    if (x.node == 0) return false;
+    const Operation operation = trace.at(x).operation;
+    return operation != Operation::Read && operation != Operation::Setting;
+  });
+}
+
 std::string formulaText(const twin::Trace& trace, IntermediateId id, int channel, const FormulaStyle& style) {
-  return *Writer(trace, style)
+  return *Writer(trace, style, intermediate(id).stage)
               .text({trace.of(id)[static_cast<std::size_t>(channel)]}); // one is made as itself
 }
 
 std::optional<std::string> formulaText(const twin::Trace& trace, IntermediateId id,
                                        const FormulaStyle& style) {
   const auto channels = static_cast<std::size_t>(intermediate(id).channels);
-  return formulaText(trace, std::span(trace.of(id)).first(channels), style);
+  const auto all = std::span(trace.of(id)).first(channels);
+  return Writer(trace, style, intermediate(id).stage).text(Many(all.begin(), all.end()));
 }
 
 std::optional<std::string> formulaText(const twin::Trace& trace, std::span<const Operand> channels,
                                        const FormulaStyle& style) {
-  return Writer(trace, style).text(Many(channels.begin(), channels.end()));
+  return Writer(trace, style, {}).text(Many(channels.begin(), channels.end()));
 }
 
 } // namespace taa::story

@@ -1,6 +1,7 @@
 // The formula of a value, from how the twin made it.
 #pragma once
 
+#include "core/story/ProbeStory.h"
 #include "core/taa/twin/Traced.h"
 
 #include <optional>
@@ -14,12 +15,18 @@ namespace taa::story {
 struct FormulaStyle {
   int digits = 4;
   bool unfolds = false;
+  FormulaDepth depth = FormulaDepth::Rows;
 };
 
-/// How a channel of the row was made, with the numbers put in: down to other rows, values that the twin names
-/// and what was read. In the arithmetic of RowStory. Left out is what changes nothing: a factor of 1, a
-/// summand of 0, a clamp and a bound by a literal that do not bind, and what storing the value does to it.
+/// How a channel of the row was made, with the numbers put in: as deep as the style says, and where that is
+/// longer than kLongestFormula operations, from there on down to rows and to values that the twin names. In
+/// the arithmetic of RowStory. Left out is what changes nothing: a factor of 1, a summand of 0, a clamp and a
+/// bound by a literal that do not bind, and what storing the value does to it.
 std::string formulaText(const twin::Trace& trace, IntermediateId id, int channel, const FormulaStyle& style);
+inline constexpr int kLongestFormula = 1500;
+/// Whether the row was computed from something: it is no literal, nor just read, set or another row (which α
+/// is told through).
+bool isComputed(const twin::Trace& trace, IntermediateId id);
 /// That of all channels at once; nothing where they were not made alike.
 std::optional<std::string> formulaText(const twin::Trace& trace, IntermediateId id,
                                        const FormulaStyle& style);

@@ -8,6 +8,8 @@
 #include "app/views/ViewPanel.h"
 #include "core/scene/SceneOutline.h"
 #include "core/story/ProbeHeadline.h"
+#include "core/taa/twin/Details.h"
+#include "core/taa/twin/Traced.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QClipboard>
@@ -15,6 +17,7 @@
 #include <QLabel>
 #include <QStyle>
 #include <QStyleOptionViewItem>
+#include <QTest>
 #include <QTreeView>
 
 #include <map>
@@ -30,6 +33,12 @@ namespace {
 
 QString cell(const ProbeModel* model, IntermediateId id, int column) {
   return model->data(model->indexOf(id, column), Qt::DisplayRole).toString();
+}
+
+twin::Texels filledWith(int channels) {
+  Image plane(3, 3, channels);
+  for (float& value : plane.pixels) value = 0.5f;
+  return plane;
 }
 
 } // namespace
@@ -158,6 +167,42 @@ TEST_F(ProbeTableTest, SaysWhatTheCoreSaysOfItsValues) {
   for (const std::string& line : probeHeadline(result.around[4], result.settings, result.info))
     lines += (lines.isEmpty() ? QString() : QStringLiteral("\n")) + QString::fromStdString(line);
   EXPECT_EQ(window.probe()->summary(), lines);
+}
+
+// Tab goes to the links below the formula, Enter follows one.
+TEST_F(ProbeTableTest, WritesAFormulaAsDeepAsAsked) {
+  session.probes().setPixel(glm::ivec2(12, 7));
+  settle();
+  ProbeResult result = *session.probes().result();
+  twin::Inputs inputs;
+  inputs.color = filledWith(4);
+  inputs.depth = inputs.previousDepth = inputs.objectId = filledWith(1);
+  inputs.motion = inputs.historySurface = filledWith(2);
+  inputs.normal = inputs.historyColor = filledWith(4);
+  inputs.depthTerms = {0.0f, -0.1f, 1.0f, 0.0f};
+  auto details = std::make_shared<twin::Details>();
+  details->isFirst = false;
+  details->trace = std::make_shared<const twin::Trace>(twin::traceOf(inputs, result.settings, {1, 1}));
+  result.details = details;
+  window.probe()->setResult(result);
+  QTreeView* table = nullptr;
+  for (auto* each : window.probe()->findChildren<QTreeView*>())
+    if (each->isVisible() && each->model() == window.probe()->model()) table = each;
+  ASSERT_TRUE(table);
+  table->setCurrentIndex(window.probe()->model()->indexOf(IntermediateId::alpha));
+  QLabel* description = nullptr;
+  for (auto* each : window.probe()->findChildren<QLabel*>())
+    if (each->text().contains("Formula down to")) description = each;
+  ASSERT_TRUE(description);
+  EXPECT_TRUE(description->text().contains("<b>other rows</b>")) << description->text().toStdString();
+  const std::string before = description->text().toStdString();
+  description->setFocus();
+  QTest::keyClick(description, Qt::Key_Tab);
+  QTest::keyClick(description, Qt::Key_Return);
+  const QString after = description->text();
+  EXPECT_TRUE(after.contains("<b>rows of other stages</b>")) << after.toStdString();
+  EXPECT_TRUE(after.contains("1 / (")) << "1/(N + 1): " << after.toStdString();
+  EXPECT_EQ(before.find("1 / ("), std::string::npos) << before;
 }
 
 TEST_F(ProbeTableTest, ShowsTheValuesAtTheProbe) {

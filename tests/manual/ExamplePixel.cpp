@@ -61,7 +61,7 @@ std::vector<ExampleRow> exampleRows() {
   for (const Intermediate& row : kResolveRows) {
     if (isOfOutput(row.id)) continue;
     RowStory story = storyOf(row.id, {record, details, settings, {}, kMiddle});
-    if (!story.formula.empty()) rows.push_back({row.id, std::move(story)});
+    if (!story.formula.empty() || !story.because.empty()) rows.push_back({row.id, std::move(story)});
   }
   return rows;
 }

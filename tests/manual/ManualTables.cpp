@@ -227,11 +227,12 @@ ManualPage intermediatesPage() {
   page.text +=
       "\n## A pixel\n\nAs the probe writes it, from how each value was made, here by `balanced` at the "
       "rim of something bright that moves: what changes nothing is left out.\n\n" +
-      head({"id", "what happened", "formula"});
+      head({"id", "what happened", "formula", "why"});
   for (const ExampleRow& row : exampleRows())
-    page.text += cells(
-        {code(intermediate(row.id).name), markdownText(row.story.words),
-         markdownText((row.story.subject.empty() ? "" : row.story.subject + ": ") + row.story.formula)});
+    page.text +=
+        cells({code(intermediate(row.id).name), markdownText(row.story.words),
+               markdownText((row.story.subject.empty() ? "" : row.story.subject + ": ") + row.story.formula),
+               markdownText(becauseText(row.story))});
   return page;
 }
 

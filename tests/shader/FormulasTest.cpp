@@ -35,14 +35,16 @@ struct Checked {
 };
 
 /// All rows of a pixel, as a reader of nine digits would work them out.
-void check(const twin::Inputs& frame, const test::Variant& variant, const glm::ivec2& pixel, Checked& out) {
+void check(const twin::Inputs& frame, const test::Variant& variant, const glm::ivec2& pixel, Checked& out,
+           FormulaDepth depth = FormulaDepth::Rows) {
   const twin::Trace trace = twin::traceOf(frame, variant.settings, pixel);
   for (const Intermediate& row : kResolveRows)
     for (int channel = 0; channel < row.channels; ++channel) {
       const double value = trace.of(row.id)[static_cast<std::size_t>(channel)].value;
       if (!std::isfinite(value)) continue;
       ++out.formulas;
-      const auto difference = test::differenceOfFormula(trace, row.id, channel, value, variant.settings);
+      const auto difference =
+          test::differenceOfFormula(trace, row.id, channel, value, variant.settings, depth);
       if (difference && out.first.empty())
         out.first = std::string(row.name) + " of " + variant.name + " at " + std::to_string(pixel.x) + " " +
                     std::to_string(pixel.y) + ": " + *difference;
@@ -54,7 +56,8 @@ void check(const twin::Inputs& frame, const test::Variant& variant, const glm::i
 class FormulasTest : public test::ResolveTest {
  protected:
   /// Of a pixel with seven frames of history whose surface came from 3.2 px to the left.
-  static std::string alphaText(const Settings& settings, Id id, bool unfolds = true) {
+  static std::string alphaText(const Settings& settings, Id id, bool unfolds = true,
+                               FormulaDepth depth = FormulaDepth::Rows) {
     const test::FrameShape shape = test::shapeFor(settings, {24, 14, Precision::Full, Precision::Full, {}});
     twin::Inputs frame = rested(shape, settings, 3);
     for (int y = 0; y < 14; ++y)
@@ -62,7 +65,8 @@ class FormulasTest : public test::ResolveTest {
         frame.historySurface.at(x, y)[0] = 7.0f;
         frame.motion.at(x, y)[0] = 3.2f;
       }
-    return story::formulaText(twin::traceOf(frame, settings, {12, 7}), id, 0, {.unfolds = unfolds});
+    return story::formulaText(twin::traceOf(frame, settings, {12, 7}), id, 0,
+                              {.unfolds = unfolds, .depth = depth});
   }
 };
 
@@ -74,6 +78,34 @@ TEST_F(FormulasTest, TellsAlphaAsTheSettingsMakeIt) {
   EXPECT_EQ(alphaText(plainAlpha(MotionAlpha::Added), Id::alpha), "max(0.125, 0.1) + 0.05");
   EXPECT_EQ(alphaText(plainAlpha(MotionAlpha::Linear), Id::alpha, false), "0.1687")
       << "what it is before the mask and rejection asked for more";
+}
+
+// "How was α made, as far as this stage goes?" and "of which numbers at all?"
+TEST_F(FormulasTest, AreWrittenAsDeepAsAsked) {
+  const Settings settings = plainAlpha(MotionAlpha::Linear);
+  EXPECT_EQ(alphaText(settings, Id::alpha, true, FormulaDepth::Stage),
+            "1 − (1 − max(1 / (7 + 1), 0.1)) × (1 − 3.2 / 64)");
+  EXPECT_EQ(alphaText(settings, Id::alpha, true, FormulaDepth::Samples),
+            "1 − (1 − max(1 / (7 + 1), 0.1)) × (1 − √(3.2^2) / 64)");
+}
+
+TEST_F(FormulasTest, GiveTheValueHoweverDeep) {
+  std::mt19937 random(5);
+  for (const FormulaDepth depth : {FormulaDepth::Stage, FormulaDepth::Samples}) {
+    Checked all;
+    for (const Preset& preset : wholePresets()) {
+      test::Variant variant{preset.id, preset.settings};
+      variant.settings.history.dither = Switch::Off;
+      const test::FrameShape shape =
+          test::shapeFor(variant.settings, {48, 27, Precision::Full, Precision::Full, {}});
+      twin::Inputs frame = rested(shape, variant.settings, 7);
+      frame.resolved = frame.historyColor;
+      for (int count = 0; count < 2; ++count)
+        check(frame, variant, {static_cast<int>(random() % 48), static_cast<int>(random() % 27)}, all, depth);
+    }
+    EXPECT_EQ(all.first, "");
+    EXPECT_GT(all.formulas, 3000);
+  }
 }
 
 TEST_F(FormulasTest, OfEveryRowGivesItsValue) {

@@ -55,8 +55,9 @@ inline double largestOf(const twin::Trace& trace, const twin::Operand& value) {
 /// step to 32 bits, and a spread is a small difference of large sums: to 1e-4, and some units of the last
 /// place of the largest number in it.
 inline std::optional<std::string> differenceOfFormula(const twin::Trace& trace, IntermediateId id,
-                                                      int channel, double value, const Settings& settings) {
-  const std::string text = story::formulaText(trace, id, channel, {.digits = 9});
+                                                      int channel, double value, const Settings& settings,
+                                                      FormulaDepth depth = FormulaDepth::Rows) {
+  const std::string text = story::formulaText(trace, id, channel, {.digits = 9, .depth = depth});
   const double worked = Calculator(text).result().front();
   const double largest = largestOf(trace, trace.of(id)[static_cast<std::size_t>(channel)]);
   const double allowed =

@@ -138,12 +138,14 @@ template <typename Real>
 BlendedOf<Real> blend(const Settings& settings, const BlendInputsOf<Real>& mix) {
   const ToneWeight tone = settings.blend.tone;
   BlendedOf<Real> result;
+  searched<Real>();
   result.toneWeightCurrent = toneWeight(mix.current, tone, settings.space.luma);
   result.toneWeightHistory = toneWeight(mix.history, tone, settings.space.luma);
   const auto factorOf = [&](Real alpha) {
     return blendFactor(alpha, result.toneWeightCurrent, result.toneWeightHistory, tone);
   };
   result.factor = factorOf(mix.alpha);
+  decided<Real>(IntermediateId::blendFactor);
   Vec3<Real> factors(result.factor);
   if (settings.weight.source == AlphaSource::ContrastPerChannel)
     for (int i = 0; i < 3; ++i) factors[i] = factorOf(mix.channels[i]);
@@ -153,8 +155,10 @@ BlendedOf<Real> blend(const Settings& settings, const BlendInputsOf<Real>& mix) 
   for (int i = 0; i < 3; ++i) {
     result.resolved[i] = asStored(settings.history, sane[i], mix, static_cast<std::uint32_t>(i));
   }
+  decided<Real>(IntermediateId::resolved);
   if (mix.isNan) result.resolved = Vec3<Real>(std::numeric_limits<float>::quiet_NaN());
   result.historyLength = lengthAfter(settings, mix);
+  decided<Real>(IntermediateId::historyLength);
   return result;
 }
 

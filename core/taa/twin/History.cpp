@@ -184,6 +184,7 @@ HistorySampleOf<Real> sampleHistory(const Inputs& inputs, const HistorySettings&
   const bool mayBeEdge = settings.bilinearAtEdges == Switch::On && settings.filter != HistoryFilter::Point &&
                          settings.filter != HistoryFilter::Bilinear;
   result.isEdge = mayBeEdge && hasDepthEdge(inputs, drawn, number<Real>(settings.edgeDepth));
+  decided<Real>(IntermediateId::depthEdge);
   if (inputs.historyColor.empty()) return result;
   const Vec2<Real>& q = result.position;
   result.color =

@@ -67,6 +67,7 @@ void updateLock(const Inputs& inputs, Real lockFrames, const LumasOf<Real>& luma
   }
   if (isChanged) life = 0.0f;
   lockState.lockLife = life;
+  decided<Real>(IntermediateId::lockLife);
   lockState.lock = saturated(4.0f * saturated(life - 1.0f));
   const bool stays = next.x >= 0.0f && next.x <= static_cast<float>(inputs.outputWidth()) && next.y >= 0.0f &&
                      next.y <= static_cast<float>(inputs.outputHeight());
@@ -124,6 +125,7 @@ LockStateOf<Real> holdHistory(const Inputs& inputs, const Settings& settings,
       for (int k = 0; k < 4; ++k)
         stored[k] = floor(read<Real>(inputs.historyLumas, texel)[k] * 255.0f + 0.5f);
     updateInstability(lumas, stored, boxLuma(neighborhood.deviation, settings.space), lockState);
+    decided<Real>(IntermediateId::instability);
   }
   lockState.protection =
       maximum(lockState.lock, lockState.instability) * (1.0f - sqrt(maskAt<Real>(inputs, drawn).x)); // 11.7

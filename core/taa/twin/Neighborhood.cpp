@@ -256,7 +256,9 @@ NeighborhoodOf<Real> measureNeighborhood(const Inputs& inputs, const Settings& s
   observe(IntermediateId::neighborhoodDeviation, result.deviation);
   observe(IntermediateId::neighborhoodMin, result.min);
   observe(IntermediateId::neighborhoodMax, result.max);
+  searched<Real>();
   result.gamma = gammaUsed(inputs, settings, result, center, given);
+  decided<Real>(IntermediateId::boxGamma);
   observe(IntermediateId::boxGamma, result.gamma);
   boundByMoments(settings.neighborhood.box, result);
   if (settings.neighborhood.chromaShrink == Switch::On && settings.space.color != ColorSpace::Rgb) {

@@ -317,9 +317,11 @@ RectifiedOf<Real> rectifyHistory(const Inputs& inputs, const Settings& settings,
                                  const Vec3<Real>& currentFiltered, const NeighborhoodOf<Real>& neighborhood,
                                  const RectifyInputsOf<Real>& applied) {
   const RectifySettings& rectify = settings.rectify;
+  searched<Real>();
   const Real strength = rectifyStrength(rectify, applied);
   if (inputs.historyColor.empty()) return {historyRaw, 0.0f, strength};
   RectifiedOf<Real> clipped = rectifiedFully(settings, historyRaw, currentFiltered, neighborhood);
+  decided<Real>(IntermediateId::clipAmount);
   clipped.strength = strength;
   if (!clipped.moved) return clipped;
   if (rectify.relaxAtRest == Switch::On || strength < 1.0f) {

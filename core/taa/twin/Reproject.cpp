@@ -43,12 +43,15 @@ ReprojectionOf<Real> reproject(const Inputs& inputs, const ReprojectSettings& se
                                const Vec2<Real>& readOff) {
   const bool isInPlace = settings.method == ReprojectMethod::InPlace;
   ReprojectionOf<Real> result;
+  searched<Real>();
   result.noPrevious = !isInPlace && motionPx.x == kNoPreviousPosition;
+  decided<Real>(IntermediateId::historyPosition);
   const Vec2<Real> center = Vec2<Real>(pixel) + 0.5f;
   const Vec2<Real> q = isInPlace ? center : (center - motionPx) + readOff;
   result.position = q;
   result.onScreen = q.x >= 0.0f && q.x <= static_cast<float>(inputs.outputWidth()) && q.y >= 0.0f &&
                     q.y <= static_cast<float>(inputs.outputHeight()); // NaN is off the screen
+  decided<Real>(IntermediateId::onScreen);
   const Real speed = sqrt(motionPx.x * motionPx.x + motionPx.y * motionPx.y);
   result.speed = minimum(speed, kNoPreviousPosition); // NaN is the fastest
   return result;

@@ -1,5 +1,7 @@
 #include "core/taa/twin/Traced.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace taa::twin {
@@ -21,6 +23,28 @@ std::uint32_t Tracing::add(Operation operation, const std::array<Operand, 3>& fr
   std::vector<TraceNode>& nodes = presentTracing->nodes_;
   nodes.push_back({operation, from, value});
   return static_cast<std::uint32_t>(nodes.size());
+}
+
+void Tracing::compare(const Operand& a, const Operand& b) {
+  if (!presentTracing || (a.node == 0 && b.node == 0)) return;
+  std::vector<Compared>& all = presentTracing->compared_;
+  const Compared compared{a, b};
+  if (std::ranges::find(all, compared) == all.end()) all.push_back(compared);
+}
+
+void Tracing::decide(IntermediateId id, bool isAll) {
+  if (!presentTracing) return;
+  std::vector<Compared>& all = presentTracing->compared_;
+  presentTracing->decisions_[static_cast<std::size_t>(id)] = all;
+  if (isAll) all.clear();
+}
+
+void Tracing::forget() {
+  if (presentTracing) presentTracing->compared_.clear();
+}
+
+void Tracing::read(std::uint32_t node, const float* field) {
+  if (presentTracing) presentTracing->settings_.push_back({node, field});
 }
 
 Traced minimum(Traced a, Traced b) {
@@ -80,6 +104,13 @@ Trace traceOf(const Inputs& inputs, const Settings& settings, const glm::ivec2& 
   const auto [record, rectifiedBox] = resolvePixelIn<Traced>(inputs, settings, pixel);
   Trace out;
   out.nodes = tracing.take();
+  out.decisions = tracing.decisions();
+  const auto* from = reinterpret_cast<const std::byte*>(&settings); // NOLINT: Field says where a field lies
+  for (const SettingRead& read : tracing.settings()) {
+    const auto offset = reinterpret_cast<const std::byte*>(read.field) - from; // NOLINT
+    if (offset >= 0 && offset < static_cast<std::ptrdiff_t>(sizeof(Settings))) // else of a copy
+      out.settings.push_back({read.node, Field{static_cast<std::uint16_t>(offset)}});
+  }
   for (std::size_t row = 0; row < record.size(); ++row)
     for (int channel = 0; channel < 4; ++channel)
       out.rows[row][static_cast<std::size_t>(channel)] = record[row][channel].operand();

@@ -2,6 +2,7 @@
 // any value is written with the numbers put in.
 #pragma once
 
+#include "core/settings/Parameters.h"
 #include "core/taa/Intermediates.h"
 #include "core/taa/twin/Numbers.h"
 #include "core/taa/twin/Twin.h"
@@ -47,11 +48,23 @@ enum class Operation : std::uint8_t {
 struct Operand {
   double value = 0.0;
   std::uint32_t node = 0;
+  bool operator==(const Operand&) const = default;
 };
 struct TraceNode {
   Operation operation{};
   std::array<Operand, 3> from{};
   double value = 0.0;
+};
+
+/// Two numbers that were compared, of which one at least is no literal.
+struct Compared {
+  Operand a, b;
+  bool operator==(const Compared&) const = default;
+};
+/// A number of the settings that was read, and where it lies.
+struct SettingRead {
+  std::uint32_t node = 0;
+  const float* field = nullptr;
 };
 
 /// As long as it lives, operations of this thread's traced numbers are written down in it.
@@ -62,13 +75,23 @@ class Tracing {
   Tracing(const Tracing&) = delete;
   Tracing& operator=(const Tracing&) = delete;
   std::vector<TraceNode> take() { return std::move(nodes_); }
+  const std::vector<SettingRead>& settings() const { return settings_; }
+  using Decisions = std::array<std::vector<Compared>, kIntermediateCount>;
+  const Decisions& decisions() const { return decisions_; }
 
   /// The number of the node; 0 where nothing is traced.
   static std::uint32_t add(Operation operation, const std::array<Operand, 3>& from, double value);
+  static void compare(const Operand& a, const Operand& b);
+  static void decide(IntermediateId id, bool isAll);
+  static void forget();
+  static void read(std::uint32_t node, const float* field);
 
  private:
   Tracing* before_;
   std::vector<TraceNode> nodes_;
+  std::vector<SettingRead> settings_;
+  std::vector<Compared> compared_; ///< that have decided no row yet
+  Decisions decisions_;
 };
 
 template <typename Value>
@@ -107,8 +130,14 @@ struct TracedOf {
   TracedOf& operator*=(TracedOf b) { return *this = *this * b; }
   TracedOf& operator/=(TracedOf b) { return *this = *this / b; }
 
-  friend bool operator==(TracedOf a, TracedOf b) { return a.value == b.value; }
-  friend auto operator<=>(TracedOf a, TracedOf b) { return a.value <=> b.value; }
+  friend bool operator==(TracedOf a, TracedOf b) {
+    Tracing::compare(a.operand(), b.operand());
+    return a.value == b.value;
+  }
+  friend auto operator<=>(TracedOf a, TracedOf b) {
+    Tracing::compare(a.operand(), b.operand());
+    return a.value <=> b.value;
+  }
 
   friend TracedOf sqrt(TracedOf x) { return made(Operation::Root, std::sqrt(x.value), x); }
   friend TracedOf fabs(TracedOf x) { return made(Operation::Absolute, std::fabs(x.value), x); }
@@ -132,8 +161,21 @@ struct Source<Traced> {
     for (int i = 0; i < 4; ++i) out[i] = Traced::made(Operation::Read, out[i].value, out[i]);
     return out;
   }
-  static Traced number(const float& field) { return Traced::made(Operation::Setting, field, field); }
+  static Traced number(const float& field) {
+    const Traced out = Traced::made(Operation::Setting, field, field);
+    Tracing::read(out.node, &field);
+    return out;
+  }
 };
+
+template <>
+inline void decided<Traced>(IntermediateId id, bool isAll) {
+  Tracing::decide(id, isAll);
+}
+template <>
+inline void searched<Traced>() {
+  Tracing::forget();
+}
 
 template <typename Rounding>
 Traced roundedBy(Traced x, Rounding rounding) {
@@ -158,6 +200,9 @@ struct Trace {
   std::vector<TraceNode> nodes; ///< node n at n − 1, after what it is made of
   std::array<std::array<Operand, 4>, kIntermediateCount> rows{};
   std::array<Operand, 3> rectifiedBox{}; ///< of PixelIn
+  /// By row: what was compared on the way to it, in this order, each once.
+  Tracing::Decisions decisions;
+  std::vector<std::pair<std::uint32_t, Field>> settings; ///< nodes that are numbers of the settings
 
   const TraceNode& at(const Operand& operand) const { return nodes[operand.node - 1]; }
   const std::array<Operand, 4>& of(IntermediateId id) const { return rows[static_cast<std::size_t>(id)]; }

@@ -70,6 +70,17 @@ void observe(IntermediateId id, glm::vec<n, Real>& value) {
   for (glm::length_t i = 0; i < n; ++i) observe(id, value[i], i);
 }
 
+/// What was compared since the row that was decided last has decided this one: numbers that remember how they
+/// were made write it down. `isAll`: it decides no other row besides.
+template <typename Real>
+void decided(IntermediateId, bool isAll = true) {
+  static_cast<void>(isAll);
+}
+
+/// What was compared since then only found the best of some candidates: it decides no row.
+template <typename Real>
+void searched() {}
+
 /// What the pixel leaves in the layers that only some settings keep; see History.
 struct KeptLayers {
   glm::vec2 object{0.0f};

@@ -54,6 +54,7 @@ ValidityOf<Real> validateHistory(const Inputs& inputs, const ValidateSettings& s
                                  const ReprojectionOf<Real>& reprojected, const Vec2<Real>& readPosition,
                                  const glm::ivec2& pixel, const GeometryMatchOf<Real>& geometry) {
   const DepthTestOf<Real> depth = compareDepth(inputs, settings, dilated, pixel, readPosition);
+  decided<Real>(IntermediateId::geometricFlicker, false);
   ValidityOf<Real> result;
   result.depthExpected = depth.expected;
   result.historyDepth = depth.stored;
@@ -64,6 +65,7 @@ ValidityOf<Real> validateHistory(const Inputs& inputs, const ValidateSettings& s
     changed = saturated((geometry.velocityChange - number<Real>(settings.velocityLimit)) *
                         number<Real>(settings.velocityGain));
   result.reason = rejectReason(inputs, settings, reprojected, geometry, depth.isOther, changed);
+  decided<Real>(IntermediateId::rejectReason);
   result.isFlicker = depth.isFlicker && result.reason == RejectReason::Kept;
   if (result.reason == RejectReason::Kept) return result;
   result.isFrozen = result.reason == RejectReason::OffScreen && settings.offScreen == OffScreen::OneSided;

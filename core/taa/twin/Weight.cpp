@@ -268,12 +268,18 @@ template <typename Real>
 WeightsOf<Real> blendWeight(const WeightSettings& settings, Real historyLength, Real invalid,
                             const WeightInputsOf<Real>& weighed) {
   WeightsOf<Real> result;
+  searched<Real>();
   result.base = baseWeight(settings, historyLength, weighed);
+  decided<Real>(IntermediateId::alphaBase);
   result.lumaFlicker = lumaFlickerFactor(settings, weighed);
+  decided<Real>(IntermediateId::alphaLumaFlicker);
   result.nearClamp = nearClampFactor(settings, weighed);
+  decided<Real>(IntermediateId::alphaNearClamp);
   result.historyContrast = historyContrastFactor(settings, weighed);
+  decided<Real>(IntermediateId::alphaHistoryContrast);
   result.relax = relaxFactor(weighed);
   result.mask = maskWeight(settings, weighed);
+  decided<Real>(IntermediateId::alphaMask);
   result.sampleDistance = sampleDistanceFactor(settings, weighed);
   if (settings.velocityChange == Switch::On)
     result.velocityChange = saturated(weighed.velocityChange / number<Real>(settings.velocityChangeSpeed));

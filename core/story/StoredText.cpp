@@ -50,8 +50,8 @@ std::string ditheredHalf(const Teller& t, const std::string& expression, int cha
     const float half = mixed[i] < 0x1p-14f ? 0.0f : 0.5f / 8192.0f;
     return t.number(static_cast<double>(randomOf(t, i) - half));
   };
-  return call("floor", {"(" + expression + ") × " + each(channel, scale) + " + " + each(channel, random)}) +
-         " / " + each(channel, scale);
+  return "floor((" + expression + ") × " + each(channel, scale) + " + " + each(channel, random) + ") / " +
+         each(channel, scale);
 }
 
 } // namespace
@@ -86,11 +86,11 @@ std::string storedText(const Teller& t, const std::string& expression, int chann
   const HistorySettings& history = t.settings().history;
   if (history.precision == Precision::Full) return expression;
   if (history.precision == Precision::Half)
-    return isOn(history.dither) ? ditheredHalf(t, expression, channel) : call("half", {expression});
+    return isOn(history.dither) ? ditheredHalf(t, expression, channel) : "half(" + expression + ")";
   const std::string steps = std::to_string(stepsOf(history));
   const std::string up =
       isOn(history.dither) ? each(channel, [&](int i) { return t.number(randomOf(t, i)); }) : t.number(0.5);
-  return call("floor", {steps + " × " + call("clamp", {expression, "0", "1"}) + " + " + up}) + " / " + steps;
+  return "floor(" + steps + " × clamp(" + expression + ", 0, 1) + " + up + ") / " + steps;
 }
 
 } // namespace taa::story
