@@ -11,15 +11,16 @@ void DoctorWork::setExamine(Examine examine) {
   examine_ = std::move(examine);
 }
 
-void DoctorWork::setMend(Mend mend) {
-  mend_ = std::move(mend);
+void DoctorWork::setCorrect(Correct correct) {
+  correct_ = std::move(correct);
 }
 
-void DoctorWork::mend(const ExaminationRequest& request, const doctor::Diagnosis& diagnosis,
-                      const Settings& healthy) {
-  start([this, request, diagnosis, healthy, mend = mend_](const Deliver& deliver, const Progress& progress) {
-    const doctor::MendedLook look = mend(request, diagnosis, healthy, progress);
-    deliver([this, look] { Q_EMIT mended(look); });
+void DoctorWork::correct(const ExaminationRequest& request, const doctor::Diagnosis& diagnosis,
+                         const Settings& healthy) {
+  start([this, request, diagnosis, healthy, correct = correct_](const Deliver& deliver,
+                                                                const Progress& progress) {
+    const doctor::CorrectedLook look = correct(request, diagnosis, healthy, progress);
+    deliver([this, look] { Q_EMIT corrected(look); });
   });
 }
 

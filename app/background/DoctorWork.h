@@ -14,24 +14,25 @@ class DoctorWork : public BackgroundWork {
   /// As examineShot(); tests put another one in its place.
   using Examine = std::function<doctor::Diagnosis(const ExaminationRequest&, const doctor::DiagnosisTold&,
                                                   const Progress&)>;
-  /// As lookAtMendedShot(), likewise.
-  using Mend = std::function<doctor::MendedLook(const ExaminationRequest&, const doctor::Diagnosis&,
-                                                const Settings& healthy, const Progress&)>;
+  /// As lookAtCorrectedShot(), likewise.
+  using Correct = std::function<doctor::CorrectedLook(const ExaminationRequest&, const doctor::Diagnosis&,
+                                                      const Settings& healthy, const Progress&)>;
   explicit DoctorWork(Examine examine = examineShot, QObject* parent = nullptr);
   void setExamine(Examine examine);
-  void setMend(Mend mend);
+  void setCorrect(Correct correct);
 
   void begin(const ExaminationRequest& request);
-  void mend(const ExaminationRequest& request, const doctor::Diagnosis& diagnosis, const Settings& healthy);
+  void correct(const ExaminationRequest& request, const doctor::Diagnosis& diagnosis,
+               const Settings& healthy);
 
  Q_SIGNALS:
   /// First what the first frames show, then all of it.
   void told(const doctor::Diagnosis& diagnosis, bool isComplete);
-  void mended(const doctor::MendedLook& look);
+  void corrected(const doctor::CorrectedLook& look);
 
  private:
   Examine examine_;
-  Mend mend_ = lookAtMendedShot;
+  Correct correct_ = lookAtCorrectedShot;
 };
 
 } // namespace taa::app

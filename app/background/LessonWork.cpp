@@ -1,6 +1,6 @@
 #include "app/background/LessonWork.h"
 
-#include "core/gl/Turn.h"
+#include "core/gl/ContextLock.h"
 #include "core/inspect/Inspector.h"
 #include "core/lessons/RecordedFrames.h"
 
@@ -13,20 +13,20 @@ namespace {
 /// With an Inspector of its own.
 std::vector<CheckedCondition> checkedAlone(const LessonState& state, const std::vector<Condition>& conditions,
                                            const Progress& progress) {
-  gl::Turn turn;
+  gl::ContextLock turn;
   Inspector inspector;
   return checkConditions(inspector, state, conditions, turn.passing(progress));
 }
 
 std::vector<LessonNumber> measuredAlone(const LessonState& state, const std::vector<Condition>& conditions,
                                         const Progress& progress) {
-  gl::Turn turn;
+  gl::ContextLock turn;
   Inspector inspector;
   return measureNumbers(inspector, state, conditions, turn.passing(progress));
 }
 
 LessonState recordedAlone(const LessonState& state, const Progress& progress) {
-  gl::Turn turn;
+  gl::ContextLock turn;
   Inspector inspector;
   return onItsFrames(inspector, state, turn.passing(progress));
 }

@@ -42,7 +42,7 @@ glm::ivec2 picturePixel(const glm::ivec2& pixel, const glm::ivec2& examinedPx, c
 
 /// As a preset, in a file that is named by what it holds: a view that compares with it reads no other. Throws
 /// Error.
-QString writeMended(const QString& folder, const doctor::Finding& finding, const Settings& settings) {
+QString writeCorrected(const QString& folder, const doctor::Finding& finding, const Settings& settings) {
   Preset row{"mended-" + finding.id,
              DoctorCommands::tr("Mended: %1").arg(qtext(finding.name)).toStdString(),
              "",
@@ -66,21 +66,21 @@ DoctorCommands::DoctorCommands(Session& session, ViewArea& views, DoctorPanel& p
     : QObject(window), session_(session), views_(views), panel_(panel), folder_(folder), window_(window) {
   connect(&panel_, &DoctorPanel::examineRequested, this, &DoctorCommands::examine);
   connect(&panel_, &DoctorPanel::placeRequested, this, &DoctorCommands::goToFinding);
-  connect(&panel_, &DoctorPanel::mendedRequested, this, &DoctorCommands::showMended);
+  connect(&panel_, &DoctorPanel::correctedRequested, this, &DoctorCommands::showCorrected);
   connect(&panel_, &DoctorPanel::reportRequested, this, &DoctorCommands::askForReport);
   connect(&panel_, &DoctorPanel::changed, this, [this] {
     showOutlines();
-    panel_.details()->setWhyNotMended(whyNotMended());
+    panel_.details()->setWhyNotCorrected(whyNotCorrected());
     Q_EMIT reportChanged();
   });
-  connect(&panel_.work(), &DoctorWork::mended, this,
-          [this](const doctor::MendedLook& look) { writeReportWith(&look); });
+  connect(&panel_.work(), &DoctorWork::corrected, this,
+          [this](const doctor::CorrectedLook& look) { writeReportWith(&look); });
   connect(&panel_.work(), &DoctorWork::ended, this, &DoctorCommands::endReport);
   connect(&session_, &Session::statusChanged, this, &DoctorCommands::takeStatus);
   connect(&session_.presets(), &PresetChoices::settingsChanged, this, [this] {
     const Settings& examined = examined_.shot.settings.settings;
     panel_.setOutdated(panel_.diagnosis() && !(examined == session_.presets().settings()));
-    panel_.details()->setWhyNotMended(whyNotMended());
+    panel_.details()->setWhyNotCorrected(whyNotCorrected());
     Q_EMIT reportChanged();
   });
 }
@@ -119,25 +119,25 @@ Settings DoctorCommands::healthySettings() const {
   return healthy;
 }
 
-doctor::Mended DoctorCommands::mendedSettings() const {
-  return doctor::mended({*panel_.finding()}, session_.presets().settings(), healthySettings());
+doctor::Corrected DoctorCommands::correctedSettings() const {
+  return doctor::corrected({*panel_.finding()}, session_.presets().settings(), healthySettings());
 }
 
-QString DoctorCommands::whyNotMended() const {
+QString DoctorCommands::whyNotCorrected() const {
   if (!panel_.finding()) return tr("No finding of the doctor's is chosen");
-  const doctor::Mended mended = mendedSettings();
-  if (!mended.findings.empty() && mended.settings == session_.presets().settings())
+  const doctor::Corrected corrected = correctedSettings();
+  if (!corrected.findings.empty() && corrected.settings == session_.presets().settings())
     return tr("The settings have it right already");
-  if (mended.findings.empty())
+  if (corrected.findings.empty())
     return tr("No setting makes this right: the frames themselves have to be made anew");
   return {};
 }
 
-void DoctorCommands::showMended() {
-  if (!whyNotMended().isEmpty()) return;
+void DoctorCommands::showCorrected() {
+  if (!whyNotCorrected().isEmpty()) return;
   try {
     const doctor::Finding& finding = *panel_.finding();
-    const QString path = writeMended(folder_, finding, mendedSettings().settings);
+    const QString path = writeCorrected(folder_, finding, correctedSettings().settings);
     session_.post(request::SetPlaying{false});
     const std::vector<doctor::RegionPlace> places = panel_.places();
     if (!places.empty()) session_.seek(places.front().frame);
@@ -182,17 +182,17 @@ void DoctorCommands::writeReport(const QString& path) {
   if (!whyNoReport().isEmpty()) return;
   reportPath_ = path;
   const Settings& examined = examined_.shot.settings.settings;
-  if (doctor::mended(panel_.diagnosis()->findings, examined, healthy_).findings.empty())
+  if (doctor::corrected(panel_.diagnosis()->findings, examined, healthy_).findings.empty())
     writeReportWith(nullptr);
   else
-    panel_.mend(examined_, healthy_);
+    panel_.correct(examined_, healthy_);
 }
 
-void DoctorCommands::writeReportWith(const doctor::MendedLook* mended) {
+void DoctorCommands::writeReportWith(const doctor::CorrectedLook* corrected) {
   const QString path = std::exchange(reportPath_, {});
   if (path.isEmpty() || !panel_.diagnosis()) return;
   try {
-    writeFile(path.toStdString(), doctorHtml(*panel_.diagnosis(), source_, mended));
+    writeFile(path.toStdString(), doctorHtml(*panel_.diagnosis(), source_, corrected));
     Q_EMIT said(tr("Saved %1.").arg(path));
   } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromStdString(shownReason(error)));

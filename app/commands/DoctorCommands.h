@@ -1,7 +1,7 @@
 // Has the frames that are open examined by the doctor, goes to what it finds, and hands its report on.
 #pragma once
 
-#include "core/doctor/examination/MendedLook.h"
+#include "core/doctor/examination/CorrectedLook.h"
 #include "core/inspect/ExaminedShot.h"
 #include "core/settings/Settings.h"
 
@@ -29,15 +29,15 @@ class DoctorCommands : public QObject {
   /// The frame of what is chosen, with the plane that is wrong in the active view.
   void goToFinding();
   /// Compares the frame of what is chosen, resolved, with what it would be if that were right: the same
-  /// settings, but for those that mend it, are a preset of their own.
-  void showMended();
-  /// Why what is chosen cannot be shown mended; empty: it can.
-  QString whyNotMended() const;
+  /// settings, but for those that correct it, are a preset of their own.
+  void showCorrected();
+  /// Why what is chosen cannot be shown corrected; empty: it can.
+  QString whyNotCorrected() const;
   /// Why there is no report to save; empty: there is one.
   QString whyNoReport() const;
   void askForReport();
-  /// With pictures of what can be made right, given and mended, which are drawn first: beside the window, and
-  /// nothing is written where that is stopped.
+  /// With pictures of what can be made right, given and corrected, which are drawn first: beside the window,
+  /// and nothing is written where that is stopped.
   void writeReport(const QString& path);
 
  Q_SIGNALS:
@@ -49,8 +49,8 @@ class DoctorCommands : public QObject {
   void takeStatus();
   void showOutlines();
   Settings healthySettings() const;
-  doctor::Mended mendedSettings() const;
-  void writeReportWith(const doctor::MendedLook* mended);
+  doctor::Corrected correctedSettings() const;
+  void writeReportWith(const doctor::CorrectedLook* corrected);
   void endReport(const QString& error);
 
   Session& session_;

@@ -84,7 +84,7 @@ QWidget* DoctorPanel::makeResult() {
     if (!places().empty()) Q_EMIT placeRequested();
   });
   connect(details_, &FindingDetails::placeRequested, this, &DoctorPanel::placeRequested);
-  connect(details_, &FindingDetails::mendedRequested, this, &DoctorPanel::mendedRequested);
+  connect(details_, &FindingDetails::correctedRequested, this, &DoctorPanel::correctedRequested);
   return result;
 }
 
@@ -212,8 +212,8 @@ void DoctorPanel::begin(const ExaminationRequest& request) {
   Q_EMIT changed();
 }
 
-void DoctorPanel::mend(const ExaminationRequest& request, const Settings& healthy) {
-  work_.mend(request, *diagnosis_, healthy);
+void DoctorPanel::correct(const ExaminationRequest& request, const Settings& healthy) {
+  work_.correct(request, *diagnosis_, healthy);
   refresh();
 }
 

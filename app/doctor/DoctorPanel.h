@@ -29,8 +29,8 @@ class DoctorPanel : public QWidget {
   void setShot(int frameCount);
   /// Has frames examined; what was known before is forgotten.
   void begin(const ExaminationRequest& request);
-  /// Has the frames of what is known drawn as they would be, see DoctorWork::mended().
-  void mend(const ExaminationRequest& request, const Settings& healthy);
+  /// Has the frames of what is known drawn as they would be, see DoctorWork::corrected().
+  void correct(const ExaminationRequest& request, const Settings& healthy);
   /// Whether settings have changed since the frames were examined.
   void setOutdated(bool outdated);
   int first() const;
@@ -54,8 +54,8 @@ class DoctorPanel : public QWidget {
  Q_SIGNALS:
   void examineRequested();
   void reportRequested();
-  void placeRequested();  ///< the first of places()
-  void mendedRequested(); ///< of finding()
+  void placeRequested();     ///< the first of places()
+  void correctedRequested(); ///< of finding()
   /// What is chosen or known, or whether somebody looks.
   void changed();
 

@@ -32,8 +32,8 @@ IntermediateId rowOfPart(FaultPart part) {
 
 } // namespace
 
-QString surenessText(doctor::Sureness sureness) {
-  return sureness == doctor::Sureness::Sure ? DoctorWords::tr("sure") : DoctorWords::tr("likely");
+QString confidenceText(doctor::Confidence confidence) {
+  return confidence == doctor::Confidence::Sure ? DoctorWords::tr("sure") : DoctorWords::tr("likely");
 }
 
 QString whereText(const doctor::Finding& finding) {

@@ -9,7 +9,7 @@
 namespace taa::app {
 
 /// "sure" or "likely".
-QString surenessText(doctor::Sureness sureness);
+QString confidenceText(doctor::Confidence confidence);
 /// "the whole picture", "the sky, object 7 (wheel)".
 QString whereText(const doctor::Finding& finding);
 /// How much of the picture a region is and where it is largest: "the sky: 32 %, largest in frame 12".

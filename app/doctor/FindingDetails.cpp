@@ -93,23 +93,23 @@ QWidget* FindingDetails::makeWords() {
 QHBoxLayout* FindingDetails::makeButtons() {
   go_ = new QPushButton(tr("Go to the frame"));
   go_->setToolTip(tr("Goes to the frame and shows the plane that is wrong in the active view (Enter)"));
-  mended_ = new QPushButton(tr("Show mended"));
-  for (QPushButton* button : {go_, mended_}) button->setAutoDefault(false);
+  corrected_ = new QPushButton(tr("Show mended"));
+  for (QPushButton* button : {go_, corrected_}) button->setAutoDefault(false);
   connect(go_, &QPushButton::clicked, this, &FindingDetails::placeRequested);
-  connect(mended_, &QPushButton::clicked, this, &FindingDetails::mendedRequested);
+  connect(corrected_, &QPushButton::clicked, this, &FindingDetails::correctedRequested);
   auto* line = new QHBoxLayout;
   line->setSpacing(kUnit);
   line->addWidget(go_);
-  line->addWidget(mended_);
+  line->addWidget(corrected_);
   line->addStretch(1);
   return line;
 }
 
-void FindingDetails::setWhyNotMended(const QString& why) {
-  mended_->setEnabled(why.isEmpty());
-  mended_->setToolTip(why.isEmpty() ? tr("Compares the picture with the one that it would be if this were "
-                                         "right, in the active view (Alt+M)")
-                                    : why);
+void FindingDetails::setWhyNotCorrected(const QString& why) {
+  corrected_->setEnabled(why.isEmpty());
+  corrected_->setToolTip(why.isEmpty() ? tr("Compares the picture with the one that it would be if this were "
+                                            "right, in the active view (Alt+M)")
+                                       : why);
 }
 
 QWidget* FindingDetails::makeEvidence() {
@@ -155,7 +155,7 @@ void FindingDetails::showFinding(const doctor::Finding& finding, int region,
       places << placeText(finding.regions[i]);
   if (places.size() < static_cast<qsizetype>(finding.regions.size()) && !finding.isWholePicture && region < 0)
     places << tr("%n more", nullptr, static_cast<int>(finding.regions.size() - kMostPlaces));
-  showText(qtext(finding.name), {{tr("How sure"), surenessText(finding.sureness)},
+  showText(qtext(finding.name), {{tr("How sure"), confidenceText(finding.confidence)},
                                  {tr("Where"), places.join(QLatin1Char('\n'))},
                                  {tr("One sees"), qtext(finding.symptom)},
                                  {tr("Change"), qtext(finding.change)},
@@ -165,7 +165,7 @@ void FindingDetails::showFinding(const doctor::Finding& finding, int region,
   bars_->setResiduals(finding.residuals);
   evidence_->verticalScrollBar()->setValue(0);
   go_->setVisible(!finding.regions.empty());
-  mended_->show();
+  corrected_->show();
   if (finding.regions.empty()) return;
   const doctor::RegionPlace& place = finding.regions[static_cast<std::size_t>(std::max(0, region))];
   go_->setText(tr("Go to frame %1").arg(qtext(names.of(place.frame))));
@@ -184,7 +184,7 @@ void FindingDetails::showText(const QString& title, const std::vector<Row>& rows
   setRows(said);
   evidence_->hide();
   go_->hide();
-  mended_->hide();
+  corrected_->hide();
 }
 
 } // namespace taa::app

@@ -35,13 +35,13 @@ class FindingDetails : public QWidget {
   QString title() const;
   ResidualBars* bars() const { return bars_; }
   QPushButton* goButton() const { return go_; }
-  QPushButton* mendedButton() const { return mended_; }
+  QPushButton* correctedButton() const { return corrected_; }
   /// Why frames cannot be shown with the finding made right; empty: they can.
-  void setWhyNotMended(const QString& why);
+  void setWhyNotCorrected(const QString& why);
 
  Q_SIGNALS:
   void placeRequested();
-  void mendedRequested();
+  void correctedRequested();
 
  private:
   QWidget* makeWords();
@@ -53,7 +53,7 @@ class FindingDetails : public QWidget {
   std::vector<Row> shown_;
   QLabel *title_ = nullptr, *measure_ = nullptr;
   std::vector<std::pair<QLabel*, QLabel*>> lines_;
-  QPushButton *go_ = nullptr, *mended_ = nullptr;
+  QPushButton *go_ = nullptr, *corrected_ = nullptr;
   QScrollArea *words_ = nullptr, *evidence_ = nullptr;
   ResidualBars* bars_ = nullptr;
 };

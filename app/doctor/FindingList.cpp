@@ -63,7 +63,7 @@ void FindingList::addFinding(QTreeWidgetItem* group, const doctor::Finding& find
   item->setData(What, kDoctorIdRole, qtext(finding.id) + QLatin1Char(' ') + whereText(finding));
   item->setText(Where, whereText(finding));
   item->setToolTip(Where, whereText(finding));
-  item->setText(Sure, surenessText(finding.sureness));
+  item->setText(Sure, confidenceText(finding.confidence));
   if (finding.regions.size() < 2) return;
   for (std::size_t region = 0; region < finding.regions.size(); ++region) {
     QTreeWidgetItem* place = addLine(item, DoctorLine::Finding, index, placeText(finding.regions[region]));

@@ -61,7 +61,7 @@ FaultsMenu::FaultsMenu(Commands& commands, Session& session, LowerArea& lower, D
     : CommandMenu(tr("Fa&ults"), commands, parent) {
   setToolTipsVisible(true);
   addExamine(lower, doctor);
-  addMended(doctor);
+  addCorrected(doctor);
   addNone(session);
   addSeparator();
   constexpr std::array kParts{FaultPart::Jitter, FaultPart::Motion, FaultPart::Depth, FaultPart::Color,
@@ -82,11 +82,12 @@ void FaultsMenu::addExamine(LowerArea& lower, DoctorCommands& doctor) {
       tr("The doctor says what is wrong with jitter, depth and motion vectors, and what to change"));
 }
 
-void FaultsMenu::addMended(DoctorCommands& doctor) {
-  QAction* mended = add(tr("&Show the finding mended"), keys({"Alt+M"}), [&doctor] { doctor.showMended(); });
-  mended->setToolTip(tr("Compares the picture with the one that it would be if what the doctor found were "
-                        "right"));
-  onRefresh([&doctor, mended] { allow(mended, doctor.whyNotMended()); });
+void FaultsMenu::addCorrected(DoctorCommands& doctor) {
+  QAction* corrected =
+      add(tr("&Show the finding mended"), keys({"Alt+M"}), [&doctor] { doctor.showCorrected(); });
+  corrected->setToolTip(tr("Compares the picture with the one that it would be if what the doctor found were "
+                           "right"));
+  onRefresh([&doctor, corrected] { allow(corrected, doctor.whyNotCorrected()); });
 }
 
 void FaultsMenu::addNone(Session& session) {

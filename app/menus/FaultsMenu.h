@@ -20,7 +20,7 @@ class FaultsMenu : public CommandMenu {
 
  private:
   void addExamine(LowerArea& lower, DoctorCommands& doctor);
-  void addMended(DoctorCommands& doctor);
+  void addCorrected(DoctorCommands& doctor);
   void addNone(Session& session);
   void addPart(Session& session, FaultPart part);
   void addFault(Session& session, QMenu* menu, const FaultInfo& info);

@@ -5,9 +5,9 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 
+#include "core/explanation/ProbeHeadline.h"
+#include "core/explanation/RowsOff.h"
 #include "core/report/ProbeReport.h"
-#include "core/story/ProbeHeadline.h"
-#include "core/story/RowsOff.h"
 #include "core/taa/ChannelNames.h"
 #include "core/taa/twin/Known.h"
 
@@ -140,16 +140,16 @@ void ProbeModel::setPixel(const ProbeResult& result) {
   pixel_ = result;
 }
 
-RowStory ProbeModel::storyOf(IntermediateId id, FormulaDepth depth) const {
+RowExplanation ProbeModel::explanationOf(IntermediateId id, FormulaDepth depth) const {
   if (!pixel_ || !pixel_->details) return {};
   constexpr int kDigits = 4;
-  return taa::storyOf(id,
-                      {pixel_->around[kProbedMiddle],
-                       *pixel_->details,
-                       pixel_->settings,
-                       pixel_->info,
-                       {pixel_->x, pixel_->y}},
-                      kDigits, depth);
+  return taa::explanationOf(id,
+                            {pixel_->around[kProbedMiddle],
+                             *pixel_->details,
+                             pixel_->settings,
+                             pixel_->info,
+                             {pixel_->x, pixel_->y}},
+                            kDigits, depth);
 }
 
 QString ProbeModel::comparedText(IntermediateId id, const Comparison& comparison) const {
@@ -258,10 +258,10 @@ void ProbeModel::setDecided(const std::vector<IntermediateId>& rows) {
 
 // The exact value stands in front of what happened.
 QString ProbeModel::toolTip(const Intermediate& row) const {
-  const QString story = storyHtml(row.id, storyOf(row.id));
-  if (!record_ || !twin::isKnown(*record_, row.id)) return story;
+  const QString explanation = explanationHtml(row.id, explanationOf(row.id));
+  if (!record_ || !twin::isKnown(*record_, row.id)) return explanation;
   return tr("exactly %1").arg(rowText(row, twin::at(*record_, row.id)).toHtmlEscaped()) +
-         QStringLiteral("<br>") + story;
+         QStringLiteral("<br>") + explanation;
 }
 
 QVariant ProbeModel::data(const QModelIndex& index, int role) const {

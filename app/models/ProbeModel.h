@@ -2,11 +2,11 @@
 // line that names those that are switched off, where there are any.
 #pragma once
 
+#include "core/explanation/RowExplanation.h"
 #include "core/inspect/Comparison.h"
 #include "core/requests/Results.h"
 #include "core/scene/SceneOutline.h"
 #include "core/settings/Settings.h"
-#include "core/story/ProbeStory.h"
 #include "core/taa/Intermediates.h"
 #include "core/taa/twin/Twin.h"
 
@@ -35,7 +35,7 @@ class ProbeModel : public QAbstractItemModel {
   /// With all that formulas are made of.
   void setPixel(const ProbeResult& result);
   /// What happened at a row; empty without a probe.
-  RowStory storyOf(IntermediateId id, FormulaDepth depth = FormulaDepth::Rows) const;
+  RowExplanation explanationOf(IntermediateId id, FormulaDepth depth = FormulaDepth::Rows) const;
   /// A row of the other side, and the difference; empty without one. `comparison`: what that is of.
   QString comparedText(IntermediateId id, const Comparison& comparison) const;
   void setRecord(const std::optional<twin::PixelRecord>& record);

@@ -9,8 +9,8 @@ namespace taa::app {
 namespace {
 
 /// Those of the table stand below anyway.
-bool hasOwnWords(IntermediateId id, const RowStory& story) {
-  return !story.words.empty() && story.words != intermediate(id).description;
+bool hasOwnWords(IntermediateId id, const RowExplanation& explanation) {
+  return !explanation.words.empty() && explanation.words != intermediate(id).description;
 }
 
 } // namespace
@@ -21,28 +21,29 @@ QString rowText(const Intermediate& row, const glm::vec4& value) {
   return texts.join(QLatin1Char(' '));
 }
 
-QString storyText(IntermediateId id, const RowStory& story) {
+QString explanationText(IntermediateId id, const RowExplanation& explanation) {
   QStringList lines;
-  const std::string because = becauseText(story);
-  if (hasOwnWords(id, story))
-    lines << qtext(intermediate(id).label) + QStringLiteral(": ") + qtext(story.words);
-  if (!story.formula.empty())
-    lines << (story.subject.empty() ? QString() : qtext(story.subject) + QStringLiteral(": ")) +
-                 qtext(story.formula);
+  const std::string because = becauseText(explanation);
+  if (hasOwnWords(id, explanation))
+    lines << qtext(intermediate(id).label) + QStringLiteral(": ") + qtext(explanation.words);
+  if (!explanation.formula.empty())
+    lines << (explanation.subject.empty() ? QString() : qtext(explanation.subject) + QStringLiteral(": ")) +
+                 qtext(explanation.formula);
   if (!because.empty()) lines << qtext(because);
   lines << qtext(intermediate(id).description);
   return lines.join(QLatin1Char('\n'));
 }
 
-QString storyHtml(IntermediateId id, const RowStory& story) {
+QString explanationHtml(IntermediateId id, const RowExplanation& explanation) {
   QString html = QStringLiteral("<b>%1</b>").arg(qtext(intermediate(id).label).toHtmlEscaped());
-  if (hasOwnWords(id, story)) html += QStringLiteral(": ") + qtext(story.words).toHtmlEscaped();
-  if (!story.formula.empty()) {
-    const QString subject = story.subject.empty() ? QString() : qtext(story.subject) + QStringLiteral(": ");
+  if (hasOwnWords(id, explanation)) html += QStringLiteral(": ") + qtext(explanation.words).toHtmlEscaped();
+  if (!explanation.formula.empty()) {
+    const QString subject =
+        explanation.subject.empty() ? QString() : qtext(explanation.subject) + QStringLiteral(": ");
     html += QStringLiteral("<br><span style=\"font-family:'%1'\">%2</span>")
-                .arg(numberFont().family(), (subject + qtext(story.formula)).toHtmlEscaped());
+                .arg(numberFont().family(), (subject + qtext(explanation.formula)).toHtmlEscaped());
   }
-  if (const std::string because = becauseText(story); !because.empty())
+  if (const std::string because = becauseText(explanation); !because.empty())
     html += QStringLiteral("<br>") + qtext(because).toHtmlEscaped();
   return html + QStringLiteral("<br><i>%1</i>").arg(qtext(intermediate(id).description).toHtmlEscaped());
 }

@@ -1,7 +1,7 @@
 // What the core tells of a probe, as texts of the window.
 #pragma once
 
-#include "core/story/ProbeStory.h"
+#include "core/explanation/RowExplanation.h"
 #include "core/taa/Intermediates.h"
 
 #include <QString>
@@ -9,9 +9,9 @@
 
 namespace taa::app {
 
-/// What happened at a row, its formula, and what the row is; the story may be empty.
-QString storyText(IntermediateId id, const RowStory& story);
-QString storyHtml(IntermediateId id, const RowStory& story);
+/// What happened at a row, its formula, and what the row is; the explanation may be empty.
+QString explanationText(IntermediateId id, const RowExplanation& explanation);
+QString explanationHtml(IntermediateId id, const RowExplanation& explanation);
 /// The exact values of one row, separated by spaces.
 QString rowText(const Intermediate& row, const glm::vec4& value);
 

@@ -1,4 +1,5 @@
-// Everything at the probed pixel: its story in words, its neighbors, and the value of every intermediate.
+// Everything at the probed pixel: its explanation in words, its neighbors, and the value of every
+// intermediate.
 #pragma once
 
 #include "app/models/ProbeModel.h"
@@ -72,7 +73,7 @@ class ProbePanel : public QWidget {
   WhatIfPage* whatIf() const { return whatIf_; }
   SensitivityPage* sensitivity() const { return sensitivity_; }
   /// What the selected row tells: what happened, and its formula with the pixel's numbers.
-  QString story() const;
+  QString explanation() const;
   /// How the value of a row was made; empty: not known.
   QString formulaOf(IntermediateId id) const;
   ProbeModel* model() const { return model_; }

@@ -32,7 +32,7 @@ class VerdictChoices : public QObject {
   const VerdictDelivery* verdict() const;
   /// Nothing more is to come of the frame on show.
   bool isComplete() const;
-  /// What mends it, the best first; empty: nothing is known to, or not yet.
+  /// What corrects it, the best first; empty: nothing is known to, or not yet.
   const std::vector<TriedRemedy>& remedies() const;
   /// One step of undo, as if its settings had been set by hand. Expects that there is such a one.
   void apply(std::size_t remedy);

@@ -63,18 +63,18 @@
 #include "app/widgets/bars/ProbeBar.h"
 #include "app/widgets/bars/WorkBar.h"
 #include "app/window/Dialogs.h"
-#include "app/window/FlightFeed.h"
+#include "app/window/FlightPresenter.h"
 #include "app/window/HoverText.h"
-#include "app/window/PlotFeed.h"
-#include "app/window/ProbeFeed.h"
-#include "app/window/SceneFeed.h"
+#include "app/window/PlotPresenter.h"
+#include "app/window/ProbePresenter.h"
+#include "app/window/ScenePresenter.h"
 #include "app/window/Screenshot.h"
-#include "app/window/ViewFeed.h"
+#include "app/window/ViewPresenter.h"
 #include "app/window/WindowFigures.h"
 #include "app/window/WindowState.h"
 #include "app/window/WindowUndo.h"
-#include "app/window/verdict/LineageFeed.h"
-#include "app/window/verdict/VerdictFeed.h"
+#include "app/window/verdict/LineagePresenter.h"
+#include "app/window/verdict/VerdictPresenter.h"
 
 #include <QCloseEvent>
 #include <QDragEnterEvent>
@@ -297,15 +297,15 @@ void MainWindow::makeMenus() {
 }
 
 void MainWindow::makeFeeds() {
-  probeFeed_ = std::make_unique<ProbeFeed>(session_, *views_, *probe_);
-  verdictFeed_ = std::make_unique<VerdictFeed>(session_, *views_, *probe_);
-  plotFeed_ =
-      std::make_unique<PlotFeed>(session_, PlotFeed::Panels{*plots_, *jitter_, *weights_, *timeline_});
+  probePresenter_ = std::make_unique<ProbePresenter>(session_, *views_, *probe_);
+  verdictPresenter_ = std::make_unique<VerdictPresenter>(session_, *views_, *probe_);
+  plotPresenter_ = std::make_unique<PlotPresenter>(
+      session_, PlotPresenter::Panels{*plots_, *jitter_, *weights_, *timeline_});
   plots_->setFormulas([this](IntermediateId id) { return probe_->formulaOf(id); });
-  lineageFeed_ = std::make_unique<LineageFeed>(session_, *lineage_, *views_);
-  sceneFeed_ = std::make_unique<SceneFeed>(session_, *views_, *scene_);
-  flightFeed_ = std::make_unique<FlightFeed>(session_, *flight_, *flightBar_, *messages_);
-  viewFeed_ = std::make_unique<ViewFeed>(session_, *views_, *pipeline_, *statusLine_);
+  lineagePresenter_ = std::make_unique<LineagePresenter>(session_, *lineage_, *views_);
+  scenePresenter_ = std::make_unique<ScenePresenter>(session_, *views_, *scene_);
+  flightPresenter_ = std::make_unique<FlightPresenter>(session_, *flight_, *flightBar_, *messages_);
+  viewPresenter_ = std::make_unique<ViewPresenter>(session_, *views_, *pipeline_, *statusLine_);
   undo_ = std::make_unique<WindowUndo>(session_.undoStack(), *views_, *timeline_);
 }
 
@@ -430,7 +430,7 @@ void MainWindow::showStatus() {
   const Status& status = session_.status();
   timeline_->setStatus(status);
   statusLine_->setStatus(status);
-  plotFeed_->showAlphas();
+  plotPresenter_->showAlphas();
   profiler_->setDriver(status.driver);
   if (session_.isOpen()) {
     views_->setPictureSize({status.width, status.height});

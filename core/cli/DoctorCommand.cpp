@@ -5,8 +5,8 @@
 #include "core/base/Say.h"
 #include "core/cli/Command.h"
 #include "core/cli/Shot.h"
+#include "core/doctor/examination/CorrectedLook.h"
 #include "core/doctor/examination/Doctor.h"
-#include "core/doctor/examination/MendedLook.h"
 #include "core/gl/Context.h"
 #include "core/inspect/UsedShaders.h"
 #include "core/report/doctor/DoctorBaseline.h"
@@ -38,7 +38,7 @@ struct DoctorCommand final : Command {
   int frames = doctor::kDoctorFrames;
   std::string html;                      ///< a file; empty: none is written
   std::string baseline, writtenBaseline; ///< of known findings: read, written; empty: none
-  std::string mended;                    ///< a folder; empty: what is found is not mended
+  std::string corrected;                 ///< a folder; empty: what is found is not corrected
   bool json = false, force = false;
 
   DoctorCommand() : Command("doctor") {
@@ -55,7 +55,7 @@ struct DoctorCommand final : Command {
     add_option("--write-baseline", writtenBaseline,
                "Also write all that is found as such a file, and end with 0");
     add_option(
-        "--mended", mended,
+        "--mended", corrected,
         "Also look at the frames with what was found made right: what is found then, how far both are from "
         "the reference, and in this folder pictures and settings of them, as a preset to compare with");
     addForce(*this, force);
@@ -65,7 +65,7 @@ struct DoctorCommand final : Command {
   int run(std::ostream& out, const Progress& progress) const override;
 };
 
-fs::path mendedPreset(const fs::path& folder) {
+fs::path correctedPreset(const fs::path& folder) {
   return folder / "mended.json";
 }
 
@@ -74,7 +74,7 @@ void refuseFiles(const DoctorCommand& command) {
   std::vector<fs::path> files;
   if (!command.html.empty()) files.emplace_back(command.html);
   if (!command.writtenBaseline.empty()) files.emplace_back(command.writtenBaseline);
-  if (!command.mended.empty()) files.push_back(mendedPreset(command.mended));
+  if (!command.corrected.empty()) files.push_back(correctedPreset(command.corrected));
   if (!command.force) refuseToReplace(files);
 }
 
@@ -103,19 +103,19 @@ Settings healthySettings(const LaneChoice& lane) {
   return healthy;
 }
 
-/// The settings as a preset, and the pictures, given beside mended.
-void writeMended(const doctor::MendedLook& look, const fs::path& folder) {
+/// The settings as a preset, and the pictures, given beside corrected.
+void writeCorrected(const doctor::CorrectedLook& look, const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw Error(say<"cannot make the folder %1: %2">(folder.string(), error.message()));
-  if (look.mended.findings.empty()) return;
-  Preset row{"mended", "Mended", "", 0, "Makes right what the doctor found.", look.mended.settings};
-  writeFile(mendedPreset(folder), presetToText(row));
-  for (const doctor::MendedPicture& picture : look.pictures) {
+  if (look.corrected.findings.empty()) return;
+  Preset row{"mended", "Mended", "", 0, "Makes right what the doctor found.", look.corrected.settings};
+  writeFile(correctedPreset(folder), presetToText(row));
+  for (const doctor::CorrectedPicture& picture : look.pictures) {
     const std::string name =
         "finding" + std::to_string(picture.finding + 1) + "-frame" + std::to_string(picture.frame);
     writeFile(folder / (name + "-given.png"), pngOfShown(picture.given));
-    writeFile(folder / (name + "-mended.png"), pngOfShown(picture.mended));
+    writeFile(folder / (name + "-mended.png"), pngOfShown(picture.corrected));
   }
 }
 
@@ -132,10 +132,10 @@ int DoctorCommand::run(std::ostream& out, const Progress& progress) const {
   doctor::DoctorSource source = openedSource(plan, progress);
   const LaneChoice& lane = plan.lanes.front();
   doctor::Diagnosis diagnosis = doctor::examine(doctor::examinationOf(source, frames), progress);
-  std::optional<doctor::MendedLook> look;
-  if (!mended.empty() && !diagnosis.isHealthy()) {
-    look = doctor::lookAtMended(source, diagnosis, lane.settings, healthySettings(lane), progress);
-    writeMended(*look, mended);
+  std::optional<doctor::CorrectedLook> look;
+  if (!corrected.empty() && !diagnosis.isHealthy()) {
+    look = doctor::lookAtCorrected(source, diagnosis, lane.settings, healthySettings(lane), progress);
+    writeCorrected(*look, corrected);
   }
   if (!writtenBaseline.empty()) {
     known = baselineOf(diagnosis);
@@ -145,11 +145,11 @@ int DoctorCommand::run(std::ostream& out, const Progress& progress) const {
   if (!html.empty()) writeFile(html, doctorHtml(diagnosis, plan.source, look ? &*look : nullptr));
   if (json) {
     nlohmann::ordered_json result = doctorJson(diagnosis, plan.source);
-    if (look) result["mended"] = mendedJson(*look, diagnosis, lane.settings);
+    if (look) result["mended"] = correctedJson(*look, diagnosis, lane.settings);
     print(out, result);
   } else {
     out << doctorText(diagnosis, plan.source);
-    if (look) out << mendedText(*look, diagnosis, lane.settings);
+    if (look) out << correctedText(*look, diagnosis, lane.settings);
   }
   return diagnosis.hasNews() ? kFindings : kDone;
 }

@@ -153,7 +153,7 @@ void printTuned(std::ostream& out, const Tuning& tuning) {
         << shortMetricText(100.0 * worse.rise) << " %\n";
   out << '\n'
       << result.evaluations << " settings measured; "
-      << (result.isComplete ? "no single change is better" : "the search was not at its end") << '\n';
+      << (result.isComplete ? "no single change is better" : "stopped before everything was tried") << '\n';
 }
 
 ordered_json tunedJson(const Inspector& inspector, const Tuning& tuning, const FrameRange& frames) {

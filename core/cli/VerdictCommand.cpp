@@ -23,7 +23,7 @@ struct VerdictCommand final : Command {
   int frame = -1;                ///< −1: that of the session
   int samples = kVerdictSamples; ///< of the references
   int worst = 5;                 ///< pixels of each category and error of the whole picture
-  bool triesRemedies = false;    ///< also what mends it
+  bool triesRemedies = false;    ///< also what corrects it
   bool json = false;
 
   VerdictCommand() : Command("verdict") {

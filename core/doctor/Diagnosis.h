@@ -45,12 +45,12 @@ struct Residual {
   bool isGiven = false, isBest = false;
 };
 
-enum class Sureness : std::uint8_t { Sure, Likely };
+enum class Confidence : std::uint8_t { Sure, Likely };
 
 struct Finding {
   std::string id;   ///< of the table of faults where that has it: "motionNegatedY"
   std::string name; ///< as a heading
-  Sureness sureness = Sureness::Sure;
+  Confidence confidence = Confidence::Sure;
   bool isWholePicture = false; ///< `regions` are those it was measured in
   std::vector<RegionPlace> regions;
   std::string reason;              ///< a sentence: what it rests on
@@ -60,7 +60,7 @@ struct Finding {
   std::string change;              ///< sentences: what to change, in the engine's own convention
   /// Settings that make frames right, "fault.motionY=-1", what is wrong being no fault that they inject;
   /// empty: none do.
-  std::vector<std::string> mending;
+  std::vector<std::string> correction;
   std::vector<std::string> alike; ///< ids of what these frames do not tell it from
   bool isKnown = false;           ///< by a baseline: it is no news
 };

@@ -1,7 +1,7 @@
 #include "core/inspect/DriverCheck.h"
 
 #include "core/base/Say.h"
-#include "core/gl/Turn.h"
+#include "core/gl/ContextLock.h"
 #include "core/inspect/Inspector.h"
 #include "core/settings/Presets.h"
 
@@ -38,7 +38,7 @@ void verifyPresets(Inspector& inspector, int first, int last, FrameVerifier& ver
 }
 
 DriverCheck checkDriver(const Progress& progress) {
-  gl::Turn turn;
+  gl::ContextLock turn;
   const Progress passing = turn.passing(progress);
   Inspector inspector;
   inspector.shot().setSize(kDriverCheckWidth, kDriverCheckHeight);

@@ -1,7 +1,7 @@
 #include "core/inspect/ExaminedShot.h"
 
 #include "core/gl/Context.h"
-#include "core/gl/Turn.h"
+#include "core/gl/ContextLock.h"
 #include "core/inspect/UsedShaders.h"
 
 #include <memory>
@@ -29,13 +29,13 @@ doctor::DoctorSource openedForDoctor(const SessionFile& shot, const Progress& pr
 
 doctor::Diagnosis examineShot(const ExaminationRequest& request, const doctor::DiagnosisTold& told,
                               const Progress& progress) {
-  gl::Turn turn;
+  gl::ContextLock turn;
   const UsedShaders shaders; // before the context: everything is compiled from them
   const gl::Context context;
   doctor::Examination examination = doctor::examinationOf(
       openedForDoctor(request.shot, turn.passing(progress)), request.frames, request.first);
   examination.read = [draw = std::exchange(examination.read, {})](int frame) {
-    const gl::Turn drawing;
+    const gl::ContextLock drawing;
     return draw(frame);
   };
   doctor::Diagnosis diagnosis;
@@ -43,15 +43,16 @@ doctor::Diagnosis examineShot(const ExaminationRequest& request, const doctor::D
   return diagnosis;
 }
 
-doctor::MendedLook lookAtMendedShot(const ExaminationRequest& request, const doctor::Diagnosis& diagnosis,
-                                    const Settings& healthy, const Progress& progress) {
-  gl::Turn turn;
+doctor::CorrectedLook lookAtCorrectedShot(const ExaminationRequest& request,
+                                          const doctor::Diagnosis& diagnosis, const Settings& healthy,
+                                          const Progress& progress) {
+  gl::ContextLock turn;
   const UsedShaders shaders; // before the context: everything is compiled from them
   const gl::Context context;
   const Progress passing = turn.passing(progress);
   doctor::DoctorSource source = openedForDoctor(request.shot, passing);
-  return doctor::lookAtMended(source, diagnosis, request.shot.settings.settings, healthy, passing,
-                              request.first);
+  return doctor::lookAtCorrected(source, diagnosis, request.shot.settings.settings, healthy, passing,
+                                 request.first);
 }
 
 } // namespace taa

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/Progress.h"
+#include "core/doctor/examination/CorrectedLook.h"
 #include "core/doctor/examination/Doctor.h"
-#include "core/doctor/examination/MendedLook.h"
 #include "core/io/SessionFile.h"
 
 namespace taa {
@@ -18,9 +18,10 @@ struct ExaminationRequest {
 doctor::Diagnosis examineShot(const ExaminationRequest& request, const doctor::DiagnosisTold& told,
                               const Progress& progress);
 
-/// The frames of a diagnosis of the request's, with what can be made right made so. `healthy`: see mended().
-/// With a GL context of its own, as above. Throws Error, Cancelled.
-doctor::MendedLook lookAtMendedShot(const ExaminationRequest& request, const doctor::Diagnosis& diagnosis,
-                                    const Settings& healthy, const Progress& progress);
+/// The frames of a diagnosis of the request's, with what can be made right made so. `healthy`: see
+/// corrected(). With a GL context of its own, as above. Throws Error, Cancelled.
+doctor::CorrectedLook lookAtCorrectedShot(const ExaminationRequest& request,
+                                          const doctor::Diagnosis& diagnosis, const Settings& healthy,
+                                          const Progress& progress);
 
 } // namespace taa

@@ -2,7 +2,7 @@
 
 #include "core/base/Light.h"
 #include "core/base/Median.h"
-#include "core/gl/Turn.h"
+#include "core/gl/ContextLock.h"
 #include "core/inspect/Inspector.h"
 #include "core/inspect/OpenedShot.h"
 
@@ -21,7 +21,7 @@ float lumaChangeAt(const SensitivityMap& map, int x, int y) {
 } // namespace
 
 SensitivityMap mapShot(const MapRequest& request, const Progress& progress) {
-  gl::Turn turn;
+  gl::ContextLock turn;
   const Progress passing = turn.passing(progress);
   Inspector inspector;
   inspector.shot().setSettings(request.shot.settings.settings);

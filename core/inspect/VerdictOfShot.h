@@ -1,4 +1,4 @@
-// Verdicts on pixels of the frame on show, and of others, and what mends them.
+// Verdicts on pixels of the frame on show, and of others, and what corrects them.
 #pragma once
 
 #include "core/base/Progress.h"
@@ -82,7 +82,7 @@ class VerdictOfShot {
   /// frame, or where a capture has no reference; Cancelled. Where the reference is not certain enough for
   /// what is concluded, it is drawn with four times the samples, and again.
   VerdictAnswer of(const VerdictQuestion& question, const Progress& progress = {});
-  /// Tries what may mend it, and measures the best ones as the program would show them. As of().
+  /// Tries what may correct it, and measures the best ones as the program would show them. As of().
   RemedyAnswer remedies(const VerdictQuestion& question, const VerdictAnswer& answer,
                         const Progress& progress = {});
   /// Of these first what they do for the pixel, about: each remedy's frames are resolved from where the
@@ -91,8 +91,8 @@ class VerdictOfShot {
   RemedyAnswer triedRemedies(const VerdictQuestion& question, const VerdictAnswer& answer,
                              RemedySearch& search, const Progress& progress);
   /// And then, of whole pictures that are resolved from where history starts, how it is and what the best
-  /// ones make of it: fills in the pictures of `remedies`, and the pixel exactly. What does not mend it after
-  /// all is left out, and where one costs the picture the next best is measured as well. Likewise.
+  /// ones make of it: fills in the pictures of `remedies`, and the pixel exactly. What does not correct it
+  /// after all is left out, and where one costs the picture the next best is measured as well. Likewise.
   void measurePictures(const VerdictQuestion& question, const VerdictAnswer& answer, RemedyAnswer& remedies,
                        RemedySearch& search, const Progress& progress);
 

@@ -1,7 +1,7 @@
 #include "core/jobs/RenderThread.h"
 
 #include "core/base/ShownText.h"
-#include "core/gl/Turn.h"
+#include "core/gl/ContextLock.h"
 #include "core/jobs/Scheduler.h"
 #include "core/requests/RequestQueue.h"
 #include "core/requests/WaitingRequests.h"
@@ -60,7 +60,7 @@ void RenderThread::Impl::run() {
 }
 
 void RenderThread::Impl::runScheduler() {
-  gl::Turn turn;
+  gl::ContextLock turn;
   Scheduler scheduler(listener, waiting, now);
   scheduler.deliver();
   const auto takeNext = [&](const Scheduler::Agenda& agenda) {

@@ -23,12 +23,12 @@ void tellPart(Part& part, const Asked& asked) {
 
 } // namespace
 
-Scheduler::Scheduler(const Listener& listener, const WaitingRequests& waiting, Desk::ClockNow now)
-    : desk_(listener, waiting, std::move(now)) {}
+Scheduler::Scheduler(const Listener& listener, const WaitingRequests& waiting, JobContext::ClockNow now)
+    : jobContext_(listener, waiting, std::move(now)) {}
 
 void Scheduler::takeUp(RequestQueue requests) {
   for (const PostedRequest& posted : requests.waiting())
-    desk_.noteTaken(ruleOf(posted.request).kind, posted.id);
+    jobContext_.noteTaken(ruleOf(posted.request).kind, posted.id);
   for (const Turn turn : kTurns) takeTurn(requests, turn);
   for (Job* job : jobs()) job->settle();
 }
@@ -74,7 +74,7 @@ Scheduler::Agenda Scheduler::agenda() {
 void Scheduler::deliver() {
   status_.deliverBefore();
   shaders_.deliver();
-  if (desk_.isOpen()) {
+  if (jobContext_.isOpen()) {
     views_.deliver();
     probes_.deliver();
     metrics_.deliver();

@@ -2,10 +2,10 @@
 // what has changed is delivered.
 #pragma once
 
-#include "core/jobs/desk/Desk.h"
-#include "core/jobs/desk/Job.h"
-#include "core/jobs/desk/Transport.h"
-#include "core/jobs/desk/Wanted.h"
+#include "core/jobs/context/Job.h"
+#include "core/jobs/context/JobContext.h"
+#include "core/jobs/context/Subscriptions.h"
+#include "core/jobs/context/Transport.h"
 #include "core/jobs/idle/Comparing.h"
 #include "core/jobs/idle/CompilingAhead.h"
 #include "core/jobs/idle/FollowingSamples.h"
@@ -18,10 +18,10 @@
 #include "core/jobs/idle/Traces.h"
 #include "core/jobs/shot/CameraFlight.h"
 #include "core/jobs/shot/Exporting.h"
-#include "core/jobs/shot/Goal.h"
 #include "core/jobs/shot/Play.h"
 #include "core/jobs/shot/Previews.h"
 #include "core/jobs/shot/Replay.h"
+#include "core/jobs/shot/SeekTarget.h"
 #include "core/jobs/shot/Shaders.h"
 #include "core/jobs/shot/ShotChanges.h"
 #include "core/jobs/shown/ShownObjects.h"
@@ -51,7 +51,7 @@ class Scheduler {
   };
 
   /// `now` is the clock of whoever flies the camera. Throws Error when there is no GL.
-  Scheduler(const Listener& listener, const WaitingRequests& waiting, Desk::ClockNow now);
+  Scheduler(const Listener& listener, const WaitingRequests& waiting, JobContext::ClockNow now);
 
   void takeUp(RequestQueue requests);
   Agenda agenda();
@@ -74,33 +74,33 @@ class Scheduler {
                                 &idleTraces_});
   }
 
-  Desk desk_;
-  Transport transport_{desk_};
-  Goal goal_;
-  Wanted wanted_;
-  CameraFlight flight_{desk_, transport_, goal_};
-  Previews previews_{desk_, wanted_};
-  ShotChanges changes_{desk_, flight_, goal_, previews_};
-  Replay replay_{desk_, transport_, goal_, flight_};
-  Play play_{desk_, transport_, goal_, flight_};
-  Shaders shaders_{desk_};
-  Exporting exporting_{desk_};
-  StageCosting costing_{desk_};
-  CompilingAhead compiling_{desk_, transport_};
-  ThumbnailDrawing thumbnails_{desk_, transport_};
-  Traces traces_{desk_, transport_, wanted_};
+  JobContext jobContext_;
+  Transport transport_{jobContext_};
+  SeekTarget seekTarget_;
+  Subscriptions subscriptions_;
+  CameraFlight flight_{jobContext_, transport_, seekTarget_};
+  Previews previews_{jobContext_, subscriptions_};
+  ShotChanges changes_{jobContext_, flight_, seekTarget_, previews_};
+  Replay replay_{jobContext_, transport_, seekTarget_, flight_};
+  Play play_{jobContext_, transport_, seekTarget_, flight_};
+  Shaders shaders_{jobContext_};
+  Exporting exporting_{jobContext_};
+  StageCosting costing_{jobContext_};
+  CompilingAhead compiling_{jobContext_, transport_};
+  ThumbnailDrawing thumbnails_{jobContext_, transport_};
+  Traces traces_{jobContext_, transport_, subscriptions_};
   TracesInIdleTime idleTraces_{traces_};
-  FollowingSamples lineage_{desk_, transport_, wanted_};
-  ReferenceDrawing reference_{desk_, transport_, wanted_};
-  MeasuringOverTime overTime_{desk_, transport_, wanted_};
-  PixelJudging judging_{desk_, transport_};
-  MetricMeasuring metrics_{desk_, transport_, wanted_, thumbnails_};
-  ShownViews views_{desk_, wanted_};
-  Comparing comparing_{desk_, transport_, wanted_};
-  ShownProbes probes_{desk_, wanted_, traces_, judging_};
-  ShownObjects objects_{desk_, transport_, goal_};
-  ShownWorst worst_{desk_, wanted_};
-  ShownStatus status_{desk_, transport_, goal_, flight_, changes_, wanted_};
+  FollowingSamples lineage_{jobContext_, transport_, subscriptions_};
+  ReferenceDrawing reference_{jobContext_, transport_, subscriptions_};
+  MeasuringOverTime overTime_{jobContext_, transport_, subscriptions_};
+  PixelJudging judging_{jobContext_, transport_};
+  MetricMeasuring metrics_{jobContext_, transport_, subscriptions_, thumbnails_};
+  ShownViews views_{jobContext_, subscriptions_};
+  Comparing comparing_{jobContext_, transport_, subscriptions_};
+  ShownProbes probes_{jobContext_, subscriptions_, traces_, judging_};
+  ShownObjects objects_{jobContext_, transport_, seekTarget_};
+  ShownWorst worst_{jobContext_, subscriptions_};
+  ShownStatus status_{jobContext_, transport_, seekTarget_, flight_, changes_, subscriptions_};
 };
 
 } // namespace taa

@@ -1,11 +1,11 @@
 #include "core/lessons/LessonNumbers.h"
 
 #include "core/base/Say.h"
+#include "core/explanation/RowFormatter.h"
 #include "core/inspect/Inspector.h"
 #include "core/lessons/StateMeasurer.h"
 #include "core/settings/AssignmentWords.h"
 #include "core/settings/Parameters.h"
-#include "core/story/StoryText.h"
 #include "core/taa/ChannelNames.h"
 
 #include <algorithm>

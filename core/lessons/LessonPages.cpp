@@ -115,8 +115,8 @@ void markPixel(Picture& picture, const ViewTransform& transform, glm::ivec2 pixe
     const glm::ivec2 first = glm::ivec2(low) - grow - 1, last = glm::ivec2(low + transform.zoom) + grow;
     for (int y = first.y; y <= last.y; ++y)
       for (int x = first.x; x <= last.x; ++x) {
-        const bool isRim = x == first.x || x == last.x || y == first.y || y == last.y;
-        if (!isRim || x < 0 || y < 0 || x >= picture.width || y >= picture.height) continue;
+        const bool isSilhouette = x == first.x || x == last.x || y == first.y || y == last.y;
+        if (!isSilhouette || x < 0 || y < 0 || x >= picture.width || y >= picture.height) continue;
         std::uint8_t* at = picture.rgba.data() + 4 * (static_cast<std::size_t>(y) * picture.width + x);
         std::fill_n(at, 3, level);
         at[3] = 255;

@@ -190,7 +190,7 @@ bool isHidden(const ProbeSpot& spot, const SurfaceAnchor& anchor, const SeenSurf
   constexpr float kSameSurface = 0.01f; // relative; a pixel's slope and the rounding of depth
   if (spot.state != ProbeState::Seen || drawn.object == 0) return false; // nothing is behind the sky
   if (anchor.object == 0) return true;
-  // Its own object may bend over it, too, but at its rim depth changes within a pixel.
+  // Its own object may bend over it, too, but at its silhouette depth changes within a pixel.
   const float margin = drawn.object == anchor.object ? 5.0f * kSameSurface : kSameSurface;
   return drawnViewDepth < spot.viewDepth * (1.0f - margin);
 }

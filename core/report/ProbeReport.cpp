@@ -2,8 +2,8 @@
 
 #include "core/base/NumberText.h"
 #include "core/base/Say.h"
+#include "core/explanation/ProbeHeadline.h"
 #include "core/io/FrameJson.h"
-#include "core/story/ProbeHeadline.h"
 #include "core/taa/ChannelNames.h"
 #include "core/taa/twin/Known.h"
 
@@ -110,21 +110,21 @@ std::string bulletList(const std::vector<std::string>& lines) {
 }
 
 /// What the window tells of a row; nothing without details.
-RowStory laneStory(const ProbedLane& lane, const glm::ivec2& pixel, IntermediateId id) {
+RowExplanation laneExplanation(const ProbedLane& lane, const glm::ivec2& pixel, IntermediateId id) {
   if (!lane.details) return {};
-  return taa::storyOf(id, {lane.record, *lane.details, lane.lane.settings, lane.lane.info, pixel}, 4,
-                      lane.depth);
+  return taa::explanationOf(id, {lane.record, *lane.details, lane.lane.settings, lane.lane.info, pixel}, 4,
+                            lane.depth);
 }
 
 /// "R: half(0.5) = 0.5"
-std::string formulaText(const RowStory& story) {
-  return (story.subject.empty() ? "" : story.subject + ": ") + story.formula;
+std::string formulaText(const RowExplanation& explanation) {
+  return (explanation.subject.empty() ? "" : explanation.subject + ": ") + explanation.formula;
 }
 
 /// Words and formula as lines below a row.
-std::string storyLines(const RowStory& story, const std::string& indent) {
+std::string explanationLines(const RowExplanation& explanation, const std::string& indent) {
   std::string text;
-  for (const std::string& line : {story.words, formulaText(story), becauseText(story)})
+  for (const std::string& line : {explanation.words, formulaText(explanation), becauseText(explanation)})
     if (!line.empty()) text += indent + line + "\n";
   return text;
 }
@@ -138,16 +138,16 @@ std::vector<std::string> headlineOf(const ProbedLane& lane) {
   return probeHeadline(lane.record, lane.lane.settings, lane.lane.info);
 }
 
-ordered_json storiesJson(const ProbedLane& lane, const glm::ivec2& pixel) {
+ordered_json explanationsJson(const ProbedLane& lane, const glm::ivec2& pixel) {
   ordered_json json;
   for (const Intermediate& row : kIntermediates) {
-    const RowStory story = laneStory(lane, pixel, row.id);
-    ordered_json& told = json[std::string(row.name)] = {{"words", story.words}};
+    const RowExplanation explanation = laneExplanation(lane, pixel, row.id);
+    ordered_json& told = json[std::string(row.name)] = {{"words", explanation.words}};
     if (const std::string meaning = meaningOf(row.id, lane.record, lane.lane.settings); !meaning.empty())
       told["meaning"] = meaning;
-    if (!story.formula.empty()) told["formula"] = story.formula;
-    if (!story.subject.empty()) told["of"] = story.subject;
-    if (!story.because.empty()) told["because"] = story.because;
+    if (!explanation.formula.empty()) told["formula"] = explanation.formula;
+    if (!explanation.subject.empty()) told["of"] = explanation.subject;
+    if (!explanation.because.empty()) told["because"] = explanation.because;
   }
   return json;
 }
@@ -215,7 +215,7 @@ ordered_json probeJson(const ProbeReport& report) {
     ordered_json row = laneJson(lane.lane);
     row["headline"] = headlineOf(lane);
     row["values"] = recordJson(lane.record, lane.lane.settings.space);
-    if (lane.details) row["stories"] = storiesJson(lane, report.pixel);
+    if (lane.details) row["stories"] = explanationsJson(lane, report.pixel);
     if (lane.compared) row["compared"] = comparedJson(report.comparison, lane);
     for (const WhatIfRow& variant : lane.whatIf) row["whatIf"].push_back(whatIfJson(variant));
     for (const Sensitivity& each : lane.sensitivities) row["sensitivity"].push_back(sensitivityJson(each));
@@ -234,7 +234,7 @@ std::string probeText(const ProbeReport& report) {
       text += std::string(row.name) + " " + valuesText(row, lane.record, " ");
       if (!row.unit.empty()) text += " " + std::string(row.unit);
       text += "\n" + comparedLine(lane, row.id, "  ");
-      text += storyLines(laneStory(lane, report.pixel, row.id), "  ");
+      text += explanationLines(laneExplanation(lane, report.pixel, row.id), "  ");
     });
   }
   return text;
@@ -253,7 +253,7 @@ std::string probeTable(const ProbedLane& lane, const glm::ivec2& pixel) {
       text += "  " + std::string(row.label) + "  " + valuesText(row, lane.record, "  ");
       if (!row.unit.empty()) text += " " + std::string(row.unit);
       text += "\n" + comparedLine(lane, row.id, "      ");
-      text += storyLines(laneStory(lane, pixel, row.id), "      ");
+      text += explanationLines(laneExplanation(lane, pixel, row.id), "      ");
     }
   }
   return text;
@@ -268,7 +268,7 @@ std::string probeMarkdown(const ProbeReport& report) {
     forEachRow([&](const StageInfo& stage, const Intermediate& row, bool isFirst) {
       text += "| " + std::string(isFirst ? stage.label : "") + " | " + std::string(row.label) + " | " +
               valuesText(row, lane.record, ", ") + " | " + std::string(row.unit) + " | " +
-              inMarkdown(laneStory(lane, report.pixel, row.id).words) + " |\n";
+              inMarkdown(laneExplanation(lane, report.pixel, row.id).words) + " |\n";
     });
   }
   return text;

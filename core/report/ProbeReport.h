@@ -2,13 +2,13 @@
 // taa-batch and from the window.
 #pragma once
 
+#include "core/explanation/RowExplanation.h"
 #include "core/inspect/Comparison.h"
 #include "core/measure/compare/ComparedPixel.h"
 #include "core/probe/Sensitivity.h"
 #include "core/probe/WhatIf.h"
 #include "core/render/FrameInputs.h"
 #include "core/settings/Settings.h"
-#include "core/story/ProbeStory.h"
 #include "core/taa/twin/Details.h"
 #include "core/taa/twin/Twin.h"
 
@@ -43,9 +43,9 @@ struct ProbedLane {
   twin::PixelRecord record{};
   std::vector<WhatIfRow> whatIf{};                ///< empty: not asked for
   std::vector<Sensitivity> sensitivities{};       ///< likewise
-  std::shared_ptr<const twin::Details> details{}; ///< what stories are made from; null: none are told
+  std::shared_ptr<const twin::Details> details{}; ///< what explanations are made from; null: none are told
   std::optional<ComparedPixel> compared{};        ///< the other side; nothing: there is none
-  FormulaDepth depth = FormulaDepth::Rows;        ///< of stories
+  FormulaDepth depth = FormulaDepth::Rows;        ///< of explanations
 };
 struct ProbeReport {
   ShotFacts shot;

@@ -304,7 +304,7 @@ struct SetLineage {
 };
 
 /// The verdict on the active probe's pixel in each exact frame on show, of the first lane, and after that
-/// what mends it: both are made while nothing plays and nothing else is to be done.
+/// what corrects it: both are made while nothing plays and nothing else is to be done.
 struct SetVerdicts {
   bool on = false;
   static constexpr RequestRule kRule{.kind = RequestKind::Verdicts};

@@ -156,7 +156,7 @@ struct LineageDelivery {
 };
 
 /// What is wrong with a probe's pixel. It comes once with the verdict, where something is wrong once more
-/// with what mends it, and where something does a third time with what that costs the picture.
+/// with what corrects it, and where something does a third time with what that costs the picture.
 struct VerdictDelivery {
   int frame = 0;
   glm::ivec2 pixel{0};

@@ -58,8 +58,8 @@ TriangleGroups::TriangleGroups(const Primitive& primitive, const Wind& wind)
     : triangles_(primitive.indices.size() / 3) {
   assert(primitive.topology == Topology::Triangles);
   std::iota(triangles_.begin(), triangles_.end(), 0u);
-  std::vector<glm::vec3> middles;
-  for (const std::uint32_t triangle : triangles_) middles.push_back(middleOf(primitive, triangle));
+  std::vector<glm::vec3> centroids;
+  for (const std::uint32_t triangle : triangles_) centroids.push_back(middleOf(primitive, triangle));
   std::vector<std::pair<std::size_t, std::size_t>> waiting{{0, triangles_.size()}}; // first and count
   while (!waiting.empty()) {
     const auto [first, count] = waiting.back();
@@ -72,11 +72,11 @@ TriangleGroups::TriangleGroups(const Primitive& primitive, const Wind& wind)
       continue;
     }
     Bounds spread;
-    for (const std::uint32_t triangle : own) spread.add(middles[triangle]);
+    for (const std::uint32_t triangle : own) spread.add(centroids[triangle]);
     const int axis = longestAxis(spread);
     const std::size_t half = count / 2;
     std::ranges::nth_element(own, own.begin() + static_cast<std::ptrdiff_t>(half), {},
-                             [&](std::uint32_t triangle) { return middles[triangle][axis]; });
+                             [&](std::uint32_t triangle) { return centroids[triangle][axis]; });
     waiting.emplace_back(first, half);
     waiting.emplace_back(first + half, count - half);
   }

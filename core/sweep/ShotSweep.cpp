@@ -3,7 +3,7 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/capture/source/Capture.h"
-#include "core/gl/Turn.h"
+#include "core/gl/ContextLock.h"
 #include "core/inspect/Inspector.h"
 #include "core/inspect/OpenedShot.h"
 #include "core/scene/builtin/SceneSource.h"
@@ -39,7 +39,7 @@ void sweepShots(const ShotSweepRequest& request, const SettingsMeasured& measure
   const Progress tell = [&](std::string_view, int, int) {
     return !progress || progress(say<"Measuring settings">(), done, total);
   };
-  gl::Turn turn;
+  gl::ContextLock turn;
   const Progress between = turn.passing(tell);
   std::unique_ptr<Inspector> inspector;
   for (std::size_t index = 0; index < request.count(); ++index) {

@@ -84,23 +84,23 @@ inline constexpr MadeOf kOfParts{.isReference = true, .overTime = OverTime::Part
       "Pixels of the last frame whose surface lies here now, render px: 0 a hole of forward reprojection, "  \
       "2 and more a collision; −1 where inputs.forward is off or frames do not say it.")                     \
   ROW(dilatedOffset, "Dilated offset", DilateMotion, 2, "px", -1, 1, Vector,                                 \
-      "Step to the neighbor whose motion is used, render px.")                                               \
+      "Which neighbor lends its motion: the step to it, in render px; (0, 0) is the pixel itself.")          \
   ROW(dilatedDepth, "Dilated depth", DilateMotion, 1, "", 0, 1, Depth, "Device depth of that neighbor.")     \
   ROW(dilatedMotion, "Dilated motion", DilateMotion, 2, "px", -16, 16, Vector,                               \
       "Motion of that neighbor, from here on in px of the picture.")                                         \
   ROW(historyPosition, "History position", Reproject, 2, "px", 0, 0, Position,                               \
-      "Where this pixel was in the previous frame: pixel center minus dilated motion.")                      \
+      "Where this pixel was in the previous frame: the pixel center minus the dilated motion.")              \
   ROW(onScreen, "On screen", Reproject, 1, "", 0, 1, Mask,                                                   \
-      "1 where the history position lies inside the picture.")                                               \
+      "Whether history can exist there: 1 where the history position lies inside the picture.")              \
   ROW(speed, "Speed", Reproject, 1, "px", 0, 16, Scalar, "Length of the dilated motion.")                    \
   ROW(historyRaw, "History", SampleHistory, 3, "", 0, 1, Color,                                              \
-      "The accumulated color at the history position.")                                                      \
+      "The accumulated color, read at the history position before anything is done to it.")                  \
   ROW(historyRawLength, "History length before", SampleHistory, 1, "frames", 0, 20, Scalar,                  \
-      "N at the history position: how many frames' worth of samples it holds.")                              \
+      "How many frames of samples history holds there (N).")                                                 \
   ROW(depthEdge, "Depth edge", SampleHistory, 1, "", 0, 1, Mask,                                             \
       "1 where history was read by one bilinear tap because of an edge in depth; 0 when off.")               \
   ROW(currentFiltered, "Current filtered", FilterCurrent, 3, "", 0, 1, Color,                                \
-      "This frame's color at the pixel's center.")                                                           \
+      "This frame's color, filtered to the pixel's center.")                                                 \
   ROW(sampleConfidence, "κ", FilterCurrent, 1, "", 0, 1, Scalar,                                             \
       "How much this frame's samples say about the pixel, a factor on α; 1 when drawn at full size.")        \
   ROW(neighborhoodMean, "Mean", Neighborhood, 3, "", 0, 1, Box, "Mean of the neighborhood, box space.")      \
@@ -109,18 +109,22 @@ inline constexpr MadeOf kOfParts{.isReference = true, .overTime = OverTime::Part
   ROW(neighborhoodMin, "Minimum", Neighborhood, 3, "", 0, 1, Box, "Smallest of each channel, box space.")    \
   ROW(neighborhoodMax, "Maximum", Neighborhood, 3, "", 0, 1, Box, "Largest of each channel, box space.")     \
   ROW(boxGamma, "γ used", Neighborhood, 1, "σ", 0, 4, Scalar,                                                \
-      "Deviations from the mean to the wall of the box, after motion and contrast.")                         \
-  ROW(boxMin, "Box minimum", Neighborhood, 3, "", 0, 1, Box, "Lower corner of the box history must lie in.") \
-  ROW(boxMax, "Box maximum", Neighborhood, 3, "", 0, 1, Box, "Upper corner of the box history must lie in.") \
+      "How wide the color box is: standard deviations from the mean to its wall, after motion and "          \
+      "contrast.")                                                                                           \
+  ROW(boxMin, "Box minimum", Neighborhood, 3, "", 0, 1, Box,                                                 \
+      "Lower corner of the color box that history is clipped to, box space.")                                \
+  ROW(boxMax, "Box maximum", Neighborhood, 3, "", 0, 1, Box,                                                 \
+      "Upper corner of the color box that history is clipped to, box space.")                                \
   ROW(depthExpected, "Depth expected", ValidateHistory, 1, "m", 0, 20, Depth,                                \
-      "View depth this surface had in the previous frame.")                                                  \
+      "How far away this surface was in the previous frame (view depth).")                                   \
   ROW(historyDepth, "History depth", ValidateHistory, 1, "m", 0, 20, Depth,                                  \
       "Depth stored with the history, the best match of the texels around that are asked; 0: the sky.")      \
   ROW(depthMismatch, "Depth mismatch", ValidateHistory, 1, "", 0, 0.1, Scalar,                               \
       "Relative difference of expected and stored depth, 0 for what is farther where that does not count; "  \
       "the depth test rejects what is above the allowed one.")                                               \
   ROW(depthAllowed, "Depth allowed", ValidateHistory, 1, "", 0, 0.1, Scalar,                                 \
-      "Largest mismatch that still counts as the same surface: the tolerance, and more where it recedes.")   \
+      "How much depth may differ for history to be kept: the tolerance, and more on surfaces that "          \
+      "recede.")                                                                                             \
   ROW(geometricFlicker, "Geometric flicker", ValidateHistory, 1, "", 0, 1, Mask,                             \
       "1 where depth differs at rest because single frames miss a thin feature: history is kept.")           \
   ROW(historyObjectId, "History object id", ValidateHistory, 1, "", 0, 255, Index,                           \
@@ -134,21 +138,25 @@ inline constexpr MadeOf kOfParts{.isReference = true, .overTime = OverTime::Part
       "Why history was rejected: 0 kept, 1 no history, 2 no previous position, 3 off screen, 4 depth, 5 "    \
       "too fast, 6 another object, 7 another class, 8 another normal, 9 another velocity.")                  \
   ROW(historyRectified, "History rectified", RectifyHistory, 3, "", 0, 1, Color,                             \
-      "History after it was pulled into the box.")                                                           \
+      "History after it was clipped to the color box.")                                                      \
   ROW(clipAmount, "Clip amount", RectifyHistory, 1, "", 0, 1, Scalar,                                        \
-      "How far history was pulled towards its target: 0 kept, 1 all the way.")                               \
+      "How far history was moved towards its target: 0 not at all, 1 the whole distance.")                   \
   ROW(rectifyStrength, "Rectify strength", RectifyHistory, 1, "", 0, 1, Scalar,                              \
-      "Part of the correction that is applied.")                                                             \
+      "How much of the correction is applied: 1 is all of it.")                                              \
   ROW(lock, "Lock", RectifyHistory, 1, "", 0, 1, Scalar,                                                     \
       "How much of the correction a lock takes back; 0 when off.")                                           \
   ROW(lockLife, "Lock life", RectifyHistory, 1, "", 0, 2, Scalar,                                            \
-      "2: locked in this frame; less than 1 does nothing, 0: no lock.")                                      \
+      "How long the lock still lasts: 2 when it was set in this frame, below 1 it does nothing, 0 "          \
+      "is no lock.")                                                                                         \
   ROW(instability, "Luma instability", RectifyHistory, 1, "", 0, 1, Mask,                                    \
       "1 where luma comes and goes, which takes back all of the correction; 0 when off.")                    \
   ROW(historyKeptLength, "History length kept", RectifyHistory, 1, "frames", 0, 20, Scalar,                  \
-      "N after rectification: less than before only where that forgets.")                                    \
-  ROW(alphaBase, "α base", BlendWeight, 1, "", 0, 1, Scalar, "α of the chosen source.")                      \
-  ROW(alphaFloor, "α floor", BlendWeight, 1, "", 0, 1, Scalar, "The least α may be.")                        \
+      "How many frames of samples are left after rectification (N); less than before only where "            \
+      "it forgets.")                                                                                         \
+  ROW(alphaBase, "α base", BlendWeight, 1, "", 0, 1, Scalar,                                                 \
+      "How much this frame counts by the chosen source alone, before any other term.")                       \
+  ROW(alphaFloor, "α floor", BlendWeight, 1, "", 0, 1, Scalar,                                               \
+      "The smallest α that the terms before motion may lead to.")                                            \
   ROW(alphaLumaFlicker, "α damping luma", BlendWeight, 1, "", 0, 1, Scalar,                                  \
       "Factor on α where luma differs from history; 1 when off.")                                            \
   ROW(alphaNearClamp, "α damping clamp", BlendWeight, 1, "", 0, 1, Scalar,                                   \
@@ -171,22 +179,25 @@ inline constexpr MadeOf kOfParts{.isReference = true, .overTime = OverTime::Part
   ROW(alphaMask, "α mask", BlendWeight, 1, "", 0, 1, Scalar,                                                 \
       "The least that the mask asks of α; 0 when off.")                                                      \
   ROW(alphaInvalid, "α invalid", BlendWeight, 1, "", 0, 1, Scalar,                                           \
-      "Least α where history was rejected: 1 where it is dropped, 0 where it was kept.")                     \
+      "How much this frame has to count because history was rejected: 1 drops history, 0 keeps "             \
+      "it.")                                                                                                 \
   ROW(alpha, "α", BlendWeight, 1, "", 0, 1, Scalar,                                                          \
-      "Weight of the current frame: base times the damping factors, at least the floor, what motion adds "   \
-      "joined, for the frame's time, times κ, at least α mask and α invalid.")                               \
+      "How much this frame counts: 0.1 is one tenth, the rest is history. Base times the damping "           \
+      "factors, not below the floor; then motion, frame time and κ; not below α mask and α "              \
+      "invalid.")                                                                                            \
   ROW(alphaChannels, "α of channels", BlendWeight, 3, "", 0, 1, Color,                                       \
-      "Weight of the current frame in red, green and blue: α in each, unless its source has three.")         \
+      "How much this frame counts in red, green and blue: α in each, unless the source of α has "          \
+      "one per channel.")                                                                                    \
   ROW(toneWeightCurrent, "Tone weight current", Blend, 1, "", 0, 1, Scalar,                                  \
       "1/(1+luma) of the current color, 1 without tone weighting.")                                          \
   ROW(toneWeightHistory, "Tone weight history", Blend, 1, "", 0, 1, Scalar,                                  \
       "1/(1+luma) of the rectified history, 1 without tone weighting.")                                      \
   ROW(blendFactor, "Blend factor", Blend, 1, "", 0, 1, Scalar,                                               \
-      "Share of the current color after tone weighting.")                                                    \
+      "How much of the result is this frame, after bright colors were weighed down.")                        \
   ROW(historyLength, "History length", Blend, 1, "frames", 0, 20, Scalar,                                    \
-      "N after this frame: samples' worth of averaging in this pixel.")                                      \
+      "How many frames of samples the pixel holds from now on (N).")                                         \
   ROW(resolved, "Resolved", Blend, 3, "", 0, 1, Color,                                                       \
-      "The output of TAA, which is the next frame's history.")                                               \
+      "The result of TAA for this frame; the next frame reads it as history.")                               \
   ROW(sharpenDetail, "Sharpening", Output, 1, "", -0.1, 0.1, Signed,                                         \
       "Luma that sharpening adds to the resolved color; 0 when off.")                                        \
   ROW(blurTrust, "Blur trust", Output, 1, "", 0, 1, Scalar,                                                  \

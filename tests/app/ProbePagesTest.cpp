@@ -7,7 +7,7 @@
 #include "app/views/plots/SensitivityPage.h"
 #include "app/views/plots/WhatIfPage.h"
 #include "app/widgets/ValueTable.h"
-#include "core/gl/Turn.h"
+#include "core/gl/ContextLock.h"
 #include "core/inspect/Inspector.h"
 #include "core/report/ProbeReport.h"
 #include "tests/app/WindowFixture.h"
@@ -83,8 +83,8 @@ TEST_F(ProbePages, TellWhatHappenedAtTheSelectedRow) {
   ProbePanel* probe = window.probe();
   probe->table()->setCurrentIndex(probe->model()->indexOf(IntermediateId::historyPosition));
   const QString value = QString::number(static_cast<int>(test::FakeRenderer::valueAt(12, 7, 0)));
-  EXPECT_TRUE(probe->story().contains(QStringLiteral("(12.5, 7.5) − (%1, %1) = (%1, %1)").arg(value)))
-      << probe->story().toStdString();
+  EXPECT_TRUE(probe->explanation().contains(QStringLiteral("(12.5, 7.5) − (%1, %1) = (%1, %1)").arg(value)))
+      << probe->explanation().toStdString();
   const QModelIndex index = probe->model()->indexOf(IntermediateId::historyPosition);
   EXPECT_TRUE(
       probe->model()->data(index, Qt::ToolTipRole).toString().contains(QStringLiteral("(12.5, 7.5)")));
@@ -119,7 +119,7 @@ TEST(ProbeReport, OfTheWindowIsThatOfTheCommandLine) {
   window.probeCommands()->copy(ProbeFormat::Json);
   const std::string copied = QApplication::clipboard()->text().toStdString();
   const auto printed = [] {
-    const gl::Turn turn;
+    const gl::ContextLock turn;
     Inspector inspector;
     inspector.shot().setSize(64, 36);
     inspector.shot().open("builtin:fan");

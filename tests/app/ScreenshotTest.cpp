@@ -5,7 +5,7 @@
 #include "app/panels/ProbePanel.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
-#include "core/gl/Turn.h"
+#include "core/gl/ContextLock.h"
 #include "tests/app/WindowFixture.h"
 #include "tests/support/Paths.h"
 
@@ -174,7 +174,7 @@ TEST(RealWindow, ProbesWhatTheInspectorProbes) {
            session.probes().result()->x == 60;
   }));
 
-  const gl::Turn turn; // the window judges the pixel meanwhile
+  const gl::ContextLock turn; // the window judges the pixel meanwhile
   Inspector inspector;
   inspector.shot().open("builtin:fan");
   inspector.shot().setSize(96, 54);

@@ -71,12 +71,13 @@ TEST_F(JitterProjectionTest, DrawsEachSurfaceWhereTheMatrixPutsIt) {
         for (int y = 0; y < kHeight; ++y)
           for (int x = 0; x < kWidth; ++x) {
             const glm::dvec2 met = glm::abs(metAt(inputs, x, y, z)) / double(half);
-            const double rim = std::max(met.x, met.y);
+            const double silhouette = std::max(met.x, met.y);
             const bool isSeen = ids.at(x, y)[0] != 0.0f;
             seen += isSeen;
             // A hundredth of a pixel on either side is what rasters and float matrices may round.
-            if (std::abs(rim - 1.0) * half < 0.01 * (isOrthographic ? 0.022 : 0.0064 * depth)) continue;
-            ASSERT_EQ(isSeen, rim < 1.0)
+            if (std::abs(silhouette - 1.0) * half < 0.01 * (isOrthographic ? 0.022 : 0.0064 * depth))
+              continue;
+            ASSERT_EQ(isSeen, silhouette < 1.0)
                 << "form " << int(form) << " depth " << depth << " pixel " << x << ", " << y;
           }
         EXPECT_GT(seen, 1000);

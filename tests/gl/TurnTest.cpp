@@ -1,5 +1,5 @@
 // Threads that draw take turns.
-#include "core/gl/Turn.h"
+#include "core/gl/ContextLock.h"
 #include "core/inspect/Inspector.h"
 
 #include <gtest/gtest.h>
@@ -13,12 +13,12 @@
 #include <thread>
 #include <vector>
 
-using taa::gl::Turn;
+using taa::gl::ContextLock;
 
-TEST(Turn, IsOfOneThreadAtATime) {
+TEST(ContextLock, IsOfOneThreadAtATime) {
   std::atomic<int> inside = 0, most = 0;
   const auto draw = [&] {
-    Turn turn;
+    ContextLock turn;
     for (int step = 0; step < 200; ++step) {
       most = std::max<int>(most, ++inside);
       std::this_thread::yield();
@@ -30,15 +30,15 @@ TEST(Turn, IsOfOneThreadAtATime) {
   EXPECT_EQ(most, 1);
 }
 
-TEST(Turn, IsPassedToWhoWaits) {
+TEST(ContextLock, IsPassedToWhoWaits) {
   std::vector<int> order;
   std::atomic<bool> waits = false;
   std::jthread other;
   {
-    Turn turn;
+    ContextLock turn;
     other = std::jthread([&] {
       waits = true;
-      const Turn its;
+      const ContextLock its;
       order.push_back(1);
     });
     while (!waits) std::this_thread::yield();
@@ -51,28 +51,28 @@ TEST(Turn, IsPassedToWhoWaits) {
   EXPECT_EQ(order, (std::vector<int>{0, 1, 2}));
 }
 
-TEST(Turn, IsOthersWhileItsOwnerRests) {
-  Turn turn;
+TEST(ContextLock, IsOthersWhileItsOwnerRests) {
+  ContextLock turn;
   bool hasDrawn = false;
   turn.restDuring([&] {
     std::async(std::launch::async, [&] {
-      const Turn its;
+      const ContextLock its;
       hasDrawn = true;
     }).get();
   });
   EXPECT_TRUE(hasDrawn);
 }
 
-TEST(Turn, ProgressAsksWhoReportsIt) {
-  Turn turn;
+TEST(ContextLock, ProgressAsksWhoReportsIt) {
+  ContextLock turn;
   EXPECT_TRUE(turn.passing({})("", 0, 1));
   EXPECT_FALSE(turn.passing([](std::string_view, int, int) { return false; })("", 0, 1));
 }
 
 // Without turns llvmpipe of Mesa 22 ends the process here.
-TEST(Turn, LetsTwoContextsDraw) {
+TEST(ContextLock, LetsTwoContextsDraw) {
   const auto draw = [] {
-    Turn turn;
+    ContextLock turn;
     taa::Inspector inspector;
     inspector.shot().setSize(96, 54);
     inspector.shot().open("builtin:fan");

@@ -30,7 +30,7 @@ bool isTried(const JudgedLabel& entry) {
   return isFault(entry) && entry.remedy.pixelBefore > 0.0;
 }
 
-bool isMended(const JudgedLabel& entry) {
+bool isCorrected(const JudgedLabel& entry) {
   return !entry.remedy.changes.empty() && entry.remedy.pixelAfter < entry.remedy.pixelBefore;
 }
 
@@ -91,7 +91,7 @@ void addMistakes(std::ostream& out, const std::vector<JudgedLabel>& judged) {
           << labelStagesText({entry.stage}) << " |\n";
 }
 
-void addMended(std::ostream& out, const std::vector<JudgedLabel>& judged) {
+void addCorrected(std::ostream& out, const std::vector<JudgedLabel>& judged) {
   out << "| said | tried | the first lowers the error | it does not | nothing that was tried mends it "
          "|\n|---|---|---|---|---|\n";
   for (const VerdictKindInfo& said : kVerdictKinds) {
@@ -99,18 +99,18 @@ void addMended(std::ostream& out, const std::vector<JudgedLabel>& judged) {
         judged, [&](const JudgedLabel& entry) { return isTried(entry) && entry.label.kind == said.kind; });
     if (tried.empty()) continue;
     const auto all = static_cast<std::ptrdiff_t>(tried.size());
-    const auto mended = std::ranges::count_if(tried, isMended);
+    const auto corrected = std::ranges::count_if(tried, isCorrected);
     const auto none =
         std::ranges::count_if(tried, [](const JudgedLabel& entry) { return entry.remedy.changes.empty(); });
-    out << "| " << said.label << " | " << all << " | " << mended << " | " << all - mended - none << " | "
-        << none << " |\n";
+    out << "| " << said.label << " | " << all << " | " << corrected << " | " << all - corrected - none
+        << " | " << none << " |\n";
   }
 }
 
 void addUnmended(std::ostream& out, const std::vector<JudgedLabel>& judged) {
   out << "| scene | preset | frame | pixel | what is seen | first remedy |\n|---|---|---|---|---|---|\n";
   for (const JudgedLabel& entry : judged) {
-    if (!isTried(entry) || isMended(entry)) continue;
+    if (!isTried(entry) || isCorrected(entry)) continue;
     const bool isTold = !entry.remedy.changes.empty();
     out << labelPlaceCells(entry.label) << (isTold ? "`" + entry.remedy.changes + "`" : "none") << " |\n";
   }
@@ -119,7 +119,7 @@ void addUnmended(std::ostream& out, const std::vector<JudgedLabel>& judged) {
 std::string firstRemediesText(const VerdictShares& shares) {
   if (shares.tried == 0) return "Remedies have not been tried on them.";
   return "Remedies were tried on " + std::to_string(shares.tried) +
-         " of these; the first lowers the pixel's error in " + confusionPercent(shares.mended) + ".";
+         " of these; the first lowers the pixel's error in " + confusionPercent(shares.corrected) + ".";
 }
 
 } // namespace
@@ -135,7 +135,7 @@ VerdictShares sharesRight(const std::vector<JudgedLabel>& judged) {
   shares.faultsStage = shareOf(faults, isStageRight);
   const std::vector<JudgedLabel> tried = labelsWhere(judged, isTried);
   shares.tried = tried.size();
-  shares.mended = shareOf(tried, isMended);
+  shares.corrected = shareOf(tried, isCorrected);
   return shares;
 }
 
@@ -155,7 +155,7 @@ std::string confusionsText(const std::vector<JudgedLabel>& judged) {
   if (shares.tried == 0) return out.str();
   out << "\n## What the first remedy does\n\nThe error is that of the frame itself, with the shot resolved "
          "from its start with the remedy.\n\n";
-  addMended(out, judged);
+  addCorrected(out, judged);
   out << "\n## Where the first remedy does not lower the error\n\n";
   addUnmended(out, judged);
   return out.str();

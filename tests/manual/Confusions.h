@@ -14,8 +14,8 @@ struct VerdictShares {
   double kind = 0.0, stage = 0.0;
   // Of the labels that have something wrong.
   double faultsKind = 0.0, faultsStage = 0.0;
-  std::size_t tried = 0; ///< faults on which remedies were tried
-  double mended = 0.0;   ///< of these, whose first remedy lowers the pixel's error
+  std::size_t tried = 0;  ///< faults on which remedies were tried
+  double corrected = 0.0; ///< of these, whose first remedy lowers the pixel's error
 };
 
 VerdictShares sharesRight(const std::vector<JudgedLabel>& judged);

@@ -26,9 +26,9 @@ Image filled(int channels, Value value) {
 
 twin::Inputs exampleInputs() {
   const auto same = [](const glm::vec4& value) { return [value](int, int) { return value; }; };
-  const auto colorAt = [](float rim) {
-    return [rim](int x, int y) {
-      const float light = static_cast<float>(x) < rim ? 0.75f : 0.125f;
+  const auto colorAt = [](float silhouette) {
+    return [silhouette](int x, int y) {
+      const float light = static_cast<float>(x) < silhouette ? 0.75f : 0.125f;
       return glm::vec4(light, 0.5f * light + 0.0625f * static_cast<float>(y), 0.25f * light, 1.0f);
     };
   };
@@ -60,8 +60,9 @@ std::vector<ExampleRow> exampleRows() {
   std::vector<ExampleRow> rows;
   for (const Intermediate& row : kResolveRows) {
     if (isOfOutput(row.id)) continue;
-    RowStory story = storyOf(row.id, {record, details, settings, {}, kMiddle});
-    if (!story.formula.empty() || !story.because.empty()) rows.push_back({row.id, std::move(story)});
+    RowExplanation explanation = explanationOf(row.id, {record, details, settings, {}, kMiddle});
+    if (!explanation.formula.empty() || !explanation.because.empty())
+      rows.push_back({row.id, std::move(explanation)});
   }
   return rows;
 }

@@ -1,7 +1,7 @@
 // A pixel by hand, for pages that show how its values are made.
 #pragma once
 
-#include "core/story/ProbeStory.h"
+#include "core/explanation/RowExplanation.h"
 #include "core/taa/Intermediates.h"
 
 #include <vector>
@@ -10,10 +10,10 @@ namespace taa {
 
 struct ExampleRow {
   IntermediateId id;
-  RowStory story;
+  RowExplanation explanation;
 };
 
-/// By `balanced`, of rows that have a formula: the rim of something bright that moves by a pixel and a
+/// By `balanced`, of rows that have a formula: the silhouette of something bright that moves by a pixel and a
 /// quarter.
 std::vector<ExampleRow> exampleRows();
 

@@ -229,10 +229,10 @@ ManualPage intermediatesPage() {
       "rim of something bright that moves: what changes nothing is left out.\n\n" +
       head({"id", "what happened", "formula", "why"});
   for (const ExampleRow& row : exampleRows())
-    page.text +=
-        cells({code(intermediate(row.id).name), markdownText(row.story.words),
-               markdownText((row.story.subject.empty() ? "" : row.story.subject + ": ") + row.story.formula),
-               markdownText(becauseText(row.story))});
+    page.text += cells({code(intermediate(row.id).name), markdownText(row.explanation.words),
+                        markdownText((row.explanation.subject.empty() ? "" : row.explanation.subject + ": ") +
+                                     row.explanation.formula),
+                        markdownText(becauseText(row.explanation))});
   return page;
 }
 

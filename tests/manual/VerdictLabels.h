@@ -22,7 +22,7 @@ struct VerdictLabel {
   glm::ivec2 pixel{0};
   VerdictKind kind = VerdictKind::None;
   std::vector<Stage>
-      stages;      ///< the one that is to blame; two or three where each of them would have mended it
+      stages;      ///< the one that is to blame; two or three where each of them would have corrected it
   std::string why; ///< what is seen there
 };
 

@@ -1,13 +1,13 @@
 // What the probe says of pixels of every scene, held against the geometry of the scene: whose motion it is,
 // whether history is of the same surface, of another one, beside the picture, or not there.
+#include "core/explanation/ProbeHeadline.h"
+#include "core/explanation/RowExplanation.h"
 #include "core/settings/Presets.h"
-#include "core/story/ProbeHeadline.h"
-#include "core/story/ProbeStory.h"
 #include "core/taa/Intermediates.h"
 #include "core/taa/twin/Details.h"
+#include "tests/support/ExplanationPhrases.h"
 #include "tests/support/ProbeFacts.h"
 #include "tests/support/SmallInspector.h"
-#include "tests/support/StoryPhrases.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -235,7 +235,7 @@ TEST_F(ProbeTruthTest, WhatIsSaidOfAPixelIsSoInTheScene) {
     const twin::Details details = inspector.probes().details(row.pixel.x, row.pixel.y);
     const ProbedPixel probed{told.record, details, told.settings, inspector.shot().info(), row.pixel};
     for (const Intermediate& each : kIntermediates)
-      test::expectTrue(each.id, storyOf(each.id, probed), probed, where + " " + std::string(each.name));
+      test::expectTrue(each.id, explanationOf(each.id, probed), probed, where + " " + std::string(each.name));
   }
 }
 

@@ -302,7 +302,7 @@ TEST_F(BoxTest, ColorsComeBackFromTheSpaceOfTheBox) {
       Settings settings = linearRgb(RectifyMethod::ClipToFiltered, BoxKind::MinMax);
       settings.space = {color, tone};
       taa::twin::Inputs made = taa::test::flatFrame(kShape, 0.0f);
-      // One color in each 4×4 block: in their middles the box is a point, and history comes back as that.
+      // One color in each 4×4 block: in their centroids the box is a point, and history comes back as that.
       for (int y = 0; y < kShape.height; ++y)
         for (int x = 0; x < kShape.width; ++x)
           for (int channel = 0; channel < 3; ++channel)

@@ -82,8 +82,9 @@ TEST_F(FlickerTest, IsWhatTheTwinSays) {
   }
 }
 
-// Neither of the two blocks is a matter of jitter, however they came or went: all of them but their rims,
-// where a frame of the wall is in reach, starts anew. So no ghost lasts longer for what stood still before.
+// Neither of the two blocks is a matter of jitter, however they came or went: all of them but their
+// silhouettes, where a frame of the wall is in reach, starts anew. So no ghost lasts longer for what stood
+// still before.
 TEST_F(FlickerTest, IsNotWhatCameOrWentAsAWhole) {
   Settings settings;
   settings.inputs.precision = settings.history.precision = taa::Precision::Full;

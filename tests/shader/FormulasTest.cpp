@@ -65,8 +65,8 @@ class FormulasTest : public test::ResolveTest {
         frame.historySurface.at(x, y)[0] = 7.0f;
         frame.motion.at(x, y)[0] = 3.2f;
       }
-    return story::formulaText(twin::traceOf(frame, settings, {12, 7}), id, 0,
-                              {.unfolds = unfolds, .depth = depth});
+    return explanation::formulaText(twin::traceOf(frame, settings, {12, 7}), id, 0,
+                                    {.unfolds = unfolds, .depth = depth});
   }
 };
 

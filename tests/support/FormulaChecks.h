@@ -1,8 +1,8 @@
 // What a reader of nine digits makes of the formulas of a trace.
 #pragma once
 
+#include "core/explanation/FormulaText.h"
 #include "core/settings/Settings.h"
-#include "core/story/FormulaText.h"
 #include "tests/support/Calculator.h"
 
 #include <algorithm>
@@ -57,7 +57,7 @@ inline double largestOf(const twin::Trace& trace, const twin::Operand& value) {
 inline std::optional<std::string> differenceOfFormula(const twin::Trace& trace, IntermediateId id,
                                                       int channel, double value, const Settings& settings,
                                                       FormulaDepth depth = FormulaDepth::Rows) {
-  const std::string text = story::formulaText(trace, id, channel, {.digits = 9, .depth = depth});
+  const std::string text = explanation::formulaText(trace, id, channel, {.digits = 9, .depth = depth});
   const double worked = Calculator(text).result().front();
   const double largest = largestOf(trace, trace.of(id)[static_cast<std::size_t>(channel)]);
   const double allowed =

@@ -30,9 +30,9 @@ QPen penOf(PlotShape shape, const QColor& color) {
   return pen;
 }
 
-/// A disk in its own color, with a rim that any ground lets see.
-void drawSample(QPainter& painter, QPointF place, const QColor& rim, const QColor& fill) {
-  painter.setPen(QPen(rim, 1.2));
+/// A disk in its own color, with a silhouette that any ground lets see.
+void drawSample(QPainter& painter, QPointF place, const QColor& silhouette, const QColor& fill) {
+  painter.setPen(QPen(silhouette, 1.2));
   painter.setBrush(fill);
   painter.drawEllipse(place, 4.0, 4.0);
 }

@@ -1,5 +1,5 @@
-// A change of settings that mends the probed pixel: what is changed, what that does to the pixel, and what it
-// costs the picture.
+// A change of settings that corrects the probed pixel: what is changed, what that does to the pixel, and what
+// it costs the picture.
 #pragma once
 
 #include <QAbstractButton>

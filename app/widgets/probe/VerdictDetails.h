@@ -1,4 +1,4 @@
-// What belongs to a verdict: what mends the pixel, and, unfolded, the values that decided and the parts of
+// What belongs to a verdict: what corrects the pixel, and, unfolded, the values that decided and the parts of
 // the error.
 #pragma once
 

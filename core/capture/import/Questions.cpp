@@ -33,8 +33,8 @@ struct ConventionQuestion {
   bool (*isAsked)(const FrameSamples& samples);
   /// Empty: the state leaves nothing to ask. `stated`: in whose words trials are, where they are of a length.
   std::vector<Trial> (*trials)(const TestState& state, const Conventions& stated);
-  bool needsSureness; ///< the default is right nearly everywhere: it takes clear pixels to state something
-                      ///< else
+  bool needsConfidence; ///< the default is right nearly everywhere: it takes clear pixels to state something
+                        ///< else
 };
 
 /// `state` with assignments applied.
@@ -224,9 +224,9 @@ AskedQuestion ask(const ConventionQuestion& question, const std::vector<Trial>& 
   const bool isFixed = std::ranges::any_of(best.assignments, [&](const std::string& assignment) {
     return rules.fixedPaths.contains(assignedPath(assignment));
   });
-  const bool wantsSureness = question.needsSureness || rules.adopt == Adopt::SureOnes;
+  const bool wantsConfidence = question.needsConfidence || rules.adopt == Adopt::SureOnes;
   const bool isAdopted = !isFixed && !best.assignments.empty() && comparison.regions > 0 &&
-                         (!wantsSureness || comparison.isClear() || answered != comparison.best);
+                         (!wantsConfidence || comparison.isClear() || answered != comparison.best);
   AskedQuestion answer;
   if (isAdopted && answered != held) answer.adopted = best.state.conventions;
   Finding& finding = answer.finding;

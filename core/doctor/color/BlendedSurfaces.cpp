@@ -25,12 +25,12 @@ namespace taa::doctor {
 
 namespace {
 
-constexpr float kBlended = 0.1f;      ///< of the mask: something is blended in; and a step at a rim
-constexpr std::size_t kLeastRim = 24; ///< pixels
+constexpr float kBlended = 0.1f; ///< of the mask: something is blended in; and a step at a silhouette
+constexpr std::size_t kLeastSilhouette = 24; ///< pixels
 constexpr int kShapeReachPx = 12;
 // px: shapes are known to a pixel; what is seen through them better.
 constexpr float kElsewherePx = 1.0f, kOtherwisePx = 0.5f;
-/// Of the mask in the mean: what the motion given leaves at rims where it does not fit.
+/// Of the mask in the mean: what the motion given leaves at silhouettes where it does not fit.
 constexpr double kShapeMissed = 0.05, kShapeFactor = 2.0;
 constexpr double kRestingObjectShare =
     0.8; ///< of an object's pixels that nothing covers: it rests in the world
@@ -119,7 +119,7 @@ class BlendedPair {
     return glm::vec2(pixel) + 0.5f - motionPx + jitterStep_;
   }
 
-  bool isRim(const glm::ivec2& at) const {
+  bool isSilhouette(const glm::ivec2& at) const {
     if (at.x < 1 || at.y < 1 || at.x + 1 >= shapes_.width || at.y + 1 >= shapes_.height) return false;
     const float own = *shapes_.at(at.x, at.y);
     return std::abs(own - *shapes_.at(at.x + 1, at.y)) >= kBlended ||
@@ -128,31 +128,31 @@ class BlendedPair {
            std::abs(own - *shapes_.at(at.x, at.y - 1)) >= kBlended;
   }
 
-  /// A shape whose rim its motion does not lead to, and another one does.
+  /// A shape whose silhouette its motion does not lead to, and another one does.
   void addShape(const Shape& shape, BlendedSums& out) const {
-    std::vector<SearchedPixel> rim;
+    std::vector<SearchedPixel> silhouette;
     glm::vec2 givenPx(0.0f);
     double given = 0.0;
     for (const glm::ivec2& pixel : shape) {
-      if (!isRim(pixel)) continue;
+      if (!isSilhouette(pixel)) continue;
       const glm::vec2 motionPx = givenAt(pixel);
       const float own = *shapes_.at(pixel.x, pixel.y);
-      rim.push_back({placeOf(pixel, glm::vec2(0.0f)), own});
+      silhouette.push_back({placeOf(pixel, glm::vec2(0.0f)), own});
       given += static_cast<double>(
           std::abs(own - capture::betweenPixels(shapesBefore_, placeOf(pixel, motionPx))));
       givenPx += motionPx;
     }
-    const auto count = static_cast<double>(rim.size());
-    if (rim.size() < kLeastRim || given < kShapeMissed * count) return;
-    givenPx /= static_cast<float>(rim.size());
-    const auto found = searchMotion(rim, shapesBefore_, givenPx, kShapeReachPx);
+    const auto count = static_cast<double>(silhouette.size());
+    if (silhouette.size() < kLeastSilhouette || given < kShapeMissed * count) return;
+    givenPx /= static_cast<float>(silhouette.size());
+    const auto found = searchMotion(silhouette, shapesBefore_, givenPx, kShapeReachPx);
     if (!found || glm::distance(*found, givenPx) < kElsewherePx) return;
     double tried = 0.0;
-    for (const SearchedPixel& pixel : rim)
+    for (const SearchedPixel& pixel : silhouette)
       tried += static_cast<double>(
           std::abs(pixel.luma - capture::betweenPixels(shapesBefore_, pixel.place - *found)));
     if (given < kShapeFactor * tried) return;
-    out.pixels += rim.size();
+    out.pixels += silhouette.size();
     out.given += given;
     out.tried += tried;
     out.shape.insert(out.shape.end(), shape.begin(), shape.end());

@@ -22,7 +22,7 @@ struct BlendedTrial {
 
 /// Over all pairs of frames.
 struct BlendedEvidence {
-  /// Shapes in the mask are elsewhere than their motion leads: left is the mask at their rims, 0 to 1.
+  /// Shapes in the mask are elsewhere than their motion leads: left is the mask at their silhouettes, 0 to 1.
   BlendedTrial shapes;
   /// What is seen through them moves as what rests behind them does, and motion does not: left is luma.
   BlendedTrial behind;

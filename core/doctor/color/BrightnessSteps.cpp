@@ -102,7 +102,7 @@ Finding stepFinding(const std::vector<const BrightnessPair*>& steps, const Frame
       **std::ranges::max_element(steps, {}, [](const BrightnessPair* pair) { return std::abs(pair->stops); });
   Finding out = faultFinding(Fault::ExposureStep);
   out.isWholePicture = true;
-  out.sureness = Sureness::Likely;
+  out.confidence = Confidence::Likely;
   out.reason =
       say<"The brightness of the whole picture steps in %1 of the frames, most at frame %2: in %3 of %4 "
           "squares alike. %5. The only light of a scene would make the same.">(
@@ -188,17 +188,17 @@ double offStops(const BrightnessEvidence& evidence, const ExposureReading& readi
 }
 
 /// Says which pre-exposure steps are, where they are one that is stated.
-void tellPreExposure(const BrightnessEvidence& evidence, const Patient& patient, Finding& finding) {
+void tellPreExposure(const BrightnessEvidence& evidence, const CaptureInfo& captureInfo, Finding& finding) {
   constexpr double kFitsStops = 0.05, kMuchLess = 0.25;
   double squares = 0.0;
   for (const BrightnessPair& pair : evidence.pairs) squares += pair.stops * pair.stops;
   const double given = std::sqrt(squares / static_cast<double>(evidence.pairs.size()));
-  const bool isTakenOut = patient.conventions && patient.conventions->color.preExposed;
+  const bool isTakenOut = captureInfo.conventions && captureInfo.conventions->color.preExposed;
   for (const ExposureReading& reading : exposureReadings(isTakenOut)) {
-    const double off = offStops(evidence, reading, patient.preExposure);
+    const double off = offStops(evidence, reading, captureInfo.preExposure);
     if (off > std::min(kFitsStops, kMuchLess * given)) continue;
     finding.name = reading.name;
-    finding.sureness = Sureness::Sure; // no light follows a number that is stated
+    finding.confidence = Confidence::Sure; // no light follows a number that is stated
     finding.change = reading.change;
     finding.reason += " " + say<"Steps of %1 stops in the mean are those of the pre-exposure that is stated, "
                                 "taken like this, to %2 stops.">(shortNumber(given), shortNumber(off));
@@ -269,7 +269,7 @@ FrameReader withBrightness(FrameReader read, std::map<int, double> stepped) {
   };
 }
 
-void tellBrightness(const BrightnessEvidence& evidence, const Patient& patient, Diagnosis& out) {
+void tellBrightness(const BrightnessEvidence& evidence, const CaptureInfo& captureInfo, Diagnosis& out) {
   if (evidence.pairs.empty()) {
     out.parts.leaveOpen({say<"Exposure">(),
                          say<"too little of the picture can be followed from one frame to the next">(),
@@ -282,8 +282,8 @@ void tellBrightness(const BrightnessEvidence& evidence, const Patient& patient, 
   double most = 0.0;
   for (const BrightnessPair& pair : evidence.pairs) most = std::max(most, std::abs(pair.stops));
   if (!steps.empty()) {
-    out.findings.push_back(stepFinding(steps, patient.frameNames));
-    tellPreExposure(evidence, patient, out.findings.back());
+    out.findings.push_back(stepFinding(steps, captureInfo.frameNames));
+    tellPreExposure(evidence, captureInfo, out.findings.back());
   } else if (most < kStepStops) {
     out.parts.addRight(
         say<"Exposure">(),

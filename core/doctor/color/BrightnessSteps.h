@@ -2,8 +2,8 @@
 // follow.
 #pragma once
 
+#include "core/doctor/CaptureInfo.h"
 #include "core/doctor/Diagnosis.h"
-#include "core/doctor/Patient.h"
 #include "core/doctor/motion/MotionTrials.h"
 
 #include <cstddef>
@@ -44,6 +44,6 @@ struct BrightnessEvidence {
 FrameReader withBrightness(FrameReader read, std::map<int, double> stepped);
 
 /// Adds what is wrong, right or not decided about brightness.
-void tellBrightness(const BrightnessEvidence& evidence, const Patient& patient, Diagnosis& out);
+void tellBrightness(const BrightnessEvidence& evidence, const CaptureInfo& captureInfo, Diagnosis& out);
 
 } // namespace taa::doctor

@@ -29,7 +29,7 @@ void ColorEvidence::add(const FrameNeighbors& frames, const std::vector<RegionIn
   brightness.add(frames);
   coplanar.add(frames);
   blended.add(frames);
-  stray.add(frames, labels);
+  outlier.add(frames, labels);
   light.add(frames.now);
 }
 
@@ -51,13 +51,13 @@ FrameReader coveredReader(const FrameReader& read, std::vector<std::uint8_t> cov
   };
 }
 
-void tellColor(const ColorEvidence& evidence, const BrightnessEvidence& brightness, const Patient& patient,
-               bool isMaskUsed, Diagnosis& out) {
+void tellColor(const ColorEvidence& evidence, const BrightnessEvidence& brightness,
+               const CaptureInfo& captureInfo, bool isMaskUsed, Diagnosis& out) {
   tellBlended(evidence.blended, isMaskUsed, out);
-  tellBrightness(brightness, patient, out);
-  tellCoplanar(evidence.coplanar, patient, out);
+  tellBrightness(brightness, captureInfo, out);
+  tellCoplanar(evidence.coplanar, captureInfo, out);
   tellTextures(out);
-  tellEncoding(evidence.light, patient, out);
+  tellEncoding(evidence.light, captureInfo, out);
 }
 
 } // namespace taa::doctor

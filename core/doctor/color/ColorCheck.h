@@ -2,14 +2,14 @@
 // textures too sharp or too soft.
 #pragma once
 
+#include "core/doctor/CaptureInfo.h"
 #include "core/doctor/Diagnosis.h"
-#include "core/doctor/Patient.h"
 #include "core/doctor/color/BlendedSurfaces.h"
 #include "core/doctor/color/BrightnessSteps.h"
 #include "core/doctor/color/CoplanarFlips.h"
+#include "core/doctor/color/OutlierPixels.h"
 #include "core/doctor/color/ScreenEncoding.h"
 #include "core/doctor/color/ScreenTiles.h"
-#include "core/doctor/color/StrayPixels.h"
 #include "core/doctor/frames/DoctorFrame.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/motion/MotionTrials.h"
@@ -25,7 +25,7 @@ struct ColorEvidence {
   BrightnessEvidence brightness;
   CoplanarEvidence coplanar;
   BlendedEvidence blended;
-  StrayPixels stray;
+  OutlierPixels outlier;
   BrightLight light;
 
   /// `labels`: of `frames.now`.
@@ -37,12 +37,12 @@ struct ColorEvidence {
 std::vector<std::uint8_t> tellInterface(const ColorEvidence& evidence, Diagnosis& out);
 /// Adds what is right or not decided about one, see there.
 void tellInterfaceLeft(const ColorEvidence& evidence, bool isFound, bool isJitterOpen, Diagnosis& out);
-/// The same frames, in which covered pixels are no witness.
+/// The same frames, in which covered pixels are no consistency check.
 FrameReader coveredReader(const FrameReader& read, std::vector<std::uint8_t> covered);
 
 /// Adds all else about color. Expects evidence of frames in which interfaces are covered. `brightness`: of
 /// the frames as they are. `isMaskUsed`: see tellBlended().
-void tellColor(const ColorEvidence& evidence, const BrightnessEvidence& brightness, const Patient& patient,
-               bool isMaskUsed, Diagnosis& out);
+void tellColor(const ColorEvidence& evidence, const BrightnessEvidence& brightness,
+               const CaptureInfo& captureInfo, bool isMaskUsed, Diagnosis& out);
 
 } // namespace taa::doctor

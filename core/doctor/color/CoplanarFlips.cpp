@@ -34,8 +34,8 @@ struct Flip {
   bool isNone() const { return now == before; }
 };
 
-/// By how much the distance changes from a pixel to the next on its own surface: beside a rim, on the other
-/// side of the pixel.
+/// By how much the distance changes from a pixel to the next on its own surface: beside a silhouette, on the
+/// other side of the pixel.
 float slopeAt(const Image& depthView, int x, int y) {
   const float middle = *depthView.at(x, y);
   const auto less = [&](int u, int v) {
@@ -111,10 +111,10 @@ struct FlippedArea {
   }
 };
 
-std::string objectText(std::uint32_t object, const Patient& patient) {
-  const auto name = patient.objectNames.find(object);
-  return name == patient.objectNames.end() ? say<"object %1">(object)
-                                           : say<"object %1 (%2)">(object, name->second);
+std::string objectText(std::uint32_t object, const CaptureInfo& captureInfo) {
+  const auto name = captureInfo.objectNames.find(object);
+  return name == captureInfo.objectNames.end() ? say<"object %1">(object)
+                                               : say<"object %1 (%2)">(object, name->second);
 }
 
 } // namespace
@@ -146,14 +146,14 @@ void CoplanarEvidence::add(const FrameNeighbors& frames) {
   }
 }
 
-void tellCoplanar(const CoplanarEvidence& evidence, const Patient& patient, Diagnosis& out) {
+void tellCoplanar(const CoplanarEvidence& evidence, const CaptureInfo& captureInfo, Diagnosis& out) {
   Finding found;
   std::size_t flips = 0;
   int pairs = 0;
   for (const auto& [key, flipped] : evidence.objects) {
     if (!flipped.isFighting()) continue;
     RegionPlace place = flipped.place;
-    place.name = say<"%1 and %2">(objectText(key.first, patient), objectText(key.second, patient));
+    place.name = say<"%1 and %2">(objectText(key.first, captureInfo), objectText(key.second, captureInfo));
     place.share = static_cast<double>(flipped.toFirst + flipped.toSecond) / std::max(1.0, evidence.pixels);
     flips += flipped.toFirst + flipped.toSecond;
     pairs = std::max(pairs, flipped.pairs);

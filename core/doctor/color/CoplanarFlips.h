@@ -2,8 +2,8 @@
 // z-fighting.
 #pragma once
 
+#include "core/doctor/CaptureInfo.h"
 #include "core/doctor/Diagnosis.h"
-#include "core/doctor/Patient.h"
 #include "core/doctor/motion/MotionTrials.h"
 
 #include <cstddef>
@@ -33,6 +33,6 @@ struct CoplanarEvidence {
 };
 
 /// Adds a finding for all of them.
-void tellCoplanar(const CoplanarEvidence& evidence, const Patient& patient, Diagnosis& out);
+void tellCoplanar(const CoplanarEvidence& evidence, const CaptureInfo& captureInfo, Diagnosis& out);
 
 } // namespace taa::doctor

@@ -24,9 +24,9 @@ constexpr double kNearlyAllTilePairs = 0.9, kMostTilePairs = 0.8;
 constexpr double kMovingFactor = 3.0, kMovingLuma = 0.004;
 /// Between pixels edges are read less well: what is left but for jitter, as a share of all else.
 constexpr double kJitteredShare = 0.8;
-/// Of a group; and the share of its edges that may be rims of what is behind it. A ball that a camera goes
-/// around looks the same from all sides: its rim and its shading rest, and its surface moves.
-constexpr double kClearlyJittered = 0.67, kEdgesAtRims = 0.3;
+/// Of a group; and the share of its edges that may be silhouettes of what is behind it. A ball that a camera
+/// goes around looks the same from all sides: its silhouette and its shading rest, and its surface moves.
+constexpr double kClearlyJittered = 0.67, kEdgesAtSilhouettes = 0.3;
 constexpr std::size_t kLeastFixed = 4, kLeastJittered = 12; ///< squares of a group
 /// px a frame in the mean: the world moves.
 constexpr double kWorldMovesPx = 0.5;
@@ -341,7 +341,8 @@ bool isEnough(const ScreenGroup& group) {
 bool isClear(const ScreenGroup& group) {
   if (!group.isJittered) return true;
   return group.sums.jittered <= kClearlyJittered * std::min(group.sums.inPlace, group.sums.asGiven) &&
-         static_cast<double>(group.sums.atRim) <= kEdgesAtRims * static_cast<double>(group.sums.pixels);
+         static_cast<double>(group.sums.atSilhouette) <=
+             kEdgesAtSilhouettes * static_cast<double>(group.sums.pixels);
 }
 
 } // namespace

@@ -28,8 +28,8 @@ struct ScreenGroups {
 /// well, other edges that rest have to show that there is jitter in the pictures.
 ScreenGroups interfaceGroups(const ScreenTiles& tiles);
 
-/// Pixels that are no witness of anything behind them, row by row: those of the groups and a square around;
-/// empty where there are no groups.
+/// Pixels that are no consistency check of anything behind them, row by row: those of the groups and a square
+/// around; empty where there are no groups.
 std::vector<std::uint8_t> coveredPixels(const std::vector<ScreenGroup>& groups, const ScreenTiles& tiles);
 
 /// Adds a finding for each of the two kinds of interface that there are.

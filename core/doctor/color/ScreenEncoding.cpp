@@ -46,9 +46,9 @@ bool BrightLight::isSeen() const {
   return bright > kBrightPixelShare * pixels;
 }
 
-void tellEncoding(const BrightLight& light, const Patient& patient, Diagnosis& out) {
-  if (!patient.conventions || light.pixels == 0.0) return;
-  const capture::ColorConventions& color = patient.conventions->color;
+void tellEncoding(const BrightLight& light, const CaptureInfo& captureInfo, Diagnosis& out) {
+  if (!captureInfo.conventions || light.pixels == 0.0) return;
+  const capture::ColorConventions& color = captureInfo.conventions->color;
   const bool isLinear = color.encoding == capture::ColorEncoding::Linear;
   if (light.isSeen() && isLinear) {
     out.parts.addRight(say<"Color's encoding">(),

@@ -1,8 +1,8 @@
 // Whether color can be encoded as it is stated: what is encoded for a screen ends at 1, light does not.
 #pragma once
 
+#include "core/doctor/CaptureInfo.h"
 #include "core/doctor/Diagnosis.h"
-#include "core/doctor/Patient.h"
 #include "core/doctor/frames/DoctorFrame.h"
 
 namespace taa::doctor {
@@ -18,6 +18,6 @@ struct BrightLight {
 };
 
 /// Adds what is wrong, right or not decided about the encoding of a capture's color; nothing of a scene.
-void tellEncoding(const BrightLight& light, const Patient& patient, Diagnosis& out);
+void tellEncoding(const BrightLight& light, const CaptureInfo& captureInfo, Diagnosis& out);
 
 } // namespace taa::doctor

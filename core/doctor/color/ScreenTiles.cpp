@@ -52,7 +52,7 @@ class TilePair {
     const glm::vec2 given = givenAt(pixel);
     const glm::vec2 world = cameraMotionPx(frames_.now, pixel).value_or(given);
     ++sums_.pixels;
-    if (!isInside(labels_, frames_.now.sizePx(), pixel.x, pixel.y)) ++sums_.atRim;
+    if (!isInside(labels_, frames_.now.sizePx(), pixel.x, pixel.y)) ++sums_.atSilhouette;
     sums_.inPlace += leftBy(pixel, -jitterStep_);
     sums_.jittered += leftBy(pixel, glm::vec2(0.0f));
     sums_.asGiven += leftBy(pixel, -given);
@@ -87,7 +87,7 @@ class TilePair {
 
 void TileSums::add(const TileSums& other) {
   pixels += other.pixels;
-  atRim += other.atRim;
+  atSilhouette += other.atSilhouette;
   inPlace += other.inPlace;
   jittered += other.jittered;
   asGiven += other.asGiven;

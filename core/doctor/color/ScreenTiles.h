@@ -17,12 +17,12 @@ inline constexpr int kTilePx = 8; ///< a side of a square
 /// Over pixels at edges: sums of |luma − luma of the frame before|, read where each explanation says.
 struct TileSums {
   std::size_t pixels = 0;
-  std::size_t atRim = 0;   ///< of these: beside another region
-  double inPlace = 0.0;    ///< at the same pixel
-  double jittered = 0.0;   ///< the same but for jitter
-  double asGiven = 0.0;    ///< by the motion given
-  double unjittered = 0.0; ///< the same as if there were no jitter
-  double ofWorld = 0.0;    ///< by what rests in the world moves by, where that is known; else as given
+  std::size_t atSilhouette = 0; ///< of these: beside another region
+  double inPlace = 0.0;         ///< at the same pixel
+  double jittered = 0.0;        ///< the same but for jitter
+  double asGiven = 0.0;         ///< by the motion given
+  double unjittered = 0.0;      ///< the same as if there were no jitter
+  double ofWorld = 0.0;         ///< by what rests in the world moves by, where that is known; else as given
   double ofWorldUnjittered = 0.0;
   double worldPx = 0.0; ///< lengths of that motion
   double givenPx = 0.0; ///< lengths of the motion given

@@ -3,7 +3,7 @@
 #include "core/base/Median.h"
 #include "core/base/NumberText.h"
 #include "core/base/Say.h"
-#include "core/doctor/Mending.h"
+#include "core/doctor/Correction.h"
 #include "core/settings/Faults.h"
 #include "core/taa/twin/SampleStages.h"
 
@@ -148,7 +148,7 @@ Finding kindFinding(RelationKind kind) {
 }
 
 /// No setting undoes a distance whose unit is not known, another range, or another kind of distance.
-std::vector<std::string> depthMending(const DepthRelation& relation) {
+std::vector<std::string> depthCorrection(const DepthRelation& relation) {
   if (relation.kind == RelationKind::Reversed) return {"fault.depth=reversed"};
   if (relation.kind != RelationKind::NearPlane) return {};
   return {"fault.nearPlane=" + shortNumber(1.0 / relation.factor)};
@@ -176,7 +176,7 @@ Finding relatedFinding(const std::vector<DepthRelation>& relations, const DepthR
   Finding out = kindFinding(best.kind);
   out.isWholePicture = true;
   out.change = depthChange(best);
-  mendBy(depthMending(best), out);
+  correctBy(depthCorrection(best), out);
   out.reason = say<"At %1 pixels the motion given is that of something at rest at another depth than the one "
                    "stored; the two are related like this: %2.">(samples, relationText(best));
   out.measure = say<"median of |log| of depth by its motion over depth as stored">();
@@ -228,7 +228,7 @@ std::string storedReason(const DepthEvidence& evidence) {
 Finding storedFinding(const DepthEvidence& evidence, RelationKind kind) {
   const std::optional<bool> isDistance = evidence.form.isDistance();
   Finding out = depthFinding(kind);
-  mendBy(depthMending({kind}), out);
+  correctBy(depthCorrection({kind}), out);
   out.reason = storedReason(evidence);
   if (!isDistance) out.alike = {std::string(faultInfo(Fault::DepthLinear).id)};
   const auto compare = [&](std::string measure, double given, double tried) {
@@ -254,7 +254,7 @@ Finding storedFinding(const DepthEvidence& evidence, RelationKind kind) {
 /// All that is drawn lies at one end of depth.
 Finding endFinding(const DepthEnds& ends, bool isDistance) {
   Finding out = ends.isAllNear() && !isDistance ? depthFinding(RelationKind::Linear) : depthKindFinding();
-  out.sureness = Sureness::Likely;
+  out.confidence = Confidence::Likely;
   out.reason = ends.isAllNear()
                    ? say<"By the depth that is decoded everything lies in the near plane.">()
                    : say<"By the depth that is decoded nothing is drawn where object numbers say "
@@ -264,7 +264,7 @@ Finding endFinding(const DepthEnds& ends, bool isDistance) {
   return out;
 }
 
-/// What is not decided about depth; what hides what is no witness of its scale.
+/// What is not decided about depth; what hides what is no consistency check of its scale.
 Undecided openDepth(const DepthOrder& order, bool isMisfit, std::string reason) {
   Undecided out{say<"Depth">(),
                 std::move(reason),
@@ -280,7 +280,7 @@ Undecided openDepth(const DepthOrder& order, bool isMisfit, std::string reason) 
 /// Says that motion may be that of a camera beside this one instead, by which the same depths follow.
 void leaveCamera(Finding& out) {
   const FaultInfo& camera = faultInfo(Fault::CameraOfSecondView);
-  out.sureness = Sureness::Likely;
+  out.confidence = Confidence::Likely;
   out.alike = {std::string(camera.id)};
   out.reason += " " + say<"Motion made with the previous camera of a view beside this one looks the same "
                           "here: the pictures do not tell which.">();
@@ -292,8 +292,8 @@ void tellCamera(Finding& out) {
   out.id = camera.id;
   out.name = camera.name;
   out.symptom = camera.symptom;
-  out.sureness = Sureness::Likely;
-  out.mending.clear();
+  out.confidence = Confidence::Likely;
+  out.correction.clear();
   out.change =
       say<"Make motion with the matrices of the frame before of the same view: what rests moves as if "
           "the previous camera had stood beside this one.">();
@@ -308,7 +308,7 @@ Finding statedNearFinding(double factor) {
           "frames are drawn with.">(shortNumber(factor));
   out.change =
       say<"State the near plane of the projection: %1 times what is stated.">(shortNumber(1.0 / factor));
-  mendBy({"fault.nearPlane=" + shortNumber(1.0 / factor)}, out);
+  correctBy({"fault.nearPlane=" + shortNumber(1.0 / factor)}, out);
   return out;
 }
 
@@ -395,13 +395,13 @@ std::optional<DepthRelation> otherNear(const DepthEvidence& evidence) {
   return best && best->kind == RelationKind::NearPlane ? std::optional(*best) : std::nullopt;
 }
 
-void mendDepth(const DepthRelation& relation, DoctorFrame& frame) {
+void correctDepth(const DepthRelation& relation, DoctorFrame& frame) {
   for (float& depth : frame.depth.pixels) {
     const auto stored = static_cast<double>(depth);
     // A distance ends where the sky begins, at 1.
     const bool isBeyond = relation.kind == RelationKind::Linear && stored >= 1.0;
-    const auto mended = isBeyond ? std::nullopt : related(relation.kind, stored);
-    depth = static_cast<float>(relation.factor * mended.value_or(0.0));
+    const auto corrected = isBeyond ? std::nullopt : related(relation.kind, stored);
+    depth = static_cast<float>(relation.factor * corrected.value_or(0.0));
   }
   frame.depthView = frame.depth;
   for (float& depth : frame.depthView.pixels)
@@ -444,11 +444,12 @@ bool tellNear(const DepthEvidence& evidence, Diagnosis& out) {
   return true;
 }
 
-void tellDepth(const DepthEvidence& evidence, Diagnosis& out, const DepthPatient& patient) {
+void tellDepth(const DepthEvidence& evidence, Diagnosis& out, const DepthCaptureInfo& captureInfo) {
   const bool isMeasured = evidence.samples.size() >= kEnoughDepths;
   const std::vector<DepthRelation> relations =
       isMeasured ? depthRelations(evidence.samples) : std::vector<DepthRelation>();
-  if (const DepthRelation* along = patient.isDistance && isMeasured ? otherDistance(relations) : nullptr) {
+  if (const DepthRelation* along =
+          captureInfo.isDistance && isMeasured ? otherDistance(relations) : nullptr) {
     out.findings.push_back(relatedFinding(relations, *along, evidence.samples.size()));
     return;
   }
@@ -460,14 +461,14 @@ void tellDepth(const DepthEvidence& evidence, Diagnosis& out, const DepthPatient
   const DepthRelation* best = isMeasured ? clearRelation(relations, evidence.samples) : nullptr;
   if (best && !isAgainstForm(best->kind, evidence.form)) {
     out.findings.push_back(relatedFinding(relations, *best, evidence.samples.size()));
-    if (best->kind != RelationKind::NearPlane || !patient.isOfCameraOrDepth) return;
-    if (patient.isDepthDrawn)
+    if (best->kind != RelationKind::NearPlane || !captureInfo.isOfCameraOrDepth) return;
+    if (captureInfo.isDepthDrawn)
       tellCamera(out.findings.back());
     else
       leaveCamera(out.findings.back());
     return;
   }
-  if (const auto kind = patient.isMotionRight ? storedKind(evidence) : kindByValues(evidence)) {
+  if (const auto kind = captureInfo.isMotionRight ? storedKind(evidence) : kindByValues(evidence)) {
     out.findings.push_back(storedFinding(evidence, *kind));
     return;
   }

@@ -61,11 +61,12 @@ std::optional<DepthRelation> otherDepth(const DepthEvidence& evidence);
 std::optional<DepthRelation> otherNear(const DepthEvidence& evidence);
 /// Makes a frame's depth the one that follows from the stored one. What the same surface had a frame ago is
 /// held to be what it has now.
-void mendDepth(const DepthRelation& relation, DoctorFrame& frame);
+void correctDepth(const DepthRelation& relation, DoctorFrame& frame);
 
-struct DepthPatient {
-  bool isMotionRight = true; ///< as far as is known; else what hides what is no witness, which motion tells
-  bool isDistance = false;   ///< depth is stated to be a distance, and no device depth
+struct DepthCaptureInfo {
+  bool isMotionRight =
+      true; ///< as far as is known; else what hides what is no consistency check, which motion tells
+  bool isDistance = false;        ///< depth is stated to be a distance, and no device depth
   bool isOfCameraOrDepth = false; ///< see MotionTold
   bool isDepthDrawn = false;      ///< this program's own depth, which follows from its matrices
 };
@@ -74,11 +75,11 @@ Finding depthFinding(RelationKind kind);
 /// The same of depth that is stated to be a distance and is none.
 Finding depthKindFinding();
 /// Adds what is wrong where all that is drawn lies at one end of depth, and returns whether it does: then
-/// depth says nothing else, and all else is looked at without it. `isDistance`: see DepthPatient.
+/// depth says nothing else, and all else is looked at without it. `isDistance`: see DepthCaptureInfo.
 bool tellEnds(const DepthEnds& ends, bool isDistance, Diagnosis& out);
 /// Adds that the planes that are stated are not those of the matrices, and returns whether they are not.
 bool tellNear(const DepthEvidence& evidence, Diagnosis& out);
 /// Adds what is wrong, right or not decided about depth; see tellNear() for what is stated of its planes.
-void tellDepth(const DepthEvidence& evidence, Diagnosis& out, const DepthPatient& patient = {});
+void tellDepth(const DepthEvidence& evidence, Diagnosis& out, const DepthCaptureInfo& captureInfo = {});
 
 } // namespace taa::doctor

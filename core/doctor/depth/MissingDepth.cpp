@@ -62,7 +62,7 @@ void MissingDepth::add(const DoctorFrame& frame, const std::vector<RegionIndex>&
   if (frame.depthView.empty()) return;
   const auto highest = std::ranges::max_element(labels);
   const std::size_t count = highest == labels.end() ? 0 : static_cast<std::size_t>(*highest + 1);
-  if (rims_.size() < count) rims_.resize(count);
+  if (silhouettes_.size() < count) silhouettes_.resize(count);
   const glm::ivec2 size = frame.sizePx();
   const auto at = [&](const glm::ivec2& pixel) {
     return labels[static_cast<std::size_t>(pixel.y) * size.x + pixel.x];
@@ -74,8 +74,8 @@ void MissingDepth::add(const DoctorFrame& frame, const std::vector<RegionIndex>&
     const bool hasStep = isStep(depth(first), depth(one), depth(other), depth(last));
     for (const RegionIndex region : {at(one), at(other)}) {
       if (region == kNoRegion) continue;
-      ++rims_[static_cast<std::size_t>(region)].pairs;
-      if (hasStep) ++rims_[static_cast<std::size_t>(region)].steps;
+      ++silhouettes_[static_cast<std::size_t>(region)].pairs;
+      if (hasStep) ++silhouettes_[static_cast<std::size_t>(region)].steps;
     }
   };
   for (int y = 0; y < size.y; ++y)
@@ -88,18 +88,19 @@ void MissingDepth::add(const DoctorFrame& frame, const std::vector<RegionIndex>&
 bool MissingDepth::isFlat(std::size_t region) const {
   constexpr std::size_t kEnough = 100;
   constexpr double kNoneShare = 0.05;
-  return region < rims_.size() && rims_[region].pairs >= kEnough &&
-         static_cast<double>(rims_[region].steps) <= kNoneShare * static_cast<double>(rims_[region].pairs);
+  return region < silhouettes_.size() && silhouettes_[region].pairs >= kEnough &&
+         static_cast<double>(silhouettes_[region].steps) <=
+             kNoneShare * static_cast<double>(silhouettes_[region].pairs);
 }
 
-void MissingDepth::tell(const FlowSeen& seen, const Patient& patient, Diagnosis& out) const {
+void MissingDepth::tell(const FlowSeen& seen, const CaptureInfo& captureInfo, Diagnosis& out) const {
   Finding finding;
   double px = 0.0;
   std::size_t squares = 0;
   for (const auto& [region, apart] : apartOf(seen)) {
     const Region& of = seen.regions[static_cast<std::size_t>(region)];
     if (of.isSky || !isFlat(static_cast<std::size_t>(region)) || !isApart(apart)) continue;
-    finding.regions.push_back(placeOf(of, patient, allPixels(patient, out)));
+    finding.regions.push_back(placeOf(of, captureInfo, allPixels(captureInfo, out)));
     px += apart.px;
     squares += apart.asGiven;
   }
@@ -107,7 +108,7 @@ void MissingDepth::tell(const FlowSeen& seen, const Patient& patient, Diagnosis&
   std::ranges::stable_sort(finding.regions, std::greater(), &RegionPlace::share);
   finding.id = "depthOfObjectMissing";
   finding.name = say<"An object missing in depth">();
-  finding.sureness = Sureness::Likely;
+  finding.confidence = Confidence::Likely;
   finding.symptom = say<"Motion and history that are made of depth are those of what is behind it.">();
   finding.reason = say<
       "Depth has no step at its outline, and %1 squares of it move as they are said to: %2 px from what that "

@@ -3,14 +3,14 @@
 #include "core/base/Say.h"
 #include "core/doctor/color/ColorCheck.h"
 #include "core/doctor/depth/DepthCheck.h"
+#include "core/doctor/examination/CorrectedFrames.h"
 #include "core/doctor/examination/Examiner.h"
-#include "core/doctor/examination/MendedFrames.h"
 #include "core/doctor/examination/Withholding.h"
 #include "core/doctor/flow/FlowCheck.h"
 #include "core/doctor/flow/FlowWords.h"
 #include "core/doctor/jitter/JitterCheck.h"
 #include "core/doctor/motion/MotionFindings.h"
-#include "core/doctor/motion/MotionRims.h"
+#include "core/doctor/motion/MotionSilhouettes.h"
 #include "core/doctor/resolve/ResolveFindings.h"
 #include "core/doctor/source/OtherConventions.h"
 
@@ -29,15 +29,15 @@ namespace taa::doctor {
 
 namespace {
 
-Patient sizedPatient(const Examination& examination) {
-  Patient patient = examination.patient;
-  if (patient.sizePx.x == 0) patient.sizePx = examination.read(examination.first).sizePx();
-  if (patient.outputPx.x == 0) patient.outputPx = patient.sizePx;
-  return patient;
+CaptureInfo sizedCaptureInfo(const Examination& examination) {
+  CaptureInfo captureInfo = examination.captureInfo;
+  if (captureInfo.sizePx.x == 0) captureInfo.sizePx = examination.read(examination.first).sizePx();
+  if (captureInfo.outputPx.x == 0) captureInfo.outputPx = captureInfo.sizePx;
+  return captureInfo;
 }
 
-/// Whether a finding is of so much of the picture that motion is no witness of anything else, or of a camera
-/// that looks like another depth.
+/// Whether a finding is of so much of the picture that motion is no consistency check of anything else, or of
+/// a camera that looks like another depth.
 bool spoilsDepth(const Finding& finding) {
   if (finding.id == faultInfo(Fault::CameraOfSecondView).id) return true;
   constexpr double kMuch = 0.3;
@@ -57,7 +57,7 @@ struct Hiding {
   bool allDepth = false; ///< it says nothing
   bool flipped = false;  ///< matrices are upside down
   std::optional<DepthRelation> depth;
-  JitterMender jitter;
+  JitterCorrector jitter;
   std::optional<MotionTrial> motion;
   bool isOfRange = false; ///< motion is: what else is wrong with it is still to be told
 
@@ -73,12 +73,12 @@ struct ToldOf {
   /// By what motion is multiplied that was longer than the picture, or shorter than a pixel.
   std::optional<MotionTrial> unit;
   std::optional<std::size_t> guessedUnit; ///< the finding that tells it by index; none: it was fitted
-  bool interface = false;                 ///< what it covers is no witness any more
+  bool interface = false;                 ///< what it covers is no consistency check any more
   bool isJitterOpen = false;
   bool allDepth = false;                  ///< depth is not looked at any more, nor are cameras
-  std::vector<std::string> ofMotion = {}; ///< ids of what was found beside motion that was mended
+  std::vector<std::string> ofMotion = {}; ///< ids of what was found beside motion that was corrected
 
-  /// What is mended next.
+  /// What is corrected next.
   void add(const Hiding& hiding) {
     depth = depth || hiding.depth || hiding.allDepth;
     allDepth = allDepth || hiding.allDepth;
@@ -129,13 +129,13 @@ void blameMatrices(Diagnosis& out) {
           "which depth makes the motion of what rests.">();
 }
 
-/// Motion, and depth as far as motion is a witness of it. `mayMend`: motion that one explanation makes right
-/// everywhere is told alone, and returned as what hides the rest.
-Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, ToldOf& told, Diagnosis& out) {
+/// Motion, and depth as far as motion is a consistency check of it. `mayCorrect`: motion that one explanation
+/// makes right everywhere is told alone, and returned as what hides the rest.
+Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayCorrect, ToldOf& told, Diagnosis& out) {
   Diagnosis seen = out;
   const MotionTold motion = examiner.tellMotion(seen);
   const std::optional<MotionOfAll>& all = motion.all;
-  if (all && mayMend && !told.motion && mendsAlone(all->trial)) {
+  if (all && mayCorrect && !told.motion && correctsAlone(all->trial)) {
     if (correctUnit(all->trial, told, out)) {
       Hiding hiding;
       hiding.motion = all->trial;
@@ -151,8 +151,8 @@ Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, ToldO
     return hiding;
   }
   const auto before = static_cast<std::ptrdiff_t>(out.findings.size());
-  // What is right once motion is mended, is not right; and what is wrong only then, and not everywhere, is
-  // what mending has made of it.
+  // What is right once motion is corrected, is not right; and what is wrong only then, and not everywhere, is
+  // what correction has made of it.
   if (told.motion) {
     seen.parts.keepRight(out.parts);
     seen.findings.erase(std::remove_if(seen.findings.begin() + before, seen.findings.end(),
@@ -166,17 +166,17 @@ Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayMend, ToldO
   const bool isMotionRight = static_cast<std::ptrdiff_t>(out.findings.size()) == before;
   const bool isMotionWrong = std::any_of(out.findings.begin() + before, out.findings.end(), spoilsDepth);
   if (tellsDepth && !isMotionWrong) {
-    const DepthPatient patient{isMotionRight, examiner.isDepthDistance(), motion.isOfCameraOrDepth,
-                               examiner.isDepthDrawn()};
+    const DepthCaptureInfo captureInfo{isMotionRight, examiner.isDepthDistance(), motion.isOfCameraOrDepth,
+                                       examiner.isDepthDrawn()};
     if (isDepthConfirmed(examiner.flow()))
       out.parts.addRight(say<"Depth and matrices">(),
                          say<"Pictures move as depth and matrices make what rests move.">());
     else
-      tellDepth(examiner.depth(), out, patient);
+      tellDepth(examiner.depth(), out, captureInfo);
     if (told.isNearWrong) blameMatrices(out);
   }
-  if (examiner.rims().coarseDepth()) withholdParts(static_cast<std::size_t>(before), out);
-  tellRims(examiner.rims(), isMotionRight && !told.motion, out);
+  if (examiner.silhouettes().coarseDepth()) withholdParts(static_cast<std::size_t>(before), out);
+  tellSilhouettes(examiner.silhouettes(), isMotionRight && !told.motion, out);
   if (!tellsDepth || !isMotionWrong) return {};
   Hiding hiding;
   hiding.motion = all ? all->trial : MotionTrial{};
@@ -194,7 +194,7 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
   if (!told.unit)
     if (const std::optional<FittedLength> length = examiner.motionLength()) {
       told.unit = trialOf(*length, out.sizePx);
-      std::ranges::move(lengthFindings(*length, *told.unit, examiner.patient()),
+      std::ranges::move(lengthFindings(*length, *told.unit, examiner.captureInfo()),
                         std::back_inserter(out.findings));
       hiding.motion = told.unit;
       hiding.isOfRange = true;
@@ -230,7 +230,7 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
   }
   const JitterOutcome jitter = told.jitter ? JitterOutcome() : examiner.tellJitter(hasCamera, out);
   told.isJitterOpen = jitter.isOpen;
-  hiding.jitter = jitter.mender;
+  hiding.jitter = jitter.corrector;
   if (hiding.jitter) return hiding;
   hiding = tellPlanes(examiner, hasCamera && !told.depth, !jitter.isOpen, told, out);
   withholdSky(examination.contradicted.size(), out);
@@ -241,8 +241,8 @@ Hiding tellSeen(const Examiner& examiner, const Examination& examination, ToldOf
 }
 
 /// The frames that `read` gives, with what hides the rest made right; `last` looked at them.
-FrameReader mendedReader(const FrameReader& read, const Hiding& hiding, const Examination& examination,
-                         const Examiner& last) {
+FrameReader correctedReader(const FrameReader& read, const Hiding& hiding, const Examination& examination,
+                            const Examiner& last) {
   if (hiding.allDepth) return withoutDepth(read);
   if (hiding.flipped) return withFlippedMatrices(read);
   if (hiding.depth) return withDepth(read, *hiding.depth);
@@ -267,7 +267,7 @@ void tellAll(const Examination& examination, const Examiner& first, const Bright
   Hiding hiding = tellSeen(first, examination, told, out);
   while (hiding.isAny()) {
     told.add(hiding);
-    read = mendedReader(read, hiding, examination, *last);
+    read = correctedReader(read, hiding, examination, *last);
     lookAgain();
     // One that is drawn with the jitter shows where that is right.
     if (!told.interface) {
@@ -280,26 +280,27 @@ void tellAll(const Examination& examination, const Examiner& first, const Bright
     }
     hiding = tellSeen(*next, examination, told, out);
   }
-  tellFlow(first.flow(), last->flow(), {first.patient(), told.motion || told.unit, told.isJitterOpen}, out);
+  tellFlow(first.flow(), last->flow(), {first.captureInfo(), told.motion || told.unit, told.isJitterOpen},
+           out);
   if (examination.known.camera && !told.allDepth && !told.depth) last->tellMissingDepth(out);
   if (!told.isJitterOpen) {
     last->tellRegionJitter(out);
     last->tellPairs(out);
-    last->tellStray(out);
+    last->tellOutlier(out);
   }
   tellInterfaceLeft(last->color(), told.interface, told.isJitterOpen, out);
   last->tellColor(brightness, out);
 }
 
 /// Rows that are stored from the other end turn all that has a y: that is told, and not each of them.
-void tellRows(const Patient& patient, Diagnosis& out) {
+void tellRows(const CaptureInfo& captureInfo, Diagnosis& out) {
   const std::string turned[] = {std::string(faultInfo(Fault::JitterNegatedY).id),
                                 std::string(faultInfo(Fault::MotionNegatedY).id), matricesFlipped({}).id};
   const auto isTurned = [&](const Finding& finding) {
     return finding.isWholePicture && std::ranges::count(turned, finding.id) > 0;
   };
-  if (!patient.conventions || std::ranges::count_if(out.findings, isTurned) != std::ssize(turned)) return;
-  Finding rows = rowsTurned(patient.conventions->rows);
+  if (!captureInfo.conventions || std::ranges::count_if(out.findings, isTurned) != std::ssize(turned)) return;
+  Finding rows = rowsTurned(captureInfo.conventions->rows);
   rows.reason = say<"Jitter, motion and matrices all have another y than pictures show: the pictures are "
                     "upside down.">();
   std::erase_if(out.findings, isTurned);
@@ -337,13 +338,13 @@ void keepPictures(const FrameReader& read, Diagnosis& out) {
 } // namespace
 
 Diagnosis examine(const Examination& examination, const Progress& progress, const DiagnosisTold& told) {
-  const Patient patient = sizedPatient(examination);
+  const CaptureInfo captureInfo = sizedCaptureInfo(examination);
   Diagnosis out;
-  out.sizePx = patient.sizePx;
-  out.frameNames = patient.frameNames;
+  out.sizePx = captureInfo.sizePx;
+  out.frameNames = captureInfo.frameNames;
   out.first = examination.first;
   out.findings = examination.contradicted;
-  Examiner first(examination, patient, progress, examination.known.output);
+  Examiner first(examination, captureInfo, progress, examination.known.output);
   first.look(examination.read, out, [&] {
     if (!told) return;
     Diagnosis early = out;
@@ -377,12 +378,12 @@ Diagnosis examine(const Examination& examination, const Progress& progress, cons
     bare.look(read, out);
     tellAll(examination, bare, brightness, !covered.empty(), read, out);
   }
-  tellRows(patient, out);
+  tellRows(captureInfo, out);
   if (!examination.contradicted.empty())
     out.notes.push_back(
         say<"What is right here is so of the frames as they are once that is stated which the "
             "first findings name.">());
-  if (patient.conventions && patient.conventions->motion.whereNothing)
+  if (captureInfo.conventions && captureInfo.conventions->motion.whereNothing)
     out.notes.push_back(say<"Where nothing is drawn motion is what the capture states of it "
                             "(motion.whereNothing), whatever is stored there.">());
   const bool isOutputLate = std::ranges::count(times, TimedPlane::Output, &PlaneTime::plane) > 0;

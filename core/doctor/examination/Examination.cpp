@@ -18,11 +18,11 @@ Examination examinationOf(const DoctorSource& source, int frames, int first) {
   out.first = first;
   out.frames = std::min(frames, count);
   out.known = source.known;
-  out.patient.outputPx = {source.request.width, source.request.height};
-  out.patient.objectNames = source.objectNames;
-  out.patient.conventions = source.conventions;
-  out.patient.frameNames = source.frameNames;
-  out.patient.preExposure = source.preExposure;
+  out.captureInfo.outputPx = {source.request.width, source.request.height};
+  out.captureInfo.objectNames = source.objectNames;
+  out.captureInfo.conventions = source.conventions;
+  out.captureInfo.frameNames = source.frameNames;
+  out.captureInfo.preExposure = source.preExposure;
   out.contradicted = source.contradicted;
   return out;
 }

@@ -1,8 +1,8 @@
 // Frames to examine, and what is known of them.
 #pragma once
 
+#include "core/doctor/CaptureInfo.h"
 #include "core/doctor/Diagnosis.h"
-#include "core/doctor/Patient.h"
 #include "core/doctor/source/DoctorSource.h"
 
 #include <vector>
@@ -16,8 +16,8 @@ struct Examination {
   int first = 0;              ///< number of the first frame
   int frames = kDoctorFrames; ///< from that one on; as many as there are, at most
   KnownPlanes known;
-  Patient patient;                        ///< its sizes are those of the first frame where they are 0
-  std::vector<Finding> contradicted = {}; ///< see mendContradicted(); told before all else
+  CaptureInfo captureInfo;                ///< its sizes are those of the first frame where they are 0
+  std::vector<Finding> contradicted = {}; ///< see correctContradicted(); told before all else
 };
 
 /// Of `frames` frames of a source, or as many as it has from `first` on. Throws Error where those are fewer

@@ -12,9 +12,10 @@ namespace taa::doctor {
 
 namespace {
 
-/// Whether rims have, or may have, what is beside them.
-bool isBeside(RimVerdict verdict) {
-  return verdict == RimVerdict::Shifted || verdict == RimVerdict::Coarse || verdict == RimVerdict::Unclear;
+/// Whether silhouettes have, or may have, what is beside them.
+bool isBeside(SilhouetteVerdict verdict) {
+  return verdict == SilhouetteVerdict::Shifted || verdict == SilhouetteVerdict::Coarse ||
+         verdict == SilhouetteVerdict::Unclear;
 }
 
 } // namespace
@@ -35,20 +36,20 @@ void Examiner::look(const FrameReader& read, Diagnosis& out, const std::function
 
 JitterOutcome Examiner::tellJitter(bool hasCamera, Diagnosis& out) const {
   const auto surfaces = [this] { return areSurfacesJittered(); };
-  return doctor::tellJitter(jitter_, {patient_, hasCamera, skyPlace(out), surfaces}, out);
+  return doctor::tellJitter(jitter_, {captureInfo_, hasCamera, skyPlace(out), surfaces}, out);
 }
 
 bool Examiner::areMatricesFlipped() const {
-  std::vector<const WitnessEvidence*> regions;
-  for (const RegionEvidence& region : motion_.regions()) regions.push_back(&region.witness);
+  std::vector<const ConsistencyEvidence*> regions;
+  for (const RegionEvidence& region : motion_.regions()) regions.push_back(&region.consistency);
   return doctor::areMatricesFlipped(regions, motion_.trials());
 }
 
 MotionTold Examiner::tellMotion(Diagnosis& out) const {
-  const bool ofTime = rims_.depth.verdict() != RimVerdict::Unjittered;
-  const RimsSeen rims{ofTime, ofTime && !isBeside(rims_.motion.verdict())};
-  MotionTold told = doctor::tellMotion(motion_, tracker_.regions(), patient_, rims, out);
-  tellReturns(returns_.found(), tracker_.regions(), patient_, out);
+  const bool ofTime = silhouettes_.depth.verdict() != SilhouetteVerdict::Unjittered;
+  const SilhouettesSeen silhouettes{ofTime, ofTime && !isBeside(silhouettes_.motion.verdict())};
+  MotionTold told = doctor::tellMotion(motion_, tracker_.regions(), captureInfo_, silhouettes, out);
+  tellReturns(returns_.found(), tracker_.regions(), captureInfo_, out);
   return told;
 }
 
@@ -62,7 +63,7 @@ void Examiner::add(const DoctorFrame* before, const DoctorFrame& now, const Doct
   ++out.frames;
   // Each keeps what it sees to itself: some look on a thread of their own.
   auto output = std::async(std::launch::async, [&] {
-    rims_.add(now);
+    silhouettes_.add(now);
     if (looksAtOutput_) resolve_.add(now, before);
     order_.add(now);
     if (before && after) times_.add(*before, now, *after);
@@ -98,7 +99,7 @@ void Examiner::add(const DoctorFrame* before, const DoctorFrame& now, const Doct
 std::optional<RegionPlace> Examiner::skyPlace(const Diagnosis& out) const {
   const auto sky = std::ranges::find(tracker_.regions(), true, &Region::isSky);
   if (sky == tracker_.regions().end()) return {};
-  return placeOf(*sky, patient_, allPixels(patient_, out));
+  return placeOf(*sky, captureInfo_, allPixels(captureInfo_, out));
 }
 
 bool Examiner::areSurfacesJittered() const {

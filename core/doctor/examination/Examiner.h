@@ -16,7 +16,7 @@
 #include "core/doctor/motion/MotionFindings.h"
 #include "core/doctor/motion/MotionPairs.h"
 #include "core/doctor/motion/MotionReturns.h"
-#include "core/doctor/motion/MotionRims.h"
+#include "core/doctor/motion/MotionSilhouettes.h"
 #include "core/doctor/resolve/ResolveEvidence.h"
 #include "core/doctor/sequence/BadValues.h"
 #include "core/doctor/sequence/FrameOrder.h"
@@ -31,11 +31,12 @@ namespace taa::doctor {
 class Examiner {
  public:
   /// `progress` is reported to while it looks. Expects that all of them outlive it.
-  Examiner(const Examination& examination, const Patient& patient, const Progress& progress,
+  Examiner(const Examination& examination, const CaptureInfo& captureInfo, const Progress& progress,
            bool looksAtOutput)
-      : examination_(examination), patient_(patient), progress_(progress), looksAtOutput_(looksAtOutput) {}
+      : examination_(examination), captureInfo_(captureInfo), progress_(progress),
+        looksAtOutput_(looksAtOutput) {}
   /// One of the same frames that has seen none, and does not look at the output.
-  Examiner another() const { return {examination_, patient_, progress_, false}; }
+  Examiner another() const { return {examination_, captureInfo_, progress_, false}; }
 
   /// `out`: counts frames and pairs. `firstSeen`: called after kFirstLook frames, where more follow.
   void look(const FrameReader& read, Diagnosis& out, const std::function<void()>& firstSeen = {});
@@ -43,20 +44,22 @@ class Examiner {
   const ColorEvidence& color() const { return color_; }
   /// `brightness`: of the frames as they are.
   void tellColor(const BrightnessEvidence& brightness, Diagnosis& out) const {
-    doctor::tellColor(color_, brightness, patient_, examination_.known.maskUsed, out);
+    doctor::tellColor(color_, brightness, captureInfo_, examination_.known.maskUsed, out);
   }
   void tellRegionJitter(Diagnosis& out) const {
-    doctor::tellRegionJitter(regionJitter_, tracker_.regions(), patient_, out);
+    doctor::tellRegionJitter(regionJitter_, tracker_.regions(), captureInfo_, out);
   }
-  void tellPairs(Diagnosis& out) const { doctor::tellPairs(motion_, tracker_.regions(), patient_, out); }
-  void tellStray(Diagnosis& out) const { doctor::tellStray(color_.stray, tracker_.regions(), patient_, out); }
+  void tellPairs(Diagnosis& out) const { doctor::tellPairs(motion_, tracker_.regions(), captureInfo_, out); }
+  void tellOutlier(Diagnosis& out) const {
+    doctor::tellOutlier(color_.outlier, tracker_.regions(), captureInfo_, out);
+  }
   const JitterEvidence& jitter() const { return jitter_; }
   JitterOutcome tellJitter(bool hasCamera, Diagnosis& out) const;
   const DepthEvidence& depth() const { return depth_; }
-  void tellMissingDepth(Diagnosis& out) const { missingDepth_.tell(flow(), patient_, out); }
+  void tellMissingDepth(Diagnosis& out) const { missingDepth_.tell(flow(), captureInfo_, out); }
   bool isDepthDistance() const { return examination_.known.depthDistance; }
-  bool isDepthDrawn() const { return !patient_.conventions; }
-  const RimEvidence& rims() const { return rims_; }
+  bool isDepthDrawn() const { return !captureInfo_.conventions; }
+  const SilhouetteEvidence& silhouettes() const { return silhouettes_; }
   const ResolveEvidence& resolve() const { return resolve_; }
   bool areMatricesFlipped() const;
   bool isMotionBeyondPicture() const { return isBeyondPicture(motion_); }
@@ -65,8 +68,8 @@ class Examiner {
   FlowSeen flow() const { return {flow_, tracker_.regions()}; }
   const OrderEvidence& order() const { return order_; }
   std::vector<PlaneTime> planeTimes() const { return times_.found(); }
-  void tellValues(Diagnosis& out) const { tellBadValues(values_, tracker_.regions(), patient_, out); }
-  const Patient& patient() const { return patient_; }
+  void tellValues(Diagnosis& out) const { tellBadValues(values_, tracker_.regions(), captureInfo_, out); }
+  const CaptureInfo& captureInfo() const { return captureInfo_; }
 
  private:
   DoctorFrame readNext(const FrameReader& read, int frame) const;
@@ -78,18 +81,18 @@ class Examiner {
 
   const Examination& examination_;
   FrameReader read_; ///< what was looked at
-  const Patient& patient_;
+  const CaptureInfo& captureInfo_;
   const Progress& progress_;
   RegionTracker tracker_;
   std::vector<RegionIndex> labels_; ///< of the frame that was added last
   ColorEvidence color_;
-  MotionEvidence motion_{patient_.sizePx};
+  MotionEvidence motion_{captureInfo_.sizePx};
   std::vector<FlowPair> flow_;
   RegionJitter regionJitter_;
   JitterEvidence jitter_;
   DepthEvidence depth_;
   MissingDepth missingDepth_;
-  RimEvidence rims_;
+  SilhouetteEvidence silhouettes_;
   OrderEvidence order_;
   PlaneTimes times_;
   ValueEvidence values_;

@@ -2,7 +2,7 @@
 
 #include "core/base/Median.h"
 #include "core/capture/import/FrameSamples.h"
-#include "core/doctor/frames/RegionMiddles.h"
+#include "core/doctor/frames/RegionCentroids.h"
 #include "core/doctor/motion/MotionEvidence.h"
 
 #include <glm/common.hpp>
@@ -358,8 +358,8 @@ std::map<RegionIndex, RegionMeans> meansOf(const DoctorFrame& frame, const std::
     double distance = 0.0, moving = 0.0, asked = 0.0, known = 0.0;
   };
   const glm::ivec2 size = frame.sizePx();
-  const std::vector<RegionMiddle> middles = middlesOf(labels, size);
-  std::vector<Sum> sums(middles.size());
+  const std::vector<RegionMiddle> centroids = centroidsOf(labels, size);
+  std::vector<Sum> sums(centroids.size());
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
       const RegionIndex region = labels[static_cast<std::size_t>(y) * size.x + x];
@@ -381,8 +381,8 @@ std::map<RegionIndex, RegionMeans> meansOf(const DoctorFrame& frame, const std::
     const Sum& sum = sums[i];
     if (!(sum.moving > 0.0)) continue;
     RegionMeans& means = out[static_cast<RegionIndex>(i)];
-    means.middle = middles[i].place();
-    means.isWhole = !middles[i].isCut;
+    means.middle = centroids[i].place();
+    means.isWhole = !centroids[i].isCut;
     means.given = sum.given / sum.moving;
     means.distance = sum.distance / sum.moving;
     if (sum.known > 0.0 && sum.known == sum.asked) means.camera = sum.camera / sum.known;

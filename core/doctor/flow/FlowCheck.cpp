@@ -3,15 +3,15 @@
 #include "core/base/Median.h"
 #include "core/base/NumberText.h"
 #include "core/base/Say.h"
-#include "core/doctor/Mending.h"
+#include "core/doctor/Correction.h"
 #include "core/doctor/flow/FlowFindings.h"
 #include "core/doctor/flow/FlowFit.h"
 #include "core/doctor/flow/FlowLength.h"
 #include "core/doctor/flow/FlowReadings.h"
 #include "core/doctor/flow/FlowWords.h"
 #include "core/doctor/flow/OtherObjects.h"
+#include "core/doctor/motion/MotionCorrection.h"
 #include "core/doctor/motion/MotionFindings.h"
-#include "core/doctor/motion/MotionMending.h"
 #include "core/doctor/motion/MotionWords.h"
 #include "core/settings/Faults.h"
 
@@ -63,12 +63,13 @@ std::string takeBackOfAll(Diagnosis& out) {
 
 /// Motion of which no root was taken, and what is said of it as if one had been: all of it, as an encoding is
 /// that of all that is stored. False: it is not so.
-bool tellWithoutRoot(const FlowSeen& seen, const Patient& patient, double tolerancePx, Diagnosis& out) {
+bool tellWithoutRoot(const FlowSeen& seen, const CaptureInfo& captureInfo, double tolerancePx,
+                     Diagnosis& out) {
   std::vector<const FlowSquare*> written; // what was not is the camera's by what is stated
   for (const FlowPair& pair : seen.pairs)
     for (const FlowSquare& square : pair.squares)
       if (!square.isOfCamera()) written.push_back(&square);
-  const auto withoutRoot = explainingWithoutRoot(written, patient, tolerancePx);
+  const auto withoutRoot = explainingWithoutRoot(written, captureInfo, tolerancePx);
   if (!withoutRoot) return false;
   // Of motion that hardly changes a line makes nearly what a curve does.
   const auto line = explaining(written, tolerancePx);
@@ -77,8 +78,8 @@ bool tellWithoutRoot(const FlowSeen& seen, const Patient& patient, double tolera
   if (refuted.empty()) return false;
   takeBackOfAll(out);
   takeBackRegions(out);
-  Finding finding = measuredFinding(refuted, seen, patient, out);
-  finding.sureness = Sureness::Likely;
+  Finding finding = measuredFinding(refuted, seen, captureInfo, out);
+  finding.confidence = Confidence::Likely;
   nameWithoutRoot(*withoutRoot, finding);
   addMotion(std::move(finding), out);
   return true;
@@ -87,19 +88,19 @@ bool tellWithoutRoot(const FlowSeen& seen, const Patient& patient, double tolera
 /// Whether something that is sure explains motion of the whole picture, and with it that of each region.
 bool isAllExplained(const Diagnosis& out) {
   return std::ranges::any_of(out.findings, [](const Finding& finding) {
-    return finding.isWholePicture && isOfMotion(finding) && finding.sureness == Sureness::Sure;
+    return finding.isWholePicture && isOfMotion(finding) && finding.confidence == Confidence::Sure;
   });
 }
 
 /// Whether the motion given is longer or shorter than what pictures move by, by a factor that hardly shows in
 /// any square: over all of them it is known much better.
-bool isOfOtherLength(const FlowSeen& seen, const FlowPatient& patient, double tolerancePx,
+bool isOfOtherLength(const FlowSeen& seen, const FlowCaptureInfo& captureInfo, double tolerancePx,
                      const Diagnosis& out) {
   constexpr double kMovingPx = 1.0, kShare = 0.04, kFitErrors = 5.0;
   constexpr std::size_t kEnoughMoving = 60;
   std::vector<bool> isTold;
   for (const Region& region : seen.regions)
-    isTold.push_back(isRegionTold(placeOf(region, patient.patient, 1.0).name, out));
+    isTold.push_back(isRegionTold(placeOf(region, captureInfo.captureInfo, 1.0).name, out));
   std::vector<const FlowSquare*> moving;
   for (const FlowPair& pair : seen.pairs)
     for (const FlowSquare& square : pair.squares)
@@ -109,7 +110,7 @@ bool isOfOtherLength(const FlowSeen& seen, const FlowPatient& patient, double to
   const auto fit = fitFlow(moving, true, tolerancePx);
   if (!fit || !fit->isGood() || !isAlongAxes(*fit)) return false;
   // Jitter that is not known is one error of all squares of a pair.
-  const double alike = patient.isJitterOpen
+  const double alike = captureInfo.isJitterOpen
                            ? static_cast<double>(moving.size()) / static_cast<double>(seen.pairs.size())
                            : 1.0;
   const auto isOther = [&](int axis) {
@@ -132,11 +133,11 @@ bool isRightAsGiven(const std::vector<const FlowSquare*>& squares, std::size_t t
 
 /// All that was measured where a finding is.
 std::vector<const FlowSquare*> squaresIn(const Finding& finding, const FlowSeen& seen,
-                                         const Patient& patient) {
+                                         const CaptureInfo& captureInfo) {
   std::set<RegionIndex> regions;
   for (std::size_t i = 0; i < seen.regions.size(); ++i)
-    if (std::ranges::count(finding.regions, placeOf(seen.regions[i], patient, 1.0).name, &RegionPlace::name) >
-        0)
+    if (std::ranges::count(finding.regions, placeOf(seen.regions[i], captureInfo, 1.0).name,
+                           &RegionPlace::name) > 0)
       regions.insert(static_cast<RegionIndex>(i));
   std::vector<const FlowSquare*> out;
   for (const FlowPair& pair : seen.pairs)
@@ -156,32 +157,32 @@ bool isHardlyBetter(const MotionTrial& trial, const Finding& finding) {
 
 /// Of a factor that explains a region the number that squares say, where it is not the one told.
 void measureFactor(const MotionTrial& trial, const std::vector<const FlowSquare*>& squares,
-                   const FlowSeen& seen, const Patient& patient, Finding& finding) {
+                   const FlowSeen& seen, const CaptureInfo& captureInfo, Finding& finding) {
   if (trial.kind != MotionKind::Scaled || squares.size() < kEnoughRefutingSquares) return;
   const auto fit = fitFlow(squares, true, kOffPx);
   if (!fit || !fit->isGood() || !isAlongAxes(*fit)) return;
-  const auto known = knownTrial(*fit, patient.sizePx);
+  const auto known = knownTrial(*fit, captureInfo.sizePx);
   if (known && trialId(*known) == trialId(trial)) return;
-  finding.change = exampleOf(squares, seen, patient);
-  finding.mending.clear();
-  nameByFit(*fit, patient, finding);
+  finding.change = exampleOf(squares, seen, captureInfo);
+  finding.correction.clear();
+  nameByFit(*fit, captureInfo, finding);
 }
 
 /// Takes back findings of regions whose explanation does not make what is measured there, or where nothing is
 /// wrong; what makes only a part of it is not sure, and a factor that stays is measured.
-void takeBackRefuted(const FlowSeen& seen, const Patient& patient, Diagnosis& out) {
-  const std::vector<MotionTrial> trials = motionTrials(patient.sizePx);
+void takeBackRefuted(const FlowSeen& seen, const CaptureInfo& captureInfo, Diagnosis& out) {
+  const std::vector<MotionTrial> trials = motionTrials(captureInfo.sizePx);
   std::erase_if(out.findings, [&](Finding& finding) {
     if (!isOfMotion(finding) || finding.isWholePicture || finding.residuals.empty()) return false;
     const auto trial = std::ranges::find(trials, finding.residuals.front().id, &trialId);
     if (trial == trials.end()) return false;
-    const std::vector<const FlowSquare*> squares = squaresIn(finding, seen, patient);
+    const std::vector<const FlowSquare*> squares = squaresIn(finding, seen, captureInfo);
     const auto index = static_cast<std::size_t>(trial - trials.begin());
     const BorneOut says = borneOut(squares, index);
-    if (says == BorneOut::Partly) finding.sureness = Sureness::Likely;
+    if (says == BorneOut::Partly) finding.confidence = Confidence::Likely;
     const bool isRefuted =
         isRightAsGiven(squares, index) || says == BorneOut::No || isHardlyBetter(*trial, finding);
-    if (!isRefuted) measureFactor(*trial, squares, seen, patient, finding);
+    if (!isRefuted) measureFactor(*trial, squares, seen, captureInfo, finding);
     return isRefuted;
   });
 }
@@ -198,18 +199,19 @@ double refutedShare(const FlowSeen& seen, double tolerancePx) {
 }
 
 /// Says of findings of regions in which frames pictures refute them, where that is not in all.
-void tellFrames(const std::vector<Refuted>& refuted, const Patient& patient, Diagnosis& out) {
+void tellFrames(const std::vector<Refuted>& refuted, const CaptureInfo& captureInfo, Diagnosis& out) {
   constexpr double kNearlyAll = 0.8;
   for (Finding& finding : out.findings) {
     if (!isOfMotion(finding) || finding.isWholePicture) continue;
     for (const Refuted& one : refuted) {
-      const bool isOfFinding = std::ranges::count(finding.regions, placeOf(*one.region, patient, 1.0).name,
-                                                  &RegionPlace::name) > 0;
+      const bool isOfFinding =
+          std::ranges::count(finding.regions, placeOf(*one.region, captureInfo, 1.0).name,
+                             &RegionPlace::name) > 0;
       const bool isSometimes =
           static_cast<double>(one.frames.size()) < kNearlyAll * static_cast<double>(one.asked.size());
       if (!isOfFinding || !isSometimes) continue;
-      finding.reason +=
-          " " + say<"By what squares move by it is so in %1.">(patient.frameNames.of(one.frames, one.asked));
+      finding.reason += " " + say<"By what squares move by it is so in %1.">(
+                                  captureInfo.frameNames.of(one.frames, one.asked));
       break;
     }
   }
@@ -225,7 +227,8 @@ bool saysNotCamerasAlone(const Finding& finding) {
 
 /// Where one line makes all that is given what pictures move by, that says more than that it is not the
 /// camera's.
-void nameNotCameras(const FlowSeen& seen, const Patient& patient, double tolerancePx, Diagnosis& out) {
+void nameNotCameras(const FlowSeen& seen, const CaptureInfo& captureInfo, double tolerancePx,
+                    Diagnosis& out) {
   if (std::ranges::none_of(out.findings, saysNotCamerasAlone)) return;
   const std::vector<Refuted> all{wholePicture(seen)};
   const auto fit = explaining(all.front().squares, tolerancePx);
@@ -237,10 +240,10 @@ void nameNotCameras(const FlowSeen& seen, const Patient& patient, double toleran
   if (!fit || (isAnyTurned && followedShare(*fit, all.front().squares, kClosePx) < kNearlyAll)) return;
   std::erase_if(out.findings, saysNotCamerasAlone);
   takeBackRegions(out); // a part of it
-  Finding finding = measuredFinding(all, seen, patient, out);
-  finding.sureness = Sureness::Likely;
+  Finding finding = measuredFinding(all, seen, captureInfo, out);
+  finding.confidence = Confidence::Likely;
   finding.isWholePicture = true;
-  nameByFit(*fit, patient, finding);
+  nameByFit(*fit, captureInfo, finding);
   addMotion(std::move(finding), out);
 }
 
@@ -253,11 +256,11 @@ FaultWords otherObjectWords() {
 }
 
 bool isUnsure(const Finding& finding) {
-  return finding.sureness != Sureness::Sure;
+  return finding.confidence != Confidence::Sure;
 }
 
 /// What is taken from another object, and whose it is; takes these regions out of `refuted`.
-void tellOtherObjects(std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,
+void tellOtherObjects(std::vector<Refuted>& refuted, const FlowSeen& seen, const CaptureInfo& captureInfo,
                       Diagnosis& out) {
   const std::vector<OfOtherObject> found = ofOtherObjects(refuted, seen);
   if (found.empty()) return;
@@ -267,13 +270,13 @@ void tellOtherObjects(std::vector<Refuted>& refuted, const FlowSeen& seen, const
     if (isFound) of.push_back(one);
     return isFound;
   });
-  Finding finding = measuredFinding(of, seen, patient, out);
-  finding.sureness = Sureness::Likely;
+  Finding finding = measuredFinding(of, seen, captureInfo, out);
+  finding.confidence = Confidence::Likely;
   finding.regions.clear();
   nameMeasured(otherObjectWords(), finding);
   for (const OfOtherObject& one : found) {
-    const RegionPlace place = placeOf(*one.region, patient, allPixels(patient, out));
-    const std::string other = placeOf(*one.other, patient, 1.0).name;
+    const RegionPlace place = placeOf(*one.region, captureInfo, allPixels(captureInfo, out));
+    const std::string other = placeOf(*one.other, captureInfo, 1.0).name;
     finding.reason +=
         " " + (one.kind == OtherObjectKind::Motion
                    ? say<"In %1 of %2 frames the motion given of %3 is what %4 moves by, to %5 px.">(
@@ -288,13 +291,13 @@ void tellOtherObjects(std::vector<Refuted>& refuted, const FlowSeen& seen, const
 }
 
 /// Frames in which a list of transforms slips.
-void tellSlipped(const FlowSeen& seen, const Patient& patient, Diagnosis& out) {
+void tellSlipped(const FlowSeen& seen, const CaptureInfo& captureInfo, Diagnosis& out) {
   Finding finding;
   nameBy(otherObjectWords(), finding);
-  finding.sureness = Sureness::Likely;
+  finding.confidence = Confidence::Likely;
   for (const SlippedFrame& slipped : slippedFrames(seen)) {
     for (const Region* region : slipped.regions) {
-      const RegionPlace place = placeOf(*region, patient, allPixels(patient, out));
+      const RegionPlace place = placeOf(*region, captureInfo, allPixels(captureInfo, out));
       takeOutOfMotion({place.name}, out.findings, isUnsure);
       if (std::ranges::count(finding.regions, place.name, &RegionPlace::name) == 0)
         finding.regions.push_back(place);
@@ -302,17 +305,17 @@ void tellSlipped(const FlowSeen& seen, const Patient& patient, Diagnosis& out) {
     finding.reason += (finding.reason.empty() ? "" : " ") +
                       say<"In frame %1 the motion given of %2 of %3 objects that do not move so leads to "
                           "where other ones were, to %4 px: of %5 to where %6 was.">(
-                          patient.frameNames.of(slipped.frame), slipped.told, slipped.regions.size(),
-                          shortNumber(slipped.px), placeOf(*slipped.example, patient, 1.0).name,
-                          placeOf(*slipped.other, patient, 1.0).name);
+                          captureInfo.frameNames.of(slipped.frame), slipped.told, slipped.regions.size(),
+                          shortNumber(slipped.px), placeOf(*slipped.example, captureInfo, 1.0).name,
+                          placeOf(*slipped.other, captureInfo, 1.0).name);
   }
   if (!finding.regions.empty()) addMotion(std::move(finding), out);
 }
 
 /// What explanations that are no line make of the motion given; takes these regions out of `refuted`.
-void tellReadings(std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,
+void tellReadings(std::vector<Refuted>& refuted, const FlowSeen& seen, const CaptureInfo& captureInfo,
                   Diagnosis& out) {
-  const std::vector<MotionTrial> trials = motionTrials(patient.sizePx);
+  const std::vector<MotionTrial> trials = motionTrials(captureInfo.sizePx);
   const double healthy = healthyPx(seen);
   std::map<std::size_t, std::vector<Refuted>> byTrial;
   std::map<std::size_t, std::set<std::size_t>> rivals;
@@ -330,8 +333,8 @@ void tellReadings(std::vector<Refuted>& refuted, const FlowSeen& seen, const Pat
   });
   for (const auto& [trial, of] : byTrial) {
     const std::vector<const FlowSquare*> squares = squaresOf(of);
-    Finding finding = measuredFinding(of, seen, patient, out);
-    finding.sureness = Sureness::Likely;
+    Finding finding = measuredFinding(of, seen, captureInfo, out);
+    finding.confidence = Confidence::Likely;
     nameMeasured(motionFault(&trials[trial], *of.front().region, RegionEvidence()), finding);
     finding.reason += " " + say<"Taken like this it is off by %1 px: %2.">(
                                 shortNumber(leftPx(squares, trial)), trialText(trials[trial]));
@@ -340,19 +343,19 @@ void tellReadings(std::vector<Refuted>& refuted, const FlowSeen& seen, const Pat
       if (id != finding.id && std::ranges::count(finding.alike, id) == 0)
         finding.alike.push_back(std::move(id));
     }
-    mendBy(motionMending(trials[trial]), finding);
+    correctBy(motionCorrection(trials[trial]), finding);
     out.findings.push_back(std::move(finding));
   }
 }
 
 /// Motion that ends at a length, and what was said of regions where it does.
-void tellLimited(const FlowSeen& seen, const Patient& patient, double tolerancePx, Diagnosis& out) {
+void tellLimited(const FlowSeen& seen, const CaptureInfo& captureInfo, double tolerancePx, Diagnosis& out) {
   const auto limit = limitPx(seen.pairs, tolerancePx);
   if (!limit) return;
   std::vector<Refuted> refuted = refutedRegions(seen, tolerancePx);
   if (refuted.empty()) return;
   takeBackRegions(out);
-  Finding finding = measuredFinding(refuted, seen, patient, out);
+  Finding finding = measuredFinding(refuted, seen, captureInfo, out);
   nameMeasured({"motionLimited", say<"Motion cut off at a length">(),
                 say<"Fast things ghost; slow ones are right.">(),
                 say<"Store motion for TAA without the limit that motion blur, or a format, puts on it.">()},
@@ -364,23 +367,24 @@ void tellLimited(const FlowSeen& seen, const Patient& patient, double toleranceP
 }
 
 /// A frame of which everything moves otherwise than is given.
-void tellWholeFrames(const FlowSeen& seen, const Patient& patient, double tolerancePx, Diagnosis& out) {
+void tellWholeFrames(const FlowSeen& seen, const CaptureInfo& captureInfo, double tolerancePx,
+                     Diagnosis& out) {
   const std::vector<Refuted> refuted{wholeFrames(seen, tolerancePx)};
   if (refuted.front().frames.empty() || std::ranges::any_of(out.findings, isOfMotion)) return;
-  Finding finding = measuredFinding(refuted, seen, patient, out);
-  finding.sureness = Sureness::Likely;
+  Finding finding = measuredFinding(refuted, seen, captureInfo, out);
+  finding.confidence = Confidence::Likely;
   finding.isWholePicture = true;
-  nameBest({}, refuted, seen, patient, tolerancePx, finding);
+  nameBest({}, refuted, seen, captureInfo, tolerancePx, finding);
   addMotion(std::move(finding), out);
 }
 
 /// What goes one way has lost that part of its motion: numbers without a sign.
-void tellClipped(const FlowSeen& seen, const Patient& patient, Diagnosis& out) {
+void tellClipped(const FlowSeen& seen, const CaptureInfo& captureInfo, Diagnosis& out) {
   const std::vector<Refuted> all{wholePicture(seen)};
   const bool x = isClipped(all.front().squares, 0), y = isClipped(all.front().squares, 1);
   if (!x && !y) return;
   takeBackRegions(out);
-  Finding finding = measuredFinding(all, seen, patient, out);
+  Finding finding = measuredFinding(all, seen, captureInfo, out);
   nameMeasured({"motionClipped", say<"Motion without its negative part">(),
                 say<"What goes one way ghosts; what goes the other is right.">(),
                 say<"Store motion in a format with a sign, or with an offset that is stated.">()},
@@ -413,7 +417,7 @@ bool areMost(const FlowSeen& seen, const std::function<double(const FlowSquare&)
 /// What is told of motion of the whole picture does not make what pictures move by.
 void leaveUnsure(Diagnosis& out) {
   for (Finding& finding : out.findings)
-    if (finding.isWholePicture && isOfMotion(finding)) finding.sureness = Sureness::Likely;
+    if (finding.isWholePicture && isOfMotion(finding)) finding.confidence = Confidence::Likely;
 }
 
 } // namespace
@@ -426,15 +430,17 @@ bool isMotionConfirmed(const FlowSeen& seen) {
   return areMost(seen, [](const FlowSquare& square) { return square.offPx(); });
 }
 
-void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient& patient, Diagnosis& out) {
-  const double tolerancePx = patient.isJitterOpen ? kOffPxWithOpenJitter : kOffPx;
+void tellFlow(const FlowSeen& asGiven, const FlowSeen& corrected, const FlowCaptureInfo& captureInfo,
+              Diagnosis& out) {
+  const double tolerancePx = captureInfo.isJitterOpen ? kOffPxWithOpenJitter : kOffPx;
   // A curve can pass for what a mistake that is told makes of motion of nearly one length.
-  const bool isExplained = patient.isMotionMended && refutedShare(mended, tolerancePx) < kDoubtsAll;
-  if (!isExplained && tellWithoutRoot(asGiven, patient.patient, tolerancePx, out)) return;
+  const bool isExplained = captureInfo.isMotionCorrected && refutedShare(corrected, tolerancePx) < kDoubtsAll;
+  if (!isExplained && tellWithoutRoot(asGiven, captureInfo.captureInfo, tolerancePx, out)) return;
   const bool isAnyTold = std::ranges::any_of(out.findings, isOfMotion);
-  const bool isOtherLength =
-      isOfOtherLength(mended, patient, tolerancePx, out) || (!isAnyTold && isRestRefuted(mended.pairs));
-  if (isOtherLength || (patient.isMotionMended && refutedShare(mended, tolerancePx) >= kRefutesAll)) {
+  const bool isOtherLength = isOfOtherLength(corrected, captureInfo, tolerancePx, out) ||
+                             (!isAnyTold && isRestRefuted(corrected.pairs));
+  if (isOtherLength ||
+      (captureInfo.isMotionCorrected && refutedShare(corrected, tolerancePx) >= kRefutesAll)) {
     // What is wrong everywhere shows in the sum of squares in none of which it is clear.
     std::vector<Refuted> refuted{wholePicture(asGiven)};
     if (!isOtherLength && !explaining(refuted.front().squares, tolerancePx))
@@ -444,34 +450,34 @@ void tellFlow(const FlowSeen& asGiven, const FlowSeen& mended, const FlowPatient
       return;
     }
     const std::string told = takeBackOfAll(out);
-    Finding finding = bestFinding(refuted, asGiven, patient.patient, tolerancePx, out);
+    Finding finding = bestFinding(refuted, asGiven, captureInfo.captureInfo, tolerancePx, out);
     finding.isWholePicture = true;
     if (finding.id == kUnknownMotionId && !told.empty())
       finding.reason += " " + say<"What comes nearest does not explain it either: %1.">(told);
     addMotion(std::move(finding), out);
     return;
   }
-  if (patient.isMotionMended && !isExplained) leaveUnsure(out);
-  std::vector<Refuted> refuted = refutedRegions(mended, tolerancePx);
-  takeBackRefuted(mended, patient.patient, out);
-  tellClipped(mended, patient.patient, out);
-  tellLimited(mended, patient.patient, tolerancePx, out);
-  nameNotCameras(mended, patient.patient, tolerancePx, out);
-  tellFrames(refuted, patient.patient, out);
+  if (captureInfo.isMotionCorrected && !isExplained) leaveUnsure(out);
+  std::vector<Refuted> refuted = refutedRegions(corrected, tolerancePx);
+  takeBackRefuted(corrected, captureInfo.captureInfo, out);
+  tellClipped(corrected, captureInfo.captureInfo, out);
+  tellLimited(corrected, captureInfo.captureInfo, tolerancePx, out);
+  nameNotCameras(corrected, captureInfo.captureInfo, tolerancePx, out);
+  tellFrames(refuted, captureInfo.captureInfo, out);
   if (!isAllExplained(out)) {
-    tellOtherObjects(refuted, mended, patient.patient, out);
-    tellSlipped(mended, patient.patient, out);
+    tellOtherObjects(refuted, corrected, captureInfo.captureInfo, out);
+    tellSlipped(corrected, captureInfo.captureInfo, out);
   }
   std::erase_if(refuted, [&](const Refuted& one) {
-    return isMotionTold(placeOf(*one.region, patient.patient, 1.0).name, out);
+    return isMotionTold(placeOf(*one.region, captureInfo.captureInfo, 1.0).name, out);
   });
   if (refuted.empty()) {
-    if (!patient.isJitterOpen) tellWholeFrames(mended, patient.patient, tolerancePx, out);
+    if (!captureInfo.isJitterOpen) tellWholeFrames(corrected, captureInfo.captureInfo, tolerancePx, out);
     return;
   }
-  tellReadings(refuted, mended, patient.patient, out);
+  tellReadings(refuted, corrected, captureInfo.captureInfo, out);
   if (!refuted.empty())
-    out.findings.push_back(bestFinding(refuted, mended, patient.patient, tolerancePx, out));
+    out.findings.push_back(bestFinding(refuted, corrected, captureInfo.captureInfo, tolerancePx, out));
   out.parts.takeBack(say<"Motion">());
 }
 

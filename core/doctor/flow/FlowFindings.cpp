@@ -3,7 +3,7 @@
 #include "core/base/Median.h"
 #include "core/base/NumberText.h"
 #include "core/base/Say.h"
-#include "core/doctor/Mending.h"
+#include "core/doctor/Correction.h"
 #include "core/doctor/flow/FlowChange.h"
 #include "core/doctor/flow/FlowWords.h"
 #include "core/doctor/motion/MotionFindings.h"
@@ -86,47 +86,48 @@ bool areAllZero(const std::vector<const FlowSquare*>& squares) {
 }
 
 std::string exampleOf(const std::vector<const FlowSquare*>& squares, const FlowSeen& seen,
-                      const Patient& patient) {
+                      const CaptureInfo& captureInfo) {
   const FlowSquare* farthest = *std::ranges::max_element(
       squares, {}, [](const FlowSquare* square) { return square->offPx() / (1.0 + 10.0 * square->errorPx); });
   return say<"For example around pixel %1, %2 of frame %3 you write %4; the pictures show %5.">(
-      farthest->pixel.x, farthest->pixel.y, patient.frameNames.of(frameOf(*farthest, seen)),
-      shortVector(storedMotion(patient, farthest->given)), shortVector(storedMotion(patient, farthest->px)));
+      farthest->pixel.x, farthest->pixel.y, captureInfo.frameNames.of(frameOf(*farthest, seen)),
+      shortVector(storedMotion(captureInfo, farthest->given)),
+      shortVector(storedMotion(captureInfo, farthest->px)));
 }
 
-Finding measuredFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,
-                        const Diagnosis& out) {
+Finding measuredFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen,
+                        const CaptureInfo& captureInfo, const Diagnosis& out) {
   const std::vector<const FlowSquare*> squares = squaresOf(refuted);
   Finding finding;
   for (const Refuted& one : refuted)
-    if (one.region) finding.regions.push_back(placeOf(*one.region, patient, allPixels(patient, out)));
+    if (one.region) finding.regions.push_back(placeOf(*one.region, captureInfo, allPixels(captureInfo, out)));
   std::ranges::stable_sort(finding.regions, std::greater(), &RegionPlace::share);
   finding.measure = say<"median difference of luma in squares that can be followed, × 1000">();
   finding.residuals = residualsOf(squares);
   const auto [frames, asked] = framesOf(refuted);
   finding.reason =
       say<"In %1 the pictures move otherwise there than is given, by %2 px in the middle of %3 squares "
-          "that can be followed to %4 px.">(patient.frameNames.of(frames, asked),
+          "that can be followed to %4 px.">(captureInfo.frameNames.of(frames, asked),
                                             shortNumber(medianOff(squares)), squares.size(),
                                             shortNumber(medianError(squares)));
-  finding.change = exampleOf(squares, seen, patient);
+  finding.change = exampleOf(squares, seen, captureInfo);
   return finding;
 }
 
 void nameBest(const std::optional<FlowFit>& fit, const std::vector<Refuted>& refuted, const FlowSeen& seen,
-              const Patient& patient, double tolerancePx, Finding& finding) {
+              const CaptureInfo& captureInfo, double tolerancePx, Finding& finding) {
   if (const auto missing = fitOfMissing(refuted)) {
-    nameMissing(patient.frameNames.of(framesOf(refuted).first.front()), *missing, finding);
+    nameMissing(captureInfo.frameNames.of(framesOf(refuted).first.front()), *missing, finding);
     return;
   }
   if (fit) {
-    nameByFit(*fit, patient, finding);
+    nameByFit(*fit, captureInfo, finding);
     return;
   }
-  const PictureChanges changes = changesOf(refuted, seen, patient.sizePx, tolerancePx);
-  if (!areZooms(changes, patient.sizePx)) {
+  const PictureChanges changes = changesOf(refuted, seen, captureInfo.sizePx, tolerancePx);
+  if (!areZooms(changes, captureInfo.sizePx)) {
     nameUnknown(finding);
-    if (const std::string text = changeText(changes, patient.frameNames); !text.empty())
+    if (const std::string text = changeText(changes, captureInfo.frameNames); !text.empty())
       finding.reason += " " + text;
     return;
   }
@@ -135,11 +136,11 @@ void nameBest(const std::optional<FlowFit>& fit, const std::vector<Refuted>& ref
   finding.reason += " " + zoomText(changes);
 }
 
-Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, const Patient& patient,
+Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, const CaptureInfo& captureInfo,
                     double tolerancePx, const Diagnosis& out) {
   const std::vector<const FlowSquare*> squares = squaresOf(refuted);
-  Finding finding = measuredFinding(refuted, seen, patient, out);
-  finding.sureness = Sureness::Likely;
+  Finding finding = measuredFinding(refuted, seen, captureInfo, out);
+  finding.confidence = Confidence::Likely;
   if (areAllZero(squares)) {
     const bool isOfCamera = isRightElsewhere(seen, refuted);
     const FaultInfo& row = faultInfo(isOfCamera ? Fault::MotionWithoutCamera : Fault::MotionZero);
@@ -161,7 +162,7 @@ Finding bestFinding(const std::vector<Refuted>& refuted, const FlowSeen& seen, c
   if (fit && followedShare(*fit, squares, tolerancePx) < kMostSquares)
     fit.reset(); // what is right everywhere else
   if (!fit) fit = explaining(squares, tolerancePx);
-  nameBest(fit, refuted, seen, patient, tolerancePx, finding);
+  nameBest(fit, refuted, seen, captureInfo, tolerancePx, finding);
   return finding;
 }
 

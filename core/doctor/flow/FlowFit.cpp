@@ -203,11 +203,11 @@ std::optional<FlowFit> explaining(const std::vector<const FlowSquare*>& squares,
 }
 
 std::optional<FlowFit> explainingWithoutRoot(const std::vector<const FlowSquare*>& squares,
-                                             const Patient& patient, double tolerancePx) {
+                                             const CaptureInfo& captureInfo, double tolerancePx) {
   const bool isUnreal =
-      patient.conventions && patient.conventions->motion.encoding == capture::MotionEncoding::Unreal;
+      captureInfo.conventions && captureInfo.conventions->motion.encoding == capture::MotionEncoding::Unreal;
   if (!isUnreal) return {};
-  const glm::dvec2 pxPerNdc = 0.5 * glm::dvec2(patient.sizePx);
+  const glm::dvec2 pxPerNdc = 0.5 * glm::dvec2(captureInfo.sizePx);
   std::vector<FlowSquare> linear;
   for (const FlowSquare* square : squares) {
     FlowSquare& one = linear.emplace_back(*square);

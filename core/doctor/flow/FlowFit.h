@@ -2,7 +2,7 @@
 // it is.
 #pragma once
 
-#include "core/doctor/Patient.h"
+#include "core/doctor/CaptureInfo.h"
 #include "core/doctor/flow/Flow.h"
 
 #include <glm/mat2x2.hpp>
@@ -52,7 +52,7 @@ std::optional<FlowFit> explaining(const std::vector<const FlowSquare*>& squares,
 /// Where Unreal's encoding is stated, and what is stored is its argument and not its root: of what would be
 /// read without undoing one, a factor.
 std::optional<FlowFit> explainingWithoutRoot(const std::vector<const FlowSquare*>& squares,
-                                             const Patient& patient, double tolerancePx);
+                                             const CaptureInfo& captureInfo, double tolerancePx);
 
 /// Of squares, how many follow a line to so many pixels, or by chance.
 double followedShare(const FlowFit& fit, const std::vector<const FlowSquare*>& squares, double tolerancePx);

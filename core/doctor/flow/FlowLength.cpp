@@ -141,7 +141,7 @@ std::optional<FittedLength> fittedLength(const std::vector<FlowPair>& pairs) {
 bool isRestRefuted(const std::vector<FlowPair>& pairs) {
   constexpr std::size_t kEnoughPairs = 5, kEnoughOfPair = 8;
   constexpr double kMovesPx = 0.1, kErrors = 4.0;
-  std::vector<glm::dvec2> middles;
+  std::vector<glm::dvec2> centroids;
   glm::dvec2 mean(0.0);
   for (const FlowPair& pair : pairs) {
     std::vector<double> x, y;
@@ -151,14 +151,14 @@ bool isRestRefuted(const std::vector<FlowPair>& pairs) {
       y.push_back(square.px.y);
     }
     if (x.size() < kEnoughOfPair) continue;
-    middles.emplace_back(median(std::move(x)), median(std::move(y)));
-    mean += middles.back();
+    centroids.emplace_back(median(std::move(x)), median(std::move(y)));
+    mean += centroids.back();
   }
-  if (middles.size() < kEnoughPairs) return false;
-  const auto count = static_cast<double>(middles.size());
+  if (centroids.size() < kEnoughPairs) return false;
+  const auto count = static_cast<double>(centroids.size());
   mean /= count;
   double squares = 0.0;
-  for (const glm::dvec2& middle : middles) squares += glm::dot(middle - mean, middle - mean);
+  for (const glm::dvec2& middle : centroids) squares += glm::dot(middle - mean, middle - mean);
   const double error = std::sqrt(squares / (count * (count - 1.0)));
   return glm::length(mean) >= std::max(kMovesPx, kErrors * error);
 }

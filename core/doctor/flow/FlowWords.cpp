@@ -4,8 +4,8 @@
 #include "core/base/Say.h"
 #include "core/capture/decode/Motion.h"
 #include "core/capture/import/FrameSamples.h"
-#include "core/doctor/Mending.h"
-#include "core/doctor/motion/MotionMending.h"
+#include "core/doctor/Correction.h"
+#include "core/doctor/motion/MotionCorrection.h"
 
 #include <cmath>
 #include <optional>
@@ -91,15 +91,16 @@ void nameMeasured(const FaultWords& fault, Finding& finding) {
   finding.change += " " + example;
 }
 
-void nameByFit(const FlowFit& fit, const Patient& patient, Finding& finding) {
-  const auto trial = knownTrial(fit, patient.sizePx);
+void nameByFit(const FlowFit& fit, const CaptureInfo& captureInfo, Finding& finding) {
+  const auto trial = knownTrial(fit, captureInfo.sizePx);
   nameMeasured(trial ? motionFault(&*trial, Region(), RegionEvidence()) : fitWords(fit), finding);
   finding.reason += " " + say<"By least squares %1: that explains %2 of %3 squares.">(
-                              fitText(fit, patient.sizePx), fit.followed, fit.squares);
+                              fitText(fit, captureInfo.sizePx), fit.followed, fit.squares);
   if (trial)
-    mendBy(motionMending(*trial), finding);
+    correctBy(motionCorrection(*trial), finding);
   else if (isAlongAxes(fit) && !hasOffset(fit))
-    mendBy(motionMending({MotionKind::Scaled, glm::vec2(fit.factors[0][0], fit.factors[1][1])}), finding);
+    correctBy(motionCorrection({MotionKind::Scaled, glm::vec2(fit.factors[0][0], fit.factors[1][1])}),
+              finding);
 }
 
 void nameWithoutRoot(const FlowFit& fit, Finding& finding) {
@@ -138,21 +139,21 @@ void nameUnknown(Finding& finding) {
 }
 
 std::vector<Finding> lengthFindings(const FittedLength& length, const MotionTrial& trial,
-                                    const Patient& patient) {
-  const auto axes = axesBesideUnit(trial, patient);
+                                    const CaptureInfo& captureInfo) {
+  const auto axes = axesBesideUnit(trial, captureInfo);
   std::vector<MotionTrial> told{axes ? unitAlone(trial, *axes) : trial};
   if (axes) told.push_back(*axes);
   std::vector<Finding> out;
   for (const MotionTrial& one : told) {
     Finding finding;
     nameBy(lengthFault(one), finding);
-    finding.sureness = trial.kind == MotionKind::OtherUnit ? Sureness::Sure : Sureness::Likely;
+    finding.confidence = trial.kind == MotionKind::OtherUnit ? Confidence::Sure : Confidence::Likely;
     finding.isWholePicture = true;
-    finding.reason = lengthReason(length, trial, patient.sizePx);
+    finding.reason = lengthReason(length, trial, captureInfo.sizePx);
     finding.measure = say<"mean difference of luma, × 1000">();
     finding.residuals = {{trialId(trial), trialText(trial), 1000.0 * length.fitted, false, true},
                          {"asGiven", say<"as given">(), 1000.0 * length.given, true, false}};
-    mendEverywhereBy(motionMending(one), finding);
+    correctEverywhereBy(motionCorrection(one), finding);
     out.push_back(std::move(finding));
   }
   return out;

@@ -124,7 +124,7 @@ class ObjectMotions {
   bool areCamerasKnown_ = true;
 };
 
-/// Middles of the objects of a frame that no border cuts.
+/// Centroids of the objects of a frame that no border cuts.
 std::map<RegionIndex, glm::dvec2> wholeObjects(const FlowPair& pair, const FlowSeen& seen) {
   std::map<RegionIndex, glm::dvec2> out;
   for (const auto& [region, means] : pair.means)

@@ -37,7 +37,7 @@ struct SlippedFrame {
   double px = 0.0;                                   ///< to that, in the middle
 };
 
-/// By the middles of objects that no border cuts: three or more, and nearly all that do not move as given.
+/// By the centroids of objects that no border cuts: three or more, and nearly all that do not move as given.
 std::vector<SlippedFrame> slippedFrames(const FlowSeen& seen);
 
 } // namespace taa::doctor

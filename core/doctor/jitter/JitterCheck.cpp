@@ -4,7 +4,7 @@
 #include "core/base/NumberText.h"
 #include "core/base/Say.h"
 #include "core/capture/decode/ScreenUnits.h"
-#include "core/doctor/Mending.h"
+#include "core/doctor/Correction.h"
 #include "core/doctor/jitter/JitterFactors.h"
 #include "core/doctor/jitter/JitterFit.h"
 #include "core/doctor/jitter/JitterPauses.h"
@@ -77,15 +77,16 @@ JitterWords jitterWords(const JitterTrial& trial) {
 }
 
 /// A displacement of content, px, as the engine states jitter.
-glm::dvec2 passedJitter(const Patient& patient, const glm::vec2& jitterPx) {
-  if (!patient.conventions) return glm::dvec2(jitterPx);
-  const capture::JitterConventions& jitter = patient.conventions->jitter;
-  const glm::dvec2 perValue = capture::pxPerUnit(jitter.unit, jitter.yAxis, patient.sizePx);
+glm::dvec2 passedJitter(const CaptureInfo& captureInfo, const glm::vec2& jitterPx) {
+  if (!captureInfo.conventions) return glm::dvec2(jitterPx);
+  const capture::JitterConventions& jitter = captureInfo.conventions->jitter;
+  const glm::dvec2 perValue = capture::pxPerUnit(jitter.unit, jitter.yAxis, captureInfo.sizePx);
   return (jitter.meaning == capture::JitterMeaning::Sample ? -1.0 : 1.0) * glm::dvec2(jitterPx) / perValue;
 }
 
 /// The frame whose stated jitter is farthest from what pictures show, in a sentence.
-std::string exampleOf(const JitterTrial& trial, const JitterEvidence& evidence, const Patient& patient) {
+std::string exampleOf(const JitterTrial& trial, const JitterEvidence& evidence,
+                      const CaptureInfo& captureInfo) {
   float farthest = -1.0f;
   std::string text;
   for (const auto& [frame, stated] : evidence.stated) {
@@ -93,8 +94,8 @@ std::string exampleOf(const JitterTrial& trial, const JitterEvidence& evidence, 
     if (!shown || glm::distance(*shown, stated) <= farthest) continue;
     farthest = glm::distance(*shown, stated);
     text = say<"For example at frame %1 you pass %2; the pictures show %3.">(
-        patient.frameNames.of(frame), shortVector(passedJitter(patient, stated)),
-        shortVector(passedJitter(patient, *shown)));
+        captureInfo.frameNames.of(frame), shortVector(passedJitter(captureInfo, stated)),
+        shortVector(passedJitter(captureInfo, *shown)));
   }
   return text;
 }
@@ -115,7 +116,7 @@ bool isConstant(const JitterEvidence& evidence) {
 }
 
 /// What makes what is reported that which pictures hold; no setting changes a unit of jitter.
-std::vector<std::string> jitterMending(const JitterTrial& trial) {
+std::vector<std::string> jitterCorrection(const JitterTrial& trial) {
   switch (trial.kind) {
   case JitterKind::AsStated:
   case JitterKind::OtherUnit:
@@ -172,26 +173,26 @@ void tellRivals(const JitterFit& fit, const std::vector<JitterTrial>& trials, Fi
   }
   if (texts.empty()) return;
   out.reason += " " + say<"These frames do not tell it from: %1.">(texts);
-  out.sureness = Sureness::Likely;
+  out.confidence = Confidence::Likely;
 }
 
 /// One thing that a trial says is wrong; a twofold one says two.
 Finding otherJitterFinding(const JitterTrial& one, const JitterTrial& best, const JitterEvidence& evidence,
-                           const Patient& patient) {
+                           const CaptureInfo& captureInfo) {
   Finding out = jitterFinding(one);
-  out.change += " " + exampleOf(best, evidence, patient);
+  out.change += " " + exampleOf(best, evidence, captureInfo);
   // No setting undoes two things that are wrong with jitter.
-  if (!best.isTwofold()) mendBy(jitterMending(one), out);
+  if (!best.isTwofold()) correctBy(jitterCorrection(one), out);
   return out;
 }
 
 /// By which the best trial of a fit is told.
-enum class JitterWitness : std::uint8_t { Pairs, Rest };
+enum class JitterConsistency : std::uint8_t { Pairs, Rest };
 
-std::string witnessText(JitterWitness witness, const JitterFit& fit, const JitterTrial& best) {
+std::string consistencyText(JitterConsistency consistency, const JitterFit& fit, const JitterTrial& best) {
   const TrialFit& won = fit.trials[fit.best];
   const std::string text = jitterTrialText(best);
-  if (witness == JitterWitness::Rest)
+  if (consistency == JitterConsistency::Rest)
     return say<
         "The camera rests: by the slopes of the mean of all pictures each of them is displaced as jitter "
         "like this makes it, and as nothing else that was tried: %1.">(text);
@@ -205,48 +206,48 @@ std::string withoutCameraText() {
 }
 
 /// Pictures shift as something else than what is stated makes them: a finding for each thing that is wrong.
-std::vector<Finding> otherJitter(JitterWitness witness, const JitterFit& fit,
+std::vector<Finding> otherJitter(JitterConsistency consistency, const JitterFit& fit,
                                  const std::vector<JitterTrial>& trials, const JitterEvidence& evidence,
-                                 bool isCameraKnown, const Patient& patient) {
+                                 bool isCameraKnown, const CaptureInfo& captureInfo) {
   const JitterTrial& best = trials[fit.best];
-  std::vector<Finding> findings{otherJitterFinding({best.kind, best.factor}, best, evidence, patient)};
-  if (best.isTwofold()) findings.push_back(otherJitterFinding({best.also}, best, evidence, patient));
+  std::vector<Finding> findings{otherJitterFinding({best.kind, best.factor}, best, evidence, captureInfo)};
+  if (best.isTwofold()) findings.push_back(otherJitterFinding({best.also}, best, evidence, captureInfo));
   for (Finding& out : findings) {
-    out.reason = witnessText(witness, fit, best) + " " +
+    out.reason = consistencyText(consistency, fit, best) + " " +
                  say<"Shifts that are measured from frame to frame are %1 px from it, and %2 px from what is "
                      "stated.">(shortNumber(fit.missPx[fit.best]), shortNumber(fit.missPx.front()));
     out.measure = say<"median difference of luma where pictures are shifted so, × 1000">();
     out.residuals = jitterResiduals(fit, trials);
-    if (witness == JitterWitness::Pairs) tellRivals(fit, trials, out);
+    if (consistency == JitterConsistency::Pairs) tellRivals(fit, trials, out);
     if (isCameraKnown) continue;
     out.reason += " " + withoutCameraText();
-    out.sureness = Sureness::Likely;
+    out.confidence = Confidence::Likely;
   }
   return findings;
 }
 
 /// Always the same jitter is stated, and pictures do not shift.
-Finding frozenJitter(const glm::vec2& statedPx, const Patient& patient) {
+Finding frozenJitter(const glm::vec2& statedPx, const CaptureInfo& captureInfo) {
   Finding out = wordedFinding(
       {Fault::JitterFrozen,
        say<"Go on in the sequence with each frame that is drawn: its index is always the same.">()});
   out.reason = say<"All frames state the same jitter, %1, and pictures do not shift against each other.">(
-      shortVector(passedJitter(patient, statedPx)));
+      shortVector(passedJitter(captureInfo, statedPx)));
   return out;
 }
 
 /// The same where pictures do not say whether they shift: what is stated is wrong whatever they do.
-Finding frozenStatement(const glm::vec2& statedPx, const Patient& patient) {
-  Finding out = frozenJitter(statedPx, patient);
-  out.sureness = Sureness::Likely;
+Finding frozenStatement(const glm::vec2& statedPx, const CaptureInfo& captureInfo) {
+  Finding out = frozenJitter(statedPx, captureInfo);
+  out.confidence = Confidence::Likely;
   out.reason = say<"All frames state the same jitter, %1. Whether pictures shift nevertheless they have too "
-                   "little detail to tell.">(shortVector(passedJitter(patient, statedPx)));
+                   "little detail to tell.">(shortVector(passedJitter(captureInfo, statedPx)));
   return out;
 }
 
 /// What pictures hold by their shifts alone, but for a constant that no difference shows: from the first
 /// frame of each run of measured pairs on.
-JitterMender measuredJitter(const JitterEvidence& evidence) {
+JitterCorrector measuredJitter(const JitterEvidence& evidence) {
   std::map<int, glm::vec2> jitters;
   for (const JitterEvidence::Shift& shift : evidence.shifts) {
     const glm::vec2 before = jitters.try_emplace(shift.frame - 1, 0.0f).first->second;
@@ -260,12 +261,12 @@ JitterMender measuredJitter(const JitterEvidence& evidence) {
 }
 
 /// Pictures shift though no jitter is stated, or always the same.
-JitterMender tellUnstated(const JitterEvidence& evidence, bool isCameraKnown, const Patient& patient,
-                          Diagnosis& out) {
+JitterCorrector tellUnstated(const JitterEvidence& evidence, bool isCameraKnown,
+                             const CaptureInfo& captureInfo, Diagnosis& out) {
   const double shiftPx = measuredPx(evidence);
   const glm::vec2 stated = evidence.stated.begin()->second;
   if (shiftPx < kShiftingPx && !isNone(stated)) {
-    out.findings.push_back(frozenJitter(stated, patient));
+    out.findings.push_back(frozenJitter(stated, captureInfo));
     return {};
   }
   if (shiftPx < kShiftingPx) {
@@ -291,7 +292,7 @@ JitterMender tellUnstated(const JitterEvidence& evidence, bool isCameraKnown, co
 }
 
 /// Some frames are drawn without the jitter that is stated for them.
-JitterMender tellPauses(const JitterPauses& pauses, const JitterEvidence& evidence, Diagnosis& out) {
+JitterCorrector tellPauses(const JitterPauses& pauses, const JitterEvidence& evidence, Diagnosis& out) {
   const std::string frames = out.frameNames.of(pauses.frames, pauses.asked);
   Finding finding = wordedFinding(jitterWords({JitterKind::NotApplied}));
   finding.name = say<"Jitter reported, not applied in %1">(frames);
@@ -341,11 +342,11 @@ void tellTrial(const std::vector<JitterTrial>& trials, std::size_t trial, const 
 }
 
 Finding factorsFinding(const JitterFactors& factors, const JitterEvidence& evidence,
-                       const JitterPatient& patient, double statedMissPx) {
+                       const JitterCaptureInfo& captureInfo, double statedMissPx) {
   const JitterTrial trial = factors.trial();
   const double missPx = shiftResidual(trial, evidence);
-  Finding out = otherJitterFinding(trial, trial, evidence, patient.patient);
-  out.sureness = Sureness::Likely;
+  Finding out = otherJitterFinding(trial, trial, evidence, captureInfo.captureInfo);
+  out.confidence = Confidence::Likely;
   out.reason =
       say<"By least squares over %1 pairs of frames pictures shift by %2 ± %3 times the stated jitter "
           "along x, and %4 ± %5 times along y. Shifts that are measured are %6 px from that in the "
@@ -353,9 +354,9 @@ Finding factorsFinding(const JitterFactors& factors, const JitterEvidence& evide
           shiftPairs(evidence).size(), measuredNumber(factors.factor.x, factors.error.x),
           errorNumber(factors.error.x), measuredNumber(factors.factor.y, factors.error.y),
           errorNumber(factors.error.y), shortNumber(missPx), shortNumber(statedMissPx));
-  if (const std::string sides = sidesText(factors, patient.patient.sizePx); !sides.empty())
+  if (const std::string sides = sidesText(factors, captureInfo.captureInfo.sizePx); !sides.empty())
     out.reason += " " + sides;
-  if (!patient.isCameraKnown) out.reason += " " + withoutCameraText();
+  if (!captureInfo.isCameraKnown) out.reason += " " + withoutCameraText();
   out.measure = say<"distance of measured shifts from those that jitter makes, px">();
   out.residuals = {{jitterTrialId(trial), jitterTrialText(trial), missPx, false, true},
                    {"asStated", say<"as stated">(), statedMissPx, true, false}};
@@ -453,21 +454,23 @@ Image asDepthPicture(const DoctorFrame& frame) {
   return out;
 }
 
-JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& patient, Diagnosis& out) {
+JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterCaptureInfo& captureInfo,
+                         Diagnosis& out) {
   if (evidence.stated.empty()) return {};
   if (evidence.shifts.size() < kEnoughShifts) {
     const glm::vec2 first = evidence.stated.begin()->second;
     if (isConstant(evidence) && !isNone(first))
-      out.findings.push_back(frozenStatement(first, patient.patient));
+      out.findings.push_back(frozenStatement(first, captureInfo.captureInfo));
     out.parts.leaveOpen({say<"Jitter">(),
                          say<"only %1 of %2 pairs of frames have detail enough to measure a shift">(
                              evidence.shifts.size(), evidence.pairs),
                          say<"Capture 8 frames or more of a still, detailed scene.">(), jitterFaults()});
     return {};
   }
-  if (isConstant(evidence)) return {tellUnstated(evidence, patient.isCameraKnown, patient.patient, out)};
+  if (isConstant(evidence))
+    return {tellUnstated(evidence, captureInfo.isCameraKnown, captureInfo.captureInfo, out)};
   if (const auto pauses = jitterPauses(evidence)) return {tellPauses(*pauses, evidence, out)};
-  std::vector<JitterTrial> trials = jitterTrials(patient.patient.sizePx);
+  std::vector<JitterTrial> trials = jitterTrials(captureInfo.captureInfo.sizePx);
   JitterFit fit = jitterFit(evidence, trials);
   const double missPx = fit.missPx.front();
   const bool isContradicted = fit.isContradicted();
@@ -479,32 +482,32 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
     out.parts.addRight(say<"Jitter">(),
                        say<"Jitter is in the pictures as it is stated, to %1 px.">(shortNumber(missPx)));
     tellLength(fit, trials, out);
-    tellTrial(trials, 0, evidence, patient.sky, out);
+    tellTrial(trials, 0, evidence, captureInfo.sky, out);
     return {};
   }
-  const auto menderOf = [&](const JitterTrial& trial) -> JitterMender {
+  const auto correctorOf = [&](const JitterTrial& trial) -> JitterCorrector {
     return [trial, all = evidence.stated](int frame) { return trueJitter(trial, all, frame); };
   };
-  JitterWitness witness = JitterWitness::Pairs;
+  JitterConsistency consistency = JitterConsistency::Pairs;
   if (!isContradicted && atRest && fit.missPx[*atRest] < missPx) {
-    witness = JitterWitness::Rest;
+    consistency = JitterConsistency::Rest;
     fit.best = *atRest;
   } else if (isOfFactors) {
-    out.findings.push_back(factorsFinding(*factors, evidence, patient, missPx));
+    out.findings.push_back(factorsFinding(*factors, evidence, captureInfo, missPx));
     tellSequenceOf(trials.front(), evidence, out);
-    return {menderOf(factors->trial())};
+    return {correctorOf(factors->trial())};
   } else if (!isContradicted) {
     tellNoFit(missPx, out);
     tellShort(evidence.stated, out);
     return {{}, missPx > kMissingPx, true};
   }
-  if (trials[fit.best].kind == JitterKind::NotApplied && patient.areSurfacesJittered &&
-      patient.areSurfacesJittered()) {
+  if (trials[fit.best].kind == JitterKind::NotApplied && captureInfo.areSurfacesJittered &&
+      captureInfo.areSurfacesJittered()) {
     out.notes.push_back(
         say<"Surfaces are drawn with the jitter, and what is seen on them is not shifted by it: textures are "
             "read as if there were none.">());
-    tellTrial(trials, 0, evidence, patient.sky, out);
-    return {menderOf(trials[fit.best])}; // what pictures are compared by
+    tellTrial(trials, 0, evidence, captureInfo.sky, out);
+    return {correctorOf(trials[fit.best])}; // what pictures are compared by
   }
   if (trials[fit.best].kind == JitterKind::NotApplied && areSomeShifting(evidence)) {
     tellSomeShifting(evidence, out);
@@ -513,10 +516,11 @@ JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& pa
   if (trials[fit.best].kind == JitterKind::Scaled && factors &&
       factors->areBeyond(glm::dvec2(trials[fit.best].factor)))
     trials[fit.best] = factors->trial();
-  for (Finding& finding : otherJitter(witness, fit, trials, evidence, patient.isCameraKnown, patient.patient))
+  for (Finding& finding :
+       otherJitter(consistency, fit, trials, evidence, captureInfo.isCameraKnown, captureInfo.captureInfo))
     out.findings.push_back(std::move(finding));
-  tellTrial(trials, fit.best, evidence, patient.sky, out);
-  return {menderOf(trials[fit.best])};
+  tellTrial(trials, fit.best, evidence, captureInfo.sky, out);
+  return {correctorOf(trials[fit.best])};
 }
 
 } // namespace taa::doctor

@@ -1,8 +1,8 @@
 // Whether pictures hold the jitter that is stated for them: sign, axes, length, unit, frame, or none at all.
 #pragma once
 
+#include "core/doctor/CaptureInfo.h"
 #include "core/doctor/Diagnosis.h"
-#include "core/doctor/Patient.h"
 #include "core/doctor/jitter/JitterTrials.h"
 
 #include <glm/vec2.hpp>
@@ -13,18 +13,18 @@
 namespace taa::doctor {
 
 /// What pictures hold at a frame, px, where that is not what is stated.
-using JitterMender = std::function<std::optional<glm::vec2>(int frame)>;
+using JitterCorrector = std::function<std::optional<glm::vec2>(int frame)>;
 
 struct JitterOutcome {
-  JitterMender mender; ///< empty where nothing is to be mended
+  JitterCorrector corrector; ///< empty where nothing is to be corrected
   /// Pictures shift as neither what is stated nor anything else that was tried makes them.
   bool isContradicted = false;
   bool isOpen = false; ///< it is not decided what jitter pictures hold
 };
 
 /// Whose jitter it is.
-struct JitterPatient {
-  const Patient& patient;
+struct JitterCaptureInfo {
+  const CaptureInfo& captureInfo;
   bool isCameraKnown = true;           ///< shifts do not rest on motion vectors
   std::optional<RegionPlace> sky = {}; ///< none: there is none
   /// Asked where pictures hold no jitter: see areSurfacesJittered(). Empty: nobody knows.
@@ -41,6 +41,7 @@ Image asDepthPicture(const DoctorFrame& frame);
 Finding jitterFinding(const JitterTrial& trial);
 
 /// Adds what is wrong, right, or not decided about jitter.
-JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterPatient& patient, Diagnosis& out);
+JitterOutcome tellJitter(const JitterEvidence& evidence, const JitterCaptureInfo& captureInfo,
+                         Diagnosis& out);
 
 } // namespace taa::doctor

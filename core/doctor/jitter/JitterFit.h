@@ -39,7 +39,7 @@ struct JitterFit {
   /// stated; or it fits better, and is much nearer to them. Neither is enough alone: thin lines stay on their
   /// pixels whatever the jitter, and what repeats shifts by whatever it is told.
   bool isContradicted() const;
-  /// Both witnesses say so clearly: what says two things fits more by chance.
+  /// Both consistency checks say so clearly: what says two things fits more by chance.
   bool isContradictedTwice() const;
   /// Trials that leave hardly more than the best one, and say no more.
   std::vector<std::size_t> rivals() const;
@@ -49,8 +49,8 @@ struct JitterFit {
 JitterFit jitterFit(const JitterEvidence& evidence, const std::vector<JitterTrial>& trials);
 
 /// The one that makes what pictures of a camera at rest are displaced by, where all that would displace them
-/// otherwise is clearly worse; trials of another length do not count, see RestingPictures. A witness that
-/// aliasing does not mislead. Nothing: it does not say.
+/// otherwise is clearly worse; trials of another length do not count, see RestingPictures. A consistency
+/// check that aliasing does not mislead. Nothing: it does not say.
 std::optional<std::size_t> trialAtRest(const JitterEvidence& evidence,
                                        const std::vector<JitterTrial>& trials);
 

@@ -80,7 +80,7 @@ void tellMean(const SequenceFacts& facts, Diagnosis& out) {
           facts.frames, shortVector(facts.meanPx)),
       say<"Take the mean off each value: draw with jitter − %1 px (x right, y down), and pass that.">(
           shortVector(facts.meanPx))));
-  if (!isKnown) out.findings.back().sureness = Sureness::Likely;
+  if (!isKnown) out.findings.back().confidence = Confidence::Likely;
 }
 
 void tellRange(const SequenceFacts& facts, Diagnosis& out) {

@@ -73,8 +73,8 @@ std::map<RegionIndex, MissingJitter> RegionJitter::regions() const {
   return out;
 }
 
-void tellRegionJitter(const RegionJitter& jitter, const std::vector<Region>& regions, const Patient& patient,
-                      Diagnosis& out) {
+void tellRegionJitter(const RegionJitter& jitter, const std::vector<Region>& regions,
+                      const CaptureInfo& captureInfo, Diagnosis& out) {
   Finding found;
   std::string shares;
   double lacking = 0.0, having = 0.0, worst = 0.0; // pixels, and the largest standard error
@@ -85,7 +85,7 @@ void tellRegionJitter(const RegionJitter& jitter, const std::vector<Region>& reg
     if (missing.share < kLacksJitter || missing.share > 2.0 - kLacksJitter) continue;
     lacking += region.pixels;
     worst = std::max(worst, missing.error);
-    found.regions.push_back(placeOf(region, patient, allPixels(patient, out)));
+    found.regions.push_back(placeOf(region, captureInfo, allPixels(captureInfo, out)));
     shares +=
         (shares.empty() ? "" : ", ") + say<"%1 ± %2">(shortNumber(missing.share), shortNumber(missing.error));
   }
@@ -96,7 +96,7 @@ void tellRegionJitter(const RegionJitter& jitter, const std::vector<Region>& reg
   takeOutOfMotion(names, out.findings);
   found.id = "jitterRegionMissing";
   found.name = say<"Drawn without jitter">();
-  found.sureness = worst <= kSureShareError ? Sureness::Sure : Sureness::Likely;
+  found.confidence = worst <= kSureShareError ? Confidence::Sure : Confidence::Likely;
   found.symptom = say<"Its edges stay stairs, and tremble where all else is smooth.">();
   found.reason =
       say<"Its pictures lack the jitter that is stated: %1 of it, by least squares over its pixels, "

@@ -2,8 +2,8 @@
 // its own, a layer that was drawn before.
 #pragma once
 
+#include "core/doctor/CaptureInfo.h"
 #include "core/doctor/Diagnosis.h"
-#include "core/doctor/Patient.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/motion/MotionTrials.h"
 
@@ -36,7 +36,7 @@ class RegionJitter {
 };
 
 /// Adds a finding for regions that clearly have none, beside others that clearly have it.
-void tellRegionJitter(const RegionJitter& jitter, const std::vector<Region>& regions, const Patient& patient,
-                      Diagnosis& out);
+void tellRegionJitter(const RegionJitter& jitter, const std::vector<Region>& regions,
+                      const CaptureInfo& captureInfo, Diagnosis& out);
 
 } // namespace taa::doctor

@@ -61,7 +61,7 @@ std::map<int, glm::vec2> RestingPictures::displacementsPx() const {
     if (picture.luma.size() != mean.size()) return {};
     for (std::size_t i = 0; i < mean.size(); ++i)
       mean[i] += static_cast<double>(picture.luma[i]) / static_cast<double>(pictures_.size());
-    // The sky may rest while all else shifts; its rim is that of what stands before it.
+    // The sky may rest while all else shifts; its silhouette is that of what stands before it.
     for (std::size_t i = 0; i < isDrawn.size(); ++i) isDrawn[i] = isDrawn[i] || picture.isDrawn[i];
   }
   std::vector<DetailedPlace> places;

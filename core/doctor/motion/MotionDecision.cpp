@@ -27,15 +27,16 @@ struct WinningRule {
   double factor = 1.5; ///< of what it leaves
   double share = 0.8;  ///< of squares and of pairs of frames
 };
-constexpr WinningRule kAgainstWitness{3.0, 0.9};
+constexpr WinningRule kAgainstConsistency{3.0, 0.9};
 // What is searched for finds something better in noise, too; and a shadow or a light that moves is found
 // where it is the only detail.
 constexpr WinningRule kSearched{2.5, 0.85};
 constexpr double kSearchedDetail = 0.3;
 constexpr double kSearchedShare = 0.5; ///< of the pixels with detail, in which another motion is found
-/// Of its rim, what was found leaves at most so much of what the motion given leaves outside of the region.
-constexpr double kRimShare = 0.75;
-constexpr std::size_t kEnoughRim = 24; ///< pixels outside of it
+/// Of its silhouette, what was found leaves at most so much of what the motion given leaves outside of the
+/// region.
+constexpr double kSilhouetteShare = 0.75;
+constexpr std::size_t kEnoughSilhouette = 24; ///< pixels outside of it
 
 double shareIn(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
@@ -56,12 +57,12 @@ bool isPossible(const MotionTrial& trial, bool isMotionConfirmed) {
 }
 
 std::vector<std::size_t> winners(const RegionEvidence& evidence, const std::vector<MotionTrial>& trials) {
-  const bool isWitnessed = isConfirmed(evidence);
-  const WinningRule rule = isWitnessed ? kAgainstWitness : WinningRule{};
+  const bool isChecked = isConfirmed(evidence);
+  const WinningRule rule = isChecked ? kAgainstConsistency : WinningRule{};
   std::vector<std::size_t> winning, best;
   double most = 0.0;
   for (std::size_t t = 0; t < trials.size(); ++t) {
-    if (!isPossible(trials[t], isWitnessed)) continue;
+    if (!isPossible(trials[t], isChecked)) continue;
     // What gains more and is not clear makes what gains less no explanation.
     if (evidence.trials[t].pixels >= kEnoughOfRegion) most = std::max(most, evidence.trials[t].gain());
     if (wins(evidence.trials[t], rule)) winning.push_back(t);
@@ -71,13 +72,14 @@ std::vector<std::size_t> winners(const RegionEvidence& evidence, const std::vect
   return best;
 }
 
-/// Whether a search finds the region elsewhere, as a whole and with its rim: what moves over it is found in a
-/// part, or without.
+/// Whether a search finds the region elsewhere, as a whole and with its silhouette: what moves over it is
+/// found in a part, or without.
 bool isFoundElsewhere(const RegionEvidence& evidence) {
   return shareIn(evidence.textured, evidence.pixels) >= kSearchedDetail &&
          shareIn(evidence.found.pixels, evidence.textured) >= kSearchedShare &&
-         evidence.rimGiven >= kEnoughRim &&
-         static_cast<double>(evidence.rimFound) <= kRimShare * static_cast<double>(evidence.rimGiven) &&
+         evidence.silhouetteGiven >= kEnoughSilhouette &&
+         static_cast<double>(evidence.silhouetteFound) <=
+             kSilhouetteShare * static_cast<double>(evidence.silhouetteGiven) &&
          wins(evidence.found, kSearched);
 }
 

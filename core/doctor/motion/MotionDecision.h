@@ -23,9 +23,9 @@ enum class MotionVerdict : std::uint8_t {
 
 /// What a decision rests on.
 enum class DecidedBy : std::uint8_t {
-  Pixels,  ///< and, where they say more than pixels can, depth and matrices
-  Outline, ///< where the region lay
-  Middles, ///< what the middles of all small objects together move by
+  Pixels,    ///< and, where they say more than pixels can, depth and matrices
+  Outline,   ///< where the region lay
+  Centroids, ///< what the centroids of all small objects together move by
 };
 
 struct MotionDecision {
@@ -41,7 +41,7 @@ struct MotionDecision {
 /// what searchMotion() found can contradict it. Where pixels do not tell, outlines do. `trials`: those of the
 /// evidence.
 MotionDecision decideMotion(const RegionEvidence& evidence, const std::vector<MotionTrial>& trials);
-/// By pixels alone: where rims have the motion of what is beside, outlines say nothing.
+/// By pixels alone: where silhouettes have the motion of what is beside, outlines say nothing.
 MotionDecision decideByPixels(const RegionEvidence& evidence, const std::vector<MotionTrial>& trials);
 
 /// Whether motion given is 0 nearly everywhere.

@@ -104,15 +104,16 @@ class PairEvidence {
         const std::size_t i = static_cast<std::size_t>(y) * size.x + x;
         const int square = y / cell * columns + x / cell;
         addPixel({x, y}, inside_[i], square);
-        witness({x, y}, labels_[i], inside_[i] != kNoRegion);
-        if (inside_[i] == kNoRegion && labels_[i] != kNoRegion) rims_[{labels_[i], square}].push_back({x, y});
+        consistency({x, y}, labels_[i], inside_[i] != kNoRegion);
+        if (inside_[i] == kNoRegion && labels_[i] != kNoRegion)
+          silhouettes_[{labels_[i], square}].push_back({x, y});
       }
     for (const auto& [key, cellPixels] : cells_) compareCell(key, cellPixels);
     for (const auto& [region, sums] : pairs_) finish(region, sums);
     for (const RegionIndex region : markedIn_) ++regions_[static_cast<std::size_t>(region)].markedPairs;
-    finishRims();
+    finishSilhouettes();
   }
-  const PairWitness& witness() const { return witness_; }
+  const PairConsistency& consistency() const { return consistency_; }
 
  private:
   struct PairSums {
@@ -161,20 +162,21 @@ class PairEvidence {
     cells_[{region, cell}].push_back(seen);
   }
 
-  void witness(const glm::ivec2& pixel, RegionIndex region, bool isInside) {
+  void consistency(const glm::ivec2& pixel, RegionIndex region, bool isInside) {
     if (region == kNoRegion || isMasked(frames_.now, pixel)) return;
-    if (isInside) addWitness(witness_, frames_, pixel);
+    if (isInside) addConsistency(consistency_, frames_, pixel);
     if (!isMotion(frames_.now.motionAt(pixel.x, pixel.y))) return;
     const std::size_t i = static_cast<std::size_t>(pixel.y) * frames_.now.sizePx().x + pixel.x;
-    addRimWitness(rimWitness_[region], frames_, pixel, labelsBefore_[i] != labels_[i]);
-    if (isInside) addWitness(regions_[static_cast<std::size_t>(region)].witness, trials_, frames_, pixel);
+    addSilhouetteConsistency(silhouetteConsistency_[region], frames_, pixel, labelsBefore_[i] != labels_[i]);
+    if (isInside)
+      addConsistency(regions_[static_cast<std::size_t>(region)].consistency, trials_, frames_, pixel);
   }
 
-  /// Rims say when motion was made only where it is not wrong everywhere.
-  void finishRims() {
-    if (2 * witness_.off > witness_.known) return;
-    for (const auto& [region, rims] : rimWitness_)
-      addRims(rims, regions_[static_cast<std::size_t>(region)].witness);
+  /// Silhouettes say when motion was made only where it is not wrong everywhere.
+  void finishSilhouettes() {
+    if (2 * consistency_.off > consistency_.known) return;
+    for (const auto& [region, silhouettes] : silhouetteConsistency_)
+      addSilhouettes(silhouettes, regions_[static_cast<std::size_t>(region)].consistency);
   }
 
   static void addOutside(const glm::vec2& given, RegionEvidence& out) {
@@ -231,11 +233,11 @@ class PairEvidence {
       }
       addCell(out.trials[t], pair.trials[t], sums);
     }
-    search(out, pair.found, pixels, rims_[key]);
+    search(out, pair.found, pixels, silhouettes_[key]);
   }
 
   void search(RegionEvidence& out, CellSums& pair, const std::vector<CellPixel>& pixels,
-              const std::vector<glm::ivec2>& rim) {
+              const std::vector<glm::ivec2>& silhouette) {
     double error = 0.0;
     bool isZero = true, isOfCamera = true;
     std::vector<SearchedPixel> searched;
@@ -255,9 +257,9 @@ class PairEvidence {
     for (const CellPixel& pixel : pixels) sums.add(pixel, frames_.before.luma, placeOf(pixel.pixel, *found));
     addCell(out.found, pair, sums);
     out.foundPx += static_cast<double>(sums.pixels) * glm::dvec2(*found);
-    for (const glm::ivec2& pixel : rim) {
-      if (!wasOfRegion(pixel, frames_.now.motionAt(pixel.x, pixel.y))) ++out.rimGiven;
-      if (!wasOfRegion(pixel, *found)) ++out.rimFound;
+    for (const glm::ivec2& pixel : silhouette) {
+      if (!wasOfRegion(pixel, frames_.now.motionAt(pixel.x, pixel.y))) ++out.silhouetteGiven;
+      if (!wasOfRegion(pixel, *found)) ++out.silhouetteFound;
     }
   }
 
@@ -307,10 +309,10 @@ class PairEvidence {
   glm::vec2 jitterStep_;
   std::vector<RegionIndex> inside_; ///< regions of the pixels well inside one
   CellPixels cells_;
-  std::map<std::pair<RegionIndex, int>, std::vector<glm::ivec2>> rims_; ///< pixels that are not
+  std::map<std::pair<RegionIndex, int>, std::vector<glm::ivec2>> silhouettes_; ///< pixels that are not
   std::map<RegionIndex, PairSums> pairs_;
-  PairWitness witness_{frames_.now.frame};
-  std::map<RegionIndex, WitnessEvidence> rimWitness_;
+  PairConsistency consistency_{frames_.now.frame};
+  std::map<RegionIndex, ConsistencyEvidence> silhouetteConsistency_;
   std::set<RegionIndex> markedIn_; ///< regions with marks of no previous position
 };
 
@@ -360,10 +362,10 @@ void MotionEvidence::add(const FrameNeighbors& frames, const std::vector<RegionI
   }
   PairEvidence pair(frames, trials_, labels, labelsBefore, regions_);
   pair.add();
-  pairs_.push_back(pair.witness());
+  pairs_.push_back(pair.consistency());
   for (const auto& [region, outline] : outlinesOf(frames, trials_, labels, labelsBefore))
     regions_[static_cast<std::size_t>(region)].outline.add(outline);
-  for (const auto& [region, middle] : middles_.add(frames, trials_, labels, labelsBefore)) {
+  for (const auto& [region, middle] : centroids_.add(frames, trials_, labels, labelsBefore)) {
     RegionEvidence& evidence = regions_[static_cast<std::size_t>(region)];
     evidence.middle.add(middle);
     if (evidence.example.byTrial.empty()) evidence.example = exampleAt(frames, trials_, middle.pixel, 0.0f);

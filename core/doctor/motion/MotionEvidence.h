@@ -3,10 +3,10 @@
 #pragma once
 
 #include "core/doctor/frames/Regions.h"
-#include "core/doctor/motion/MotionMiddles.h"
+#include "core/doctor/motion/MotionCentroids.h"
+#include "core/doctor/motion/MotionConsistency.h"
 #include "core/doctor/motion/MotionOutlines.h"
 #include "core/doctor/motion/MotionTrials.h"
-#include "core/doctor/motion/MotionWitness.h"
 
 #include <glm/vec2.hpp>
 
@@ -99,9 +99,9 @@ struct RegionEvidence {
   double givenPx = 0.0, cameraPx = 0.0; ///< sums of lengths of motion as given, of the camera
   std::size_t zero = 0;                 ///< motion given is exactly 0
   std::size_t ofCamera = 0; ///< it is that of the camera, which also rests there: see kSameMotionPx
-  /// Pixels at the region's rim, where motion is searched for, that lay elsewhere in the frame before: as
-  /// given, and by what was found. A light that moves over a surface takes no rim with it.
-  std::size_t rimGiven = 0, rimFound = 0;
+  /// Pixels at the region's silhouette, where motion is searched for, that lay elsewhere in the frame before:
+  /// as given, and by what was found. A light that moves over a surface takes no silhouette with it.
+  std::size_t silhouetteGiven = 0, silhouetteFound = 0;
   std::size_t cameraKnown = 0;
   /// Motion given less the camera's, px, and times the distance of what is seen, px m.
   EvenVectors offCamera, offCameraByDistance;
@@ -120,7 +120,7 @@ struct RegionEvidence {
   glm::dvec2 foundPx{0.0}; ///< sum over the pixels of `found`
   MotionExample example;
   std::vector<PairTrace> traces;
-  WitnessEvidence witness;
+  ConsistencyEvidence consistency;
   OutlineEvidence outline;
   MiddleEvidence middle;
 };
@@ -146,18 +146,18 @@ class MotionEvidence {
   const std::vector<MotionTrial>& trials() const { return trials_; }
   /// By region; those never seen have no pixels.
   const std::vector<RegionEvidence>& regions() const { return regions_; }
-  const std::vector<PairWitness>& pairs() const { return pairs_; }
+  const std::vector<PairConsistency>& pairs() const { return pairs_; }
   /// How much of the camera's way is in motion, where that is the same in nearly all pairs.
   std::optional<WayShare> wayShare() const;
 
  private:
   std::vector<MotionTrial> trials_;
   std::vector<RegionEvidence> regions_;
-  std::vector<PairWitness> pairs_;
+  std::vector<PairConsistency> pairs_;
   std::vector<double> wayShares_, movedBy_; ///< of pairs that have one
   std::size_t aside_ = 0;                   ///< of these: along the picture's x
   std::size_t moved_ = 0;                   ///< pairs that a previous camera beside this one explains
-  MotionMiddles middles_;
+  MotionCentroids centroids_;
 };
 
 } // namespace taa::doctor

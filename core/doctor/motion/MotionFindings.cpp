@@ -3,12 +3,12 @@
 #include "core/base/Median.h"
 #include "core/base/NumberText.h"
 #include "core/base/Say.h"
-#include "core/doctor/Mending.h"
+#include "core/doctor/Correction.h"
+#include "core/doctor/motion/MotionCorrection.h"
 #include "core/doctor/motion/MotionGroups.h"
 #include "core/doctor/motion/MotionJudgement.h"
 #include "core/doctor/motion/MotionJumps.h"
 #include "core/doctor/motion/MotionMarks.h"
-#include "core/doctor/motion/MotionMending.h"
 #include "core/doctor/motion/MotionOpen.h"
 #include "core/doctor/motion/MotionReasons.h"
 #include "core/doctor/motion/MotionWords.h"
@@ -76,12 +76,12 @@ bool leaveUnknown(const FaultGroup& group, const std::vector<JudgedRegion>& judg
   const auto best = std::ranges::find(out.residuals, true, &Residual::isBest);
   const auto given = std::ranges::find(out.residuals, true, &Residual::isGiven);
   const auto right = leftWhereRight(judged);
-  if (isWitnessed(group) || isOutlined(group) || isOfMiddles(group) || !right ||
+  if (isChecked(group) || isOutlined(group) || isOfCentroids(group) || !right ||
       best == out.residuals.end() || given == out.residuals.end() || best->value <= kPoorFit * *right ||
       best->value <= kMuchOfGiven * given->value)
     return false;
   nameBy(unknownMotion(), out);
-  out.sureness = Sureness::Likely;
+  out.confidence = Confidence::Likely;
   out.reason = say<"The motion given leaves %1 thousandths of the pixels' luma, and what comes nearest, %2, "
                    "leaves %3, where %4 are left in regions whose motion is right.">(
       shortNumber(given->value), best->text, shortNumber(best->value), shortNumber(*right));
@@ -91,40 +91,41 @@ bool leaveUnknown(const FaultGroup& group, const std::vector<JudgedRegion>& judg
 }
 
 Finding findingOf(const FaultGroup& group, const std::vector<JudgedRegion>& judged,
-                  const MotionEvidence& evidence, const Patient& patient, double allPixels) {
+                  const MotionEvidence& evidence, const CaptureInfo& captureInfo, double allPixels) {
   Finding out;
   nameBy(group.fault, out);
-  out.sureness = isSure(group) && out.id != kUnknownMotionId ? Sureness::Sure : Sureness::Likely;
+  out.confidence = isSure(group) && out.id != kUnknownMotionId ? Confidence::Sure : Confidence::Likely;
   out.isWholePicture = group.pixels >= kWholeShare * decidedPixels(judged);
   for (const JudgedRegion* region : group.regions)
-    out.regions.push_back(placeOf(*region->region, patient, allPixels));
+    out.regions.push_back(placeOf(*region->region, captureInfo, allPixels));
   std::ranges::stable_sort(out.regions, std::greater(), &RegionPlace::share);
   tellEvidence(group, evidence.trials(), out);
   out.alike = alikeIds(group, evidence.trials());
   if (!group.trial || leaveUnknown(group, judged, out)) return out;
-  const std::vector<std::string> mending = motionMending(evidence.trials()[*group.trial]);
+  const std::vector<std::string> correction = motionCorrection(evidence.trials()[*group.trial]);
   if (breaksNothing(*group.trial, judged))
-    mendEverywhereBy(mending, out);
+    correctEverywhereBy(correction, out);
   else
-    mendBy(mending, out);
+    correctBy(correction, out);
   const auto largest = std::ranges::max_element(
       group.regions, {}, [](const JudgedRegion* region) { return region->evidence->example.lengthPx; });
-  const std::string example = motionExample(patient, *(*largest)->evidence, *group.trial);
+  const std::string example = motionExample(captureInfo, *(*largest)->evidence, *group.trial);
   if (!example.empty()) out.change += " " + example;
   return out;
 }
 
 /// One for each thing that is wrong: another unit may be told with other axes.
 std::vector<Finding> findingsOf(FaultGroup group, const std::vector<JudgedRegion>& judged,
-                                const MotionEvidence& evidence, const Patient& patient, double allPixels) {
+                                const MotionEvidence& evidence, const CaptureInfo& captureInfo,
+                                double allPixels) {
   const MotionTrial* trial = group.trial ? &evidence.trials()[*group.trial] : nullptr;
-  const auto axes = trial ? axesBesideUnit(*trial, patient) : std::nullopt;
-  if (!axes) return {findingOf(group, judged, evidence, patient, allPixels)};
+  const auto axes = trial ? axesBesideUnit(*trial, captureInfo) : std::nullopt;
+  if (!axes) return {findingOf(group, judged, evidence, captureInfo, allPixels)};
   std::vector<Finding> out;
   const JudgedRegion& first = *group.regions.front();
   for (const MotionTrial& one : {unitAlone(*trial, *axes), *axes}) {
     group.fault = motionFault(&one, *first.region, *first.evidence);
-    out.push_back(findingOf(group, judged, evidence, patient, allPixels));
+    out.push_back(findingOf(group, judged, evidence, captureInfo, allPixels));
   }
   return out;
 }
@@ -132,8 +133,8 @@ std::vector<Finding> findingsOf(FaultGroup group, const std::vector<JudgedRegion
 /// By a factor what rests is told as well as by the camera's motion, which a capture may state that it lacks:
 /// that it has it is told then.
 void preferStated(std::vector<JudgedRegion>& judged, const std::vector<MotionTrial>& trials,
-                  const Patient& patient) {
-  if (!patient.conventions || patient.conventions->motion.includesCamera) return;
+                  const CaptureInfo& captureInfo) {
+  if (!captureInfo.conventions || captureInfo.conventions->motion.includesCamera) return;
   const auto found = std::ranges::find(trials, MotionKind::CameraTwice, &MotionTrial::kind);
   const auto twice = static_cast<std::size_t>(found - trials.begin());
   for (JudgedRegion& region : judged)
@@ -152,47 +153,49 @@ bool isSkyUnwritten(const JudgedRegion& sky, const std::vector<JudgedRegion>& ju
          evidence.cameraPx >= kSkyMovesPx * pixels;
 }
 
-Finding skyFinding(const JudgedRegion& sky, const Patient& patient, double allPixels) {
+Finding skyFinding(const JudgedRegion& sky, const CaptureInfo& captureInfo, double allPixels) {
   const FaultWords fault = motionFault(nullptr, *sky.region, *sky.evidence);
   const double meanPx = sky.evidence->cameraPx / static_cast<double>(sky.evidence->pixels);
   Finding out;
   nameBy(fault, out);
-  out.regions = {placeOf(*sky.region, patient, allPixels)};
+  out.regions = {placeOf(*sky.region, captureInfo, allPixels)};
   out.reason =
       say<"Motion is 0 wherever nothing is drawn, though depth and matrices, which make the motion of other "
           "surfaces, move the sky by %1 px a frame in the mean.">(shortNumber(meanPx));
   out.measure = say<"mean distance from the camera's motion, px">();
   out.residuals = {{"ofCamera", say<"that of the camera">(), 0.0, false, true},
                    {"asGiven", say<"as given">(), meanPx, true, false}};
-  mendBy(motionMending({MotionKind::OfCamera}), out);
-  const std::vector<MotionTrial> trials = motionTrials(patient.sizePx);
+  correctBy(motionCorrection({MotionKind::OfCamera}), out);
+  const std::vector<MotionTrial> trials = motionTrials(captureInfo.sizePx);
   for (std::size_t t = 0; t < trials.size(); ++t)
-    if (trials[t].kind == MotionKind::OfCamera) out.change += " " + motionExample(patient, *sky.evidence, t);
+    if (trials[t].kind == MotionKind::OfCamera)
+      out.change += " " + motionExample(captureInfo, *sky.evidence, t);
   return out;
 }
 
 /// Tells of a sky without motion, and takes it out of what is judged.
-void tellUnwrittenSky(std::vector<JudgedRegion>& judged, const Patient& patient, double allPixels,
+void tellUnwrittenSky(std::vector<JudgedRegion>& judged, const CaptureInfo& captureInfo, double allPixels,
                       Diagnosis& out) {
   const bool isTrusted = areCamerasRight(judged);
   const auto sky = std::ranges::find_if(
       judged, [&](const JudgedRegion& region) { return isSkyUnwritten(region, judged, isTrusted); });
   if (sky == judged.end()) return;
-  out.findings.push_back(skyFinding(*sky, patient, allPixels));
+  out.findings.push_back(skyFinding(*sky, captureInfo, allPixels));
   std::erase_if(judged, [](const JudgedRegion& other) { return other.region->isSky; });
 }
 
 /// The first of them, and how many there are besides.
-std::string namesOf(const std::vector<const Region*>& regions, const Patient& patient, double allPixels) {
+std::string namesOf(const std::vector<const Region*>& regions, const CaptureInfo& captureInfo,
+                    double allPixels) {
   constexpr std::size_t kShown = 3;
   std::string out;
   for (std::size_t i = 0; i < std::min(kShown, regions.size()); ++i)
-    out += (i == 0 ? "" : ", ") + placeOf(*regions[i], patient, allPixels).name;
+    out += (i == 0 ? "" : ", ") + placeOf(*regions[i], captureInfo, allPixels).name;
   return regions.size() <= kShown ? out : say<"%1 and %2 more">(out, regions.size() - kShown);
 }
 
 /// Sentences of what is right and of what is not known.
-void tellOthers(const Judged& all, const std::vector<MotionTrial>& trials, const Patient& patient,
+void tellOthers(const Judged& all, const std::vector<MotionTrial>& trials, const CaptureInfo& captureInfo,
                 double allPixels, Diagnosis& out) {
   // A hundred small things are not worth a hundred sentences.
   constexpr double kWorthNaming = 0.002;
@@ -201,7 +204,7 @@ void tellOthers(const Judged& all, const std::vector<MotionTrial>& trials, const
   if (all.unseen > 0) ofSmall = openFaultsOfUnseen();
   for (const JudgedRegion& region : all.regions) {
     const MotionVerdict verdict = region.decision.verdict;
-    const RegionPlace place = placeOf(*region.region, patient, allPixels);
+    const RegionPlace place = placeOf(*region.region, captureInfo, allPixels);
     if (verdict == MotionVerdict::Wrong) continue;
     if (verdict == MotionVerdict::Right)
       ++right;
@@ -234,7 +237,7 @@ void tellWay(const WayShare& way, Diagnosis& out) {
   for (Finding& finding : out.findings) {
     if (finding.id != beside) continue;
     if (!way.isClear) {
-      finding.sureness = Sureness::Likely;
+      finding.confidence = Confidence::Likely;
       finding.reason +=
           " " + say<"It may also be the camera's way, taken %1 times: the camera moves evenly here, and both "
                     "make the same.">(share);
@@ -247,29 +250,29 @@ void tellWay(const WayShare& way, Diagnosis& out) {
         say<"Motion is made as if the camera had come %1 times its way, as distances make it that are %2 "
             "times as far: make it with the depth, the near plane and the unit of the frames' own "
             "projection.">(share, shortNumber(1.0 / way.share));
-    finding.mending.clear();
+    finding.correction.clear();
     finding.alike.clear();
   }
 }
 
 } // namespace
 
-double allPixels(const Patient& patient, const Diagnosis& out) {
-  return static_cast<double>(out.frames) * patient.sizePx.x * patient.sizePx.y;
+double allPixels(const CaptureInfo& captureInfo, const Diagnosis& out) {
+  return static_cast<double>(out.frames) * captureInfo.sizePx.x * captureInfo.sizePx.y;
 }
 
-RegionPlace placeOf(const Region& region, const Patient& patient, double allPixels) {
+RegionPlace placeOf(const Region& region, const CaptureInfo& captureInfo, double allPixels) {
   RegionPlace out;
-  const auto named = patient.objectNames.find(region.objectId);
+  const auto named = captureInfo.objectNames.find(region.objectId);
   if (region.isSky)
     out.name = say<"the sky">();
-  else if (region.objectId != 0 && named != patient.objectNames.end())
+  else if (region.objectId != 0 && named != captureInfo.objectNames.end())
     out.name = say<"object %1 (%2)">(region.objectId, named->second);
   else if (region.objectId != 0)
     out.name = say<"object %1">(region.objectId);
   else
     out.name = say<"the part around pixel %1, %2 of frame %3">(region.pixel.x, region.pixel.y,
-                                                               patient.frameNames.of(region.frame));
+                                                               captureInfo.frameNames.of(region.frame));
   out.frame = region.frame;
   out.box = region.box;
   out.pixel = region.pixel;
@@ -295,25 +298,25 @@ bool isBeyondPicture(const MotionEvidence& evidence) {
 Finding unitFinding(const MotionTrial& unit) {
   Finding out;
   nameBy(motionFault(&unit, Region(), RegionEvidence()), out);
-  out.sureness = Sureness::Likely;
+  out.confidence = Confidence::Likely;
   out.isWholePicture = true;
   out.reason = say<"At most of the pixels motion is longer than the picture.">();
-  mendEverywhereBy(motionMending(unit), out);
+  correctEverywhereBy(motionCorrection(unit), out);
   return out;
 }
 
 MotionTold tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
-                      const Patient& patient, const RimsSeen& rims, Diagnosis& out) {
-  const double all = allPixels(patient, out);
-  tellMarks(evidence, regions, patient, all, out);
-  Judged judged = judgeMotion(evidence, regions, rims);
-  tellUnwrittenSky(judged.regions, patient, all, out);
-  preferStated(judged.regions, evidence.trials(), patient);
+                      const CaptureInfo& captureInfo, const SilhouettesSeen& silhouettes, Diagnosis& out) {
+  const double all = allPixels(captureInfo, out);
+  tellMarks(evidence, regions, captureInfo, all, out);
+  Judged judged = judgeMotion(evidence, regions, silhouettes);
+  tellUnwrittenSky(judged.regions, captureInfo, all, out);
+  preferStated(judged.regions, evidence.trials(), captureInfo);
   MotionTold told;
   const bool isOfOneFrame = identityFrame(evidence.pairs()).has_value();
-  for (const FaultGroup& group : groupsOf(judged.regions, evidence.trials(), patient.frameNames)) {
-    if (isOfOneFrame && isOfMiddles(group)) continue; // its way over all frames holds that of the one
-    const std::vector<Finding> findings = findingsOf(group, judged.regions, evidence, patient, all);
+  for (const FaultGroup& group : groupsOf(judged.regions, evidence.trials(), captureInfo.frameNames)) {
+    if (isOfOneFrame && isOfCentroids(group)) continue; // its way over all frames holds that of the one
+    const std::vector<Finding> findings = findingsOf(group, judged.regions, evidence, captureInfo, all);
     std::ranges::copy(findings, std::back_inserter(out.findings));
     if (!told.all && group.trial && breaksNothing(*group.trial, judged.regions))
       told.all = {evidence.trials()[*group.trial], findings};
@@ -321,12 +324,12 @@ MotionTold tellMotion(const MotionEvidence& evidence, const std::vector<Region>&
   const Finding late = lateFinding();
   if (judged.isLate && std::ranges::count(out.findings, late.id, &Finding::id) == 0)
     out.findings.push_back(late);
-  tellJumps(evidence, regions, patient, all, out);
+  tellJumps(evidence, regions, captureInfo, all, out);
   if (judged.contradicted)
     out.parts.leaveOpen(contradictedMatrices(evidence.trials()[*judged.contradicted],
-                                             namesOf(judged.contradictedIn, patient, all),
+                                             namesOf(judged.contradictedIn, captureInfo, all),
                                              !judged.areMatricesTrusted));
-  tellOthers(judged, evidence.trials(), patient, all, out);
+  tellOthers(judged, evidence.trials(), captureInfo, all, out);
   constexpr double kLeastShare = 0.05;
   if (const auto way = evidence.wayShare(); way && way->share > kLeastShare) tellWay(*way, out);
   told.isOfCameraOrDepth =

@@ -1,8 +1,8 @@
 // What the doctor says of the motion of all regions: one finding for one fault, wherever it shows.
 #pragma once
 
+#include "core/doctor/CaptureInfo.h"
 #include "core/doctor/Diagnosis.h"
-#include "core/doctor/Patient.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/motion/MotionEvidence.h"
 #include "core/doctor/motion/MotionJudgement.h"
@@ -13,9 +13,9 @@
 namespace taa::doctor {
 
 /// Of all frames that were looked at.
-double allPixels(const Patient& patient, const Diagnosis& out);
+double allPixels(const CaptureInfo& captureInfo, const Diagnosis& out);
 /// `allPixels`: these, of which its pixels are a share.
-RegionPlace placeOf(const Region& region, const Patient& patient, double allPixels);
+RegionPlace placeOf(const Region& region, const CaptureInfo& captureInfo, double allPixels);
 
 /// One explanation of the motion of all or most of the picture, with the findings that tell it.
 struct MotionOfAll {
@@ -37,6 +37,6 @@ Finding unitFinding(const MotionTrial& unit);
 /// Adds findings, what is undecided and what is right about the motion of all regions. Expects that motion
 /// is known.
 MotionTold tellMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
-                      const Patient& patient, const RimsSeen& rims, Diagnosis& out);
+                      const CaptureInfo& captureInfo, const SilhouettesSeen& silhouettes, Diagnosis& out);
 
 } // namespace taa::doctor

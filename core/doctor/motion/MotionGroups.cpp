@@ -11,7 +11,7 @@ namespace {
 /// Whether nothing that rests has motion, though depth and matrices move it.
 bool isNothingOfCamera(const std::vector<JudgedRegion>& judged) {
   return std::ranges::none_of(judged, [](const JudgedRegion& region) {
-    return region.witness.verdict == WitnessVerdict::OfCamera && region.evidence->givenPx > 0.0;
+    return region.consistency.verdict == ConsistencyVerdict::OfCamera && region.evidence->givenPx > 0.0;
   });
 }
 
@@ -23,7 +23,7 @@ const JudgedRegion& namedBy(const JudgedRegion& region, const std::vector<Judged
   const bool isNothing = isNothingOfCamera(judged);
   const JudgedRegion* surface = &region;
   for (const JudgedRegion& other : judged) {
-    const bool isApart = isNothing && other.witness.verdict == WitnessVerdict::Apart;
+    const bool isApart = isNothing && other.consistency.verdict == ConsistencyVerdict::Apart;
     if ((other.trial == region.trial || isApart) && !isUnwritten(*other.evidence)) return other;
     if (other.trial == region.trial && !other.region->isSky) surface = &other;
   }
@@ -31,13 +31,13 @@ const JudgedRegion& namedBy(const JudgedRegion& region, const std::vector<Judged
 }
 
 /// Explanations that depth and matrices fit as well.
-std::vector<std::size_t> witnessAlikes(const FaultGroup& group) {
+std::vector<std::size_t> consistencyAlikes(const FaultGroup& group) {
   std::vector<std::size_t> out;
   for (const std::size_t other : group.regions.front()->decision.explanations)
     if (other != *group.trial) out.push_back(other);
   std::erase_if(out, [&](std::size_t other) {
     return !std::ranges::all_of(group.regions, [other](const JudgedRegion* region) {
-      return !region->isWitnessed || std::ranges::count(region->decision.explanations, other) > 0;
+      return !region->isChecked || std::ranges::count(region->decision.explanations, other) > 0;
     });
   });
   return out;
@@ -84,16 +84,16 @@ std::vector<FaultGroup> groupsOf(const std::vector<JudgedRegion>& judged,
   return groups;
 }
 
-bool isWitnessed(const FaultGroup& group) {
-  return group.regions.front()->isWitnessed;
+bool isChecked(const FaultGroup& group) {
+  return group.regions.front()->isChecked;
 }
 
 bool isOutlined(const FaultGroup& group) {
   return isBy(group, DecidedBy::Outline);
 }
 
-bool isOfMiddles(const FaultGroup& group) {
-  return isBy(group, DecidedBy::Middles);
+bool isOfCentroids(const FaultGroup& group) {
+  return isBy(group, DecidedBy::Centroids);
 }
 
 bool isTold(const FaultGroup& group) {
@@ -103,13 +103,13 @@ bool isTold(const FaultGroup& group) {
 
 bool isSure(const FaultGroup& group) {
   if (!alikesOf(group).empty()) return false;
-  return isWitnessed(group) ? group.regions.front()->pixelsSay == PixelsSay::Yes : isTold(group);
+  return isChecked(group) ? group.regions.front()->pixelsSay == PixelsSay::Yes : isTold(group);
 }
 
 std::vector<std::size_t> alikesOf(const FaultGroup& group) {
   std::vector<std::size_t> out;
   if (!group.trial) return out;
-  if (isWitnessed(group)) return witnessAlikes(group);
+  if (isChecked(group)) return consistencyAlikes(group);
   for (const std::size_t other : group.regions.front()->decision.explanations) {
     const auto isSame = [other](const JudgedRegion* region) {
       return std::ranges::count(region->decision.explanations, other) > 0 && isAlike(*region, other);
@@ -122,7 +122,7 @@ std::vector<std::size_t> alikesOf(const FaultGroup& group) {
 std::vector<std::string> alikeIds(const FaultGroup& group, const std::vector<MotionTrial>& trials) {
   std::vector<std::string> out;
   std::vector<std::size_t> others = alikesOf(group);
-  if (!isWitnessed(group) && !isTold(group))
+  if (!isChecked(group) && !isTold(group))
     for (const JudgedRegion* region : group.regions)
       for (const std::size_t rival : rivalsOf(*region)) others.push_back(rival);
   for (const std::size_t other : others) {

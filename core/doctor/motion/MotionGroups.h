@@ -27,11 +27,11 @@ std::vector<FaultGroup> groupsOf(const std::vector<JudgedRegion>& judged,
                                  const std::vector<MotionTrial>& trials, const FrameNames& names);
 
 /// Whether depth and matrices tell it.
-bool isWitnessed(const FaultGroup& group);
+bool isChecked(const FaultGroup& group);
 /// Whether no pixels speak for it, but outlines.
 bool isOutlined(const FaultGroup& group);
-/// Whether nothing speaks for it but the middles of small objects.
-bool isOfMiddles(const FaultGroup& group);
+/// Whether nothing speaks for it but the centroids of small objects.
+bool isOfCentroids(const FaultGroup& group);
 /// Whether one region leaves no other explanation: it decides for all that the fault shows in.
 bool isTold(const FaultGroup& group);
 bool isSure(const FaultGroup& group);

@@ -33,7 +33,7 @@ std::vector<JudgedRegion> judgedRegions(const MotionEvidence& evidence, const st
     region.region = &regions[i];
     region.evidence = &measured;
     region.decision = decideMotion(measured, evidence.trials());
-    region.witness = decideWitness(measured.witness, evidence.trials());
+    region.consistency = decideConsistency(measured.consistency, evidence.trials());
     // Clouds may drift; nobody writes motion for them.
     const bool isDrifting = regions[i].isSky && region.decision.verdict == MotionVerdict::Wrong &&
                             region.decision.explanations.empty();
@@ -44,7 +44,7 @@ std::vector<JudgedRegion> judgedRegions(const MotionEvidence& evidence, const st
 }
 
 /// Regions that one explanation makes the camera's motion of.
-struct WitnessedRegions {
+struct CheckedRegions {
   std::size_t trial = 0;
   std::vector<JudgedRegion*> regions;
 
@@ -71,45 +71,45 @@ struct WitnessedRegions {
   }
 };
 
-double pixelsWith(const std::vector<JudgedRegion>& judged, WitnessVerdict verdict) {
+double pixelsWith(const std::vector<JudgedRegion>& judged, ConsistencyVerdict verdict) {
   double pixels = 0.0;
   for (const JudgedRegion& region : judged)
-    if (region.witness.verdict == verdict) pixels += region.region->pixels;
+    if (region.consistency.verdict == verdict) pixels += region.region->pixels;
   return pixels;
 }
 
 /// The explanation that the most pixels of regions that are still open are told by, and these regions; of
 /// those that depth and matrices do not tell apart the one that fits the pixels of what moves by itself, too.
-WitnessedRegions broadestWitness(const std::vector<JudgedRegion*>& open, const std::vector<JudgedRegion>& all,
-                                 std::size_t trialCount) {
+CheckedRegions broadestConsistency(const std::vector<JudgedRegion*>& open,
+                                   const std::vector<JudgedRegion>& all, std::size_t trialCount) {
   std::vector<double> pixels(trialCount, 0.0);
   for (const JudgedRegion* region : open)
-    for (const std::size_t trial : region->witness.explanations) pixels[trial] += region->region->pixels;
+    for (const std::size_t trial : region->consistency.explanations) pixels[trial] += region->region->pixels;
   const double most = *std::ranges::max_element(pixels);
   for (const JudgedRegion& region : all)
-    if (region.witness.verdict == WitnessVerdict::Apart)
+    if (region.consistency.verdict == ConsistencyVerdict::Apart)
       for (const std::size_t trial : region.decision.explanations)
         if (pixels[trial] >= most) pixels[trial] += region.region->pixels;
-  WitnessedRegions out;
+  CheckedRegions out;
   out.trial = static_cast<std::size_t>(std::ranges::max_element(pixels) - pixels.begin());
   for (JudgedRegion* region : open)
-    if (std::ranges::count(region->witness.explanations, out.trial) > 0) out.regions.push_back(region);
+    if (std::ranges::count(region->consistency.explanations, out.trial) > 0) out.regions.push_back(region);
   return out;
 }
 
-bool isBelieved(const WitnessedRegions& told, const MotionTrial& trial, PixelsSay pixelsSay,
+bool isBelieved(const CheckedRegions& told, const MotionTrial& trial, PixelsSay pixelsSay,
                 const std::vector<JudgedRegion>& judged) {
   // What was fitted fits wrong depth as well: pixels have to confirm it.
   if (pixelsSay != PixelsSay::Nothing || isFitted(trial)) return pixelsSay == PixelsSay::Yes;
-  const double ofCamera = pixelsWith(judged, WitnessVerdict::OfCamera);
-  const double known =
-      ofCamera + pixelsWith(judged, WitnessVerdict::Explained) + pixelsWith(judged, WitnessVerdict::Apart);
+  const double ofCamera = pixelsWith(judged, ConsistencyVerdict::OfCamera);
+  const double known = ofCamera + pixelsWith(judged, ConsistencyVerdict::Explained) +
+                       pixelsWith(judged, ConsistencyVerdict::Apart);
   if (told.pixels() >= kMostOfAll * known) return true;
   return isParticular(trial) && ofCamera >= kTrustedOfAll * known;
 }
 
-/// What moves by itself has no witness: what all that rests is told by is its fault, too, where pixels do not
-/// contradict that.
+/// What moves by itself has no consistency check: what all that rests is told by is its fault, too, where
+/// pixels do not contradict that.
 void spreadTold(std::size_t trial, std::vector<JudgedRegion>& judged) {
   for (JudgedRegion& region : judged) {
     if (region.trial || region.decision.verdict != MotionVerdict::Wrong) continue;
@@ -127,7 +127,7 @@ void tellAlike(std::size_t trial, std::vector<JudgedRegion*>& open) {
   std::erase_if(open, [trial](JudgedRegion* region) {
     const double gain = region->evidence->trials[trial].gain();
     double own = 0.0;
-    for (const std::size_t other : region->witness.explanations)
+    for (const std::size_t other : region->consistency.explanations)
       own = std::max(own, region->evidence->trials[other].gain());
     if (gain <= 0.0 || gain < kNearlyAsWell * own) return false;
     region->decision = {MotionVerdict::Wrong, {trial}};
@@ -136,16 +136,16 @@ void tellAlike(std::size_t trial, std::vector<JudgedRegion*>& open) {
   });
 }
 
-void judgeByWitness(Judged& out, const MotionEvidence& evidence) {
+void judgeByConsistency(Judged& out, const MotionEvidence& evidence) {
   std::vector<JudgedRegion*> open;
   for (JudgedRegion& region : out.regions)
-    if (region.witness.verdict == WitnessVerdict::Explained) open.push_back(&region);
-  const double explained = pixelsWith(out.regions, WitnessVerdict::Explained);
-  const double ofCamera = pixelsWith(out.regions, WitnessVerdict::OfCamera), known = ofCamera + explained;
-  const double all = known + pixelsWith(out.regions, WitnessVerdict::Apart);
+    if (region.consistency.verdict == ConsistencyVerdict::Explained) open.push_back(&region);
+  const double explained = pixelsWith(out.regions, ConsistencyVerdict::Explained);
+  const double ofCamera = pixelsWith(out.regions, ConsistencyVerdict::OfCamera), known = ofCamera + explained;
+  const double all = known + pixelsWith(out.regions, ConsistencyVerdict::Apart);
   out.areMatricesTrusted = ofCamera > 0.0 && ofCamera >= kTrustedOfAll * all;
   while (!open.empty()) {
-    const WitnessedRegions told = broadestWitness(open, out.regions, evidence.trials().size());
+    const CheckedRegions told = broadestConsistency(open, out.regions, evidence.trials().size());
     std::erase_if(open, [&](JudgedRegion* region) { return std::ranges::count(told.regions, region) > 0; });
     const PixelsSay pixelsSay = told.pixelsSay();
     if (!isBelieved(told, evidence.trials()[told.trial], pixelsSay, out.regions)) {
@@ -158,9 +158,9 @@ void judgeByWitness(Judged& out, const MotionEvidence& evidence) {
       continue;
     }
     for (JudgedRegion* region : told.regions) {
-      region->decision = {MotionVerdict::Wrong, region->witness.explanations};
+      region->decision = {MotionVerdict::Wrong, region->consistency.explanations};
       region->trial = told.trial;
-      region->isWitnessed = true;
+      region->isChecked = true;
       region->pixelsSay = pixelsSay;
     }
     if (told.pixels() >= kMostOfAll * explained) tellAlike(told.trial, open);
@@ -169,12 +169,12 @@ void judgeByWitness(Judged& out, const MotionEvidence& evidence) {
 }
 
 bool isLate(const std::vector<JudgedRegion>& judged) {
-  WitnessEvidence rims;
+  ConsistencyEvidence silhouettes;
   for (const JudgedRegion& region : judged) {
-    if (region.witness.verdict != WitnessVerdict::OfCamera) continue;
-    addRims(region.evidence->witness, rims);
+    if (region.consistency.verdict != ConsistencyVerdict::OfCamera) continue;
+    addSilhouettes(region.evidence->consistency, silhouettes);
   }
-  return isLateAtRims(rims);
+  return isLateAtSilhouettes(silhouettes);
 }
 
 /// Where the camera rests, what rests in the world rests on the screen, and anything that shrinks fits it:
@@ -221,16 +221,16 @@ void explainByFewest(std::vector<JudgedRegion>& judged, const std::vector<Motion
 }
 
 /// Whether an object's motion is open, and its middle may tell it.
-bool isOpenToMiddles(const JudgedRegion& region) {
+bool isOpenToCentroids(const JudgedRegion& region) {
   const MotionVerdict verdict = region.decision.verdict;
   return verdict != MotionVerdict::Right && verdict != MotionVerdict::Wrong &&
-         region.witness.verdict != WitnessVerdict::OfCamera && !isConfirmed(*region.evidence) &&
+         region.consistency.verdict != ConsistencyVerdict::OfCamera && !isConfirmed(*region.evidence) &&
          !region.evidence->middle.trials.empty();
 }
 
-/// Whether the pixels of objects speak against an explanation of how their middles move: what turns has
+/// Whether the pixels of objects speak against an explanation of how their centroids move: what turns has
 /// another motion than its middle.
-bool contradictMiddles(const std::vector<const JudgedRegion*>& objects, std::size_t trial) {
+bool contradictCentroids(const std::vector<const JudgedRegion*>& objects, std::size_t trial) {
   double given = 0.0, tried = 0.0;
   for (const JudgedRegion* object : objects) {
     given += object->evidence->trials[trial].given;
@@ -251,30 +251,30 @@ bool areSeveral(const std::vector<const JudgedRegion*>& objects, std::size_t tri
 
 /// Objects that are too small to tell anything by themselves tell it together, and the same as depth and
 /// matrices where it fits. That what rests in the world has another motion than the camera's is no news then.
-void judgeByMiddles(std::vector<JudgedRegion>& judged, const std::vector<MotionTrial>& trials) {
+void judgeByCentroids(std::vector<JudgedRegion>& judged, const std::vector<MotionTrial>& trials) {
   MiddleEvidence all;
   std::vector<const JudgedRegion*> objects;
   for (const JudgedRegion& region : judged)
-    if (isOpenToMiddles(region)) {
+    if (isOpenToCentroids(region)) {
       all.add(region.evidence->middle);
       objects.push_back(&region);
     }
   std::vector<std::size_t> winners = middleWinners(all);
-  std::erase_if(winners, [&](std::size_t trial) { return contradictMiddles(objects, trial); });
+  std::erase_if(winners, [&](std::size_t trial) { return contradictCentroids(objects, trial); });
   std::erase_if(winners, [&](std::size_t trial) {
     return trials[trial].kind == MotionKind::OfCamera && !areSeveral(objects, trial);
   });
   if (winners.empty()) return;
-  const auto told = std::ranges::find(judged, true, &JudgedRegion::isWitnessed);
+  const auto told = std::ranges::find(judged, true, &JudgedRegion::isChecked);
   if (told != judged.end() && std::ranges::count(winners, *told->trial) > 0)
     winners.assign(1, *told->trial);
   else if (told != judged.end())
     std::erase_if(winners, [&](std::size_t trial) { return trials[trial].kind == MotionKind::OfCamera; });
   if (winners.empty()) return;
   for (JudgedRegion& region : judged) {
-    if (!isOpenToMiddles(region)) continue;
+    if (!isOpenToCentroids(region)) continue;
     const MiddleCounts& own = region.evidence->middle.trials[winners.front()];
-    if (own.given > own.tried) region.decision = {MotionVerdict::Wrong, winners, DecidedBy::Middles};
+    if (own.given > own.tried) region.decision = {MotionVerdict::Wrong, winners, DecidedBy::Centroids};
   }
 }
 
@@ -371,20 +371,21 @@ std::vector<std::size_t> rivalsOf(const JudgedRegion& region) {
   return out;
 }
 
-Judged judgeMotion(const MotionEvidence& evidence, const std::vector<Region>& regions, const RimsSeen& rims) {
+Judged judgeMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
+                   const SilhouettesSeen& silhouettes) {
   Judged out;
   out.regions = judgedRegions(evidence, regions);
   out.unseen =
       static_cast<std::size_t>(std::ranges::count_if(evidence.regions(), [](const RegionEvidence& region) {
         return region.seen == 0 && region.middle.trials.empty();
       }));
-  out.isLate = rims.ofTime && isLate(out.regions);
-  if (out.isLate || !rims.ofPlace)
+  out.isLate = silhouettes.ofTime && isLate(out.regions);
+  if (out.isLate || !silhouettes.ofPlace)
     for (JudgedRegion& region : out.regions)
       if (region.decision.by == DecidedBy::Outline)
         region.decision = decideByPixels(*region.evidence, evidence.trials());
-  judgeByWitness(out, evidence);
-  judgeByMiddles(out.regions, evidence.trials());
+  judgeByConsistency(out, evidence);
+  judgeByCentroids(out.regions, evidence.trials());
   explainByFewest(out.regions, evidence.trials());
   leaveSkyAlone(out.regions, evidence.trials());
   leaveOutlinesAlone(out.regions, evidence.trials());

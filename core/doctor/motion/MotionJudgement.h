@@ -22,14 +22,14 @@ struct JudgedRegion {
   const RegionEvidence* evidence = nullptr;
   MotionDecision decision;
   std::optional<std::size_t> trial; ///< of a wrong one: what it is told by; none: what was searched for
-  WitnessDecision witness;
-  bool isWitnessed = false; ///< told by depth and matrices
+  ConsistencyDecision consistency;
+  bool isChecked = false; ///< told by depth and matrices
   PixelsSay pixelsSay = PixelsSay::Nothing;
 };
 
-/// What rims are witnesses of.
-struct RimsSeen {
-  bool ofTime = true;  ///< depth has the rims of the pictures: they say when motion was made
+/// What silhouettes are consistency checks of.
+struct SilhouettesSeen {
+  bool ofTime = true;  ///< depth has the silhouettes of the pictures: they say when motion was made
   bool ofPlace = true; ///< so has motion: outlines say where regions lay
 };
 
@@ -42,14 +42,14 @@ struct Judged {
   /// One that was fitted, and that pixels neither confirm nor contradict: wrong depth looks the same.
   std::optional<std::size_t> unconfirmed;
   std::size_t unseen = 0; ///< regions that have no pixel well inside them
-  bool isLate = false;    ///< isLateAtRims() of all that rests
+  bool isLate = false;    ///< isLateAtSilhouettes() of all that rests
 };
 
 /// An explanation that fits a region.
 struct FittingTrial {
   std::size_t trial = 0;
   double pixels = 0.0; ///< of the region
-  double gain = 0.0;   ///< what it leaves less there than what is given; below 0 where outlines or middles
+  double gain = 0.0;   ///< what it leaves less there than what is given; below 0 where outlines or centroids
                        ///< tell it and pixels lose by it
 };
 
@@ -59,7 +59,7 @@ std::size_t broadestTrial(const std::vector<FittingTrial>& fitting);
 
 /// `regions`: those of the evidence, which live as long as what is returned.
 Judged judgeMotion(const MotionEvidence& evidence, const std::vector<Region>& regions,
-                   const RimsSeen& rims = {});
+                   const SilhouettesSeen& silhouettes = {});
 
 /// Explanations that fit a region as well; those that lead elsewhere, and those that lead to the same places.
 std::vector<std::size_t> rivalsOf(const JudgedRegion& region);

@@ -2,9 +2,9 @@
 
 #include "core/base/Median.h"
 #include "core/base/Say.h"
-#include "core/doctor/Mending.h"
+#include "core/doctor/Correction.h"
+#include "core/doctor/motion/MotionCorrection.h"
 #include "core/doctor/motion/MotionFindings.h"
-#include "core/doctor/motion/MotionMending.h"
 #include "core/doctor/motion/MotionReturns.h"
 #include "core/settings/Faults.h"
 
@@ -43,7 +43,7 @@ std::string jumpChange(bool isWhole) {
 
 /// In that frame alone.
 std::vector<std::string> inFrame(int frame) {
-  std::vector<std::string> out = motionMending({MotionKind::OfCamera});
+  std::vector<std::string> out = motionCorrection({MotionKind::OfCamera});
   out.push_back("fault.firstFrame=" + std::to_string(frame));
   out.push_back("fault.lastFrame=" + std::to_string(frame));
   return out;
@@ -55,7 +55,7 @@ Finding identityFinding(int frame, const FrameNames& names) {
   out.isWholePicture = true;
   out.reason = say<"In frame %1 alone motion is what a previous matrix of 1 makes.">(names.of(frame));
   out.change = jumpChange(true);
-  mendBy(inFrame(frame), out);
+  correctBy(inFrame(frame), out);
   return out;
 }
 
@@ -82,14 +82,14 @@ Finding lateFinding() {
       say<"At the rims of what moves, motion is that of what was there in the frame before: everywhere "
           "else it is the same in both.">();
   out.change = say<"Give each frame its own motion: what you write is that of the frame before.">();
-  mendBy(motionMending({MotionKind::FrameLate}), out);
+  correctBy(motionCorrection({MotionKind::FrameLate}), out);
   return out;
 }
 
-void tellJumps(const MotionEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
-               double allPixels, Diagnosis& out) {
+void tellJumps(const MotionEvidence& evidence, const std::vector<Region>& regions,
+               const CaptureInfo& captureInfo, double allPixels, Diagnosis& out) {
   if (const auto never = identityFrame(evidence.pairs())) {
-    out.findings.push_back(identityFinding(*never, patient.frameNames));
+    out.findings.push_back(identityFinding(*never, captureInfo.frameNames));
     return;
   }
   std::vector<RegionPlace> places;
@@ -101,18 +101,18 @@ void tellJumps(const MotionEvidence& evidence, const std::vector<Region>& region
     if (!jump || (frame && *jump != *frame)) continue;
     frame = jump;
     jumping += regions[i].pixels;
-    places.push_back(placeOf(regions[i], patient, allPixels));
+    places.push_back(placeOf(regions[i], captureInfo, allPixels));
   }
   if (!frame) return;
   const bool isWhole = jumping >= kJumpWholeShare * measured;
   Finding finding = faultFinding(isWhole ? Fault::PreviousIdentity : Fault::OldTransformOnReturn);
   finding.isWholePicture = isWhole;
   finding.regions = std::move(places);
-  finding.sureness = Sureness::Likely;
+  finding.confidence = Confidence::Likely;
   finding.reason = say<"In frame %1 alone motion is much longer than before and after, and the motion of the "
-                       "frame beside it fits the pixels better.">(patient.frameNames.of(*frame));
+                       "frame beside it fits the pixels better.">(captureInfo.frameNames.of(*frame));
   finding.change = jumpChange(isWhole);
-  if (isWhole) mendBy(inFrame(*frame), finding);
+  if (isWhole) correctBy(inFrame(*frame), finding);
   out.findings.push_back(std::move(finding));
 }
 

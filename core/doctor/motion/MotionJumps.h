@@ -2,8 +2,8 @@
 // never set.
 #pragma once
 
+#include "core/doctor/CaptureInfo.h"
 #include "core/doctor/Diagnosis.h"
-#include "core/doctor/Patient.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/motion/MotionEvidence.h"
 
@@ -16,11 +16,11 @@ namespace taa::doctor {
 /// worse than the motion of the frame before or after does. None: there is none, or more than one.
 std::optional<int> jumpOf(const RegionEvidence& evidence);
 
-/// At the rims of what moves, motion is that of where it was a frame ago; see isLateAtRims().
+/// At the silhouettes of what moves, motion is that of where it was a frame ago; see isLateAtSilhouettes().
 Finding lateFinding();
 
 /// Adds a finding where regions jump. `allPixels`: of all frames that were looked at.
-void tellJumps(const MotionEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
-               double allPixels, Diagnosis& out);
+void tellJumps(const MotionEvidence& evidence, const std::vector<Region>& regions,
+               const CaptureInfo& captureInfo, double allPixels, Diagnosis& out);
 
 } // namespace taa::doctor

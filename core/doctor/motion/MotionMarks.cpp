@@ -1,9 +1,9 @@
 #include "core/doctor/motion/MotionMarks.h"
 
 #include "core/base/Say.h"
-#include "core/doctor/Mending.h"
+#include "core/doctor/Correction.h"
+#include "core/doctor/motion/MotionCorrection.h"
 #include "core/doctor/motion/MotionFindings.h"
-#include "core/doctor/motion/MotionMending.h"
 #include "core/settings/Faults.h"
 
 #include <algorithm>
@@ -52,8 +52,8 @@ bool isKeptAsMissing(const RegionEvidence& evidence) {
          evidence.markedPx <= kMarkedRestsPx * static_cast<double>(evidence.markedTextured);
 }
 
-void tellMarks(const MotionEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
-               double allPixels, Diagnosis& out) {
+void tellMarks(const MotionEvidence& evidence, const std::vector<Region>& regions,
+               const CaptureInfo& captureInfo, double allPixels, Diagnosis& out) {
   Finding unwritten = markFinding(
       Fault::MotionUnwritten,
       say<"Motion there is longer than the picture, and the same, in every frame: it is a mark, and no "
@@ -70,9 +70,9 @@ void tellMarks(const MotionEvidence& evidence, const std::vector<Region>& region
     const RegionEvidence& region = evidence.regions()[i];
     rests = rests || region.zero >= kEnoughMarks;
     if (isUnwrittenMark(region))
-      unwritten.regions.push_back(placeOf(regions[i], patient, allPixels));
+      unwritten.regions.push_back(placeOf(regions[i], captureInfo, allPixels));
     else if (isKeptAsMissing(region))
-      missing.regions.push_back(placeOf(regions[i], patient, allPixels));
+      missing.regions.push_back(placeOf(regions[i], captureInfo, allPixels));
     else if (isMarkedAndKept(region))
       ++moving;
   }
@@ -92,7 +92,7 @@ void tellMarks(const MotionEvidence& evidence, const std::vector<Region>& region
   for (Finding* finding : {&unwritten, &missing})
     if (!finding->regions.empty()) {
       std::ranges::stable_sort(finding->regions, std::greater(), &RegionPlace::share);
-      mendBy(motionMending({MotionKind::OfCamera}), *finding);
+      correctBy(motionCorrection({MotionKind::OfCamera}), *finding);
       out.findings.push_back(std::move(*finding));
     }
 }

@@ -1,8 +1,8 @@
 // Values of motion that are no motion: marks of what was not written, and of what has no previous position.
 #pragma once
 
+#include "core/doctor/CaptureInfo.h"
 #include "core/doctor/Diagnosis.h"
-#include "core/doctor/Patient.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/motion/MotionEvidence.h"
 
@@ -18,7 +18,7 @@ bool isUnwrittenMark(const RegionEvidence& evidence);
 bool isKeptAsMissing(const RegionEvidence& evidence);
 
 /// Adds a finding for each of the two. `allPixels`: of all frames that were looked at.
-void tellMarks(const MotionEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
-               double allPixels, Diagnosis& out);
+void tellMarks(const MotionEvidence& evidence, const std::vector<Region>& regions,
+               const CaptureInfo& captureInfo, double allPixels, Diagnosis& out);
 
 } // namespace taa::doctor

@@ -31,7 +31,7 @@ bool isOfRegion(Fault fault, bool isSky) {
   }
 }
 
-/// Decided by the values themselves, or at rims.
+/// Decided by the values themselves, or at silhouettes.
 bool isSeenElsewhere(Fault fault) {
   return fault == Fault::MotionUnwritten || fault == Fault::ZeroTakenAsMissing ||
          fault == Fault::MotionShifted || fault == Fault::MotionCoarse;

@@ -1,6 +1,6 @@
 #include "core/doctor/motion/MotionOutlines.h"
 
-#include "core/doctor/frames/RegionMiddles.h"
+#include "core/doctor/frames/RegionCentroids.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -18,7 +18,7 @@ namespace {
 /// pixel beside where it is taken to be where depth has not the jitter that is stated.
 constexpr float kApartPx = 1.5f;
 constexpr double kOutlinePixelsPerPair = 130000.0; ///< looked at of larger pictures
-/// Pixels from the rim: of the picture's width, at least and at most.
+/// Pixels from the silhouette: of the picture's width, at least and at most.
 constexpr int kReachShare = 60, kLeastReach = 4, kMostReach = 32;
 /// A region that is as large in both frames is seen whole.
 constexpr double kAsLargeShare = 0.03;
@@ -41,11 +41,11 @@ class PairOutlines {
     const int step =
         std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kOutlinePixelsPerPair) - 0.05)));
     reach_ = std::clamp(sizePx_.x / kReachShare, kLeastReach, kMostReach);
-    now_ = middlesOf(labels_, sizePx_);
-    before_ = middlesOf(labelsBefore_, sizePx_);
+    now_ = centroidsOf(labels_, sizePx_);
+    before_ = centroidsOf(labelsBefore_, sizePx_);
     for (int y = 1; y + 1 < sizePx_.y; y += step)
       for (int x = 1; x + 1 < sizePx_.x; x += step)
-        if (isNearRim({x, y}) && isWide(labels_, sizePx_, x, y)) add({x, y});
+        if (isNearSilhouette({x, y}) && isWide(labels_, sizePx_, x, y)) add({x, y});
     for (auto& [region, outline] : out_) {
       for (OutlineCounts& trial : outline.trials) endPair(trial);
       endPair(outline.found);
@@ -62,7 +62,7 @@ class PairOutlines {
     return {static_cast<int>(index) % sizePx_.x, static_cast<int>(index) / sizePx_.x};
   }
 
-  bool isNearRim(const glm::ivec2& pixel) const {
+  bool isNearSilhouette(const glm::ivec2& pixel) const {
     const RegionIndex label = labelAt(pixel);
     // A part that no number says ends where depth or motion does, which may be anywhere on a surface.
     if (frames_.now.objectId[static_cast<std::size_t>(pixel.y) * sizePx_.x + pixel.x] == 0) return false;
@@ -151,16 +151,16 @@ class PairOutlines {
 
 /// Pixels that came from outside, of those that a square of as many pixels has along its sides: of a large
 /// surface some always do, at corners and where something passes.
-bool isOfWholeRim(const OutlineCounts& counts) {
-  constexpr double kLeastOfRim = 0.1;
+bool isOfWholeSilhouette(const OutlineCounts& counts) {
+  constexpr double kLeastOfSilhouette = 0.1;
   const double pairs = static_cast<double>(counts.pairs);
-  const double rim = 4.0 * std::sqrt(static_cast<double>(counts.pixels) / pairs) * pairs;
-  return static_cast<double>(counts.given) >= kLeastOfRim * rim;
+  const double silhouette = 4.0 * std::sqrt(static_cast<double>(counts.pixels) / pairs) * pairs;
+  return static_cast<double>(counts.given) >= kLeastOfSilhouette * silhouette;
 }
 
 bool fitsOutline(const OutlineCounts& counts) {
   return counts.pixels >= kEnoughOutline && counts.given >= kEnoughOutside &&
-         counts.pairs >= kEnoughOutlinePairs && isOfWholeRim(counts) &&
+         counts.pairs >= kEnoughOutlinePairs && isOfWholeSilhouette(counts) &&
          static_cast<double>(counts.given) >= kOutlineFactor * static_cast<double>(counts.tried) &&
          static_cast<double>(counts.pairsWon) >= kPairsShare * static_cast<double>(counts.pairs);
 }

@@ -11,8 +11,8 @@
 
 namespace taa::doctor {
 
-/// An explanation against the motion given, at pixels near the region's rim where the two lead to different
-/// places.
+/// An explanation against the motion given, at pixels near the region's silhouette where the two lead to
+/// different places.
 struct OutlineCounts {
   std::size_t pixels = 0;
   std::size_t given = 0, tried = 0;    ///< of these: outside, between four pixels that are

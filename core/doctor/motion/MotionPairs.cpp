@@ -103,14 +103,15 @@ void pointAt(const WonPairs& won, const glm::ivec2& sizePx, RegionPlace& place) 
 
 /// Adds a region, and what is said of it, to the finding of its id.
 void addTo(std::vector<Finding>& findings, const WonPairs& won, const MotionTrial& trial,
-           const Region& region, const RegionEvidence& evidence, const Patient& patient, double allPixels) {
+           const Region& region, const RegionEvidence& evidence, const CaptureInfo& captureInfo,
+           double allPixels) {
   const auto perPixel = [&](double sum) { return 1000.0 * sum / static_cast<double>(won.pixels); };
-  RegionPlace place = placeOf(region, patient, allPixels);
-  pointAt(won, patient.sizePx, place);
+  RegionPlace place = placeOf(region, captureInfo, allPixels);
+  pointAt(won, captureInfo.sizePx, place);
   const std::string reason = say<
       "In %1, at %2 of its pixels in the mean, the motion given of %3 leaves %4 thousandths of the pixels' "
       "luma, and what comes nearest leaves %5: %6.">(
-      patient.frameNames.of(won.frames, won.asked), won.pixels / won.frames.size(), place.name,
+      captureInfo.frameNames.of(won.frames, won.asked), won.pixels / won.frames.size(), place.name,
       shortNumber(perPixel(won.given)), shortNumber(perPixel(won.tried)), trialText(trial));
   const FaultWords words = wordsOf(trial, won, region, evidence);
   const auto known = std::ranges::find(findings, words.id, &Finding::id);
@@ -121,7 +122,7 @@ void addTo(std::vector<Finding>& findings, const WonPairs& won, const MotionTria
   }
   Finding out;
   nameBy(words, out);
-  out.sureness = Sureness::Likely;
+  out.confidence = Confidence::Likely;
   out.reason = reason;
   out.measure = say<"mean difference of luma, × 1000">();
   out.residuals = {
@@ -147,15 +148,15 @@ std::optional<WonPairs> wonPairs(const RegionEvidence& evidence, const std::vect
   return best;
 }
 
-void tellPairs(const MotionEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
-               Diagnosis& out) {
+void tellPairs(const MotionEvidence& evidence, const std::vector<Region>& regions,
+               const CaptureInfo& captureInfo, Diagnosis& out) {
   for (std::size_t i = 0; i < regions.size() && i < evidence.regions().size(); ++i) {
     const RegionEvidence& region = evidence.regions()[i];
-    if (isMotionTold(placeOf(regions[i], patient, 1.0).name, out)) continue;
+    if (isMotionTold(placeOf(regions[i], captureInfo, 1.0).name, out)) continue;
     const auto won = wonPairs(region, evidence.trials());
     if (!won) continue;
-    addTo(out.findings, *won, evidence.trials()[won->trial], regions[i], region, patient,
-          allPixels(patient, out));
+    addTo(out.findings, *won, evidence.trials()[won->trial], regions[i], region, captureInfo,
+          allPixels(captureInfo, out));
     out.parts.takeBack(say<"Motion">());
   }
 }

@@ -2,8 +2,8 @@
 // makes it right there. Over all frames and pixels the others outweigh them.
 #pragma once
 
+#include "core/doctor/CaptureInfo.h"
 #include "core/doctor/Diagnosis.h"
-#include "core/doctor/Patient.h"
 #include "core/doctor/frames/Regions.h"
 #include "core/doctor/motion/MotionEvidence.h"
 
@@ -30,7 +30,7 @@ struct WonPairs {
 std::optional<WonPairs> wonPairs(const RegionEvidence& evidence, const std::vector<MotionTrial>& trials);
 
 /// A finding for each thing that is wrong, of regions of whose motion nothing is told.
-void tellPairs(const MotionEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
-               Diagnosis& out);
+void tellPairs(const MotionEvidence& evidence, const std::vector<Region>& regions,
+               const CaptureInfo& captureInfo, Diagnosis& out);
 
 } // namespace taa::doctor

@@ -48,7 +48,7 @@ std::vector<Residual> residualsOf(const FaultGroup& group, const std::vector<Mot
   return sortedResiduals(std::move(out));
 }
 
-/// Of an explanation, or of what the middles of regions move by, over all regions of a group.
+/// Of an explanation, or of what the centroids of regions move by, over all regions of a group.
 OutlineCounts outlineCounts(const FaultGroup& group, std::optional<std::size_t> trial) {
   OutlineCounts sum;
   for (const JudgedRegion* region : group.regions) {
@@ -84,7 +84,8 @@ MiddleCounts middleCounts(const FaultGroup& group, std::size_t trial) {
   return sum;
 }
 
-/// Where the best one leads elsewhere than the motion given: how far each is from the way of the middles, px.
+/// Where the best one leads elsewhere than the motion given: how far each is from the way of the centroids,
+/// px.
 std::vector<Residual> middleResiduals(const FaultGroup& group, const std::vector<MotionTrial>& trials) {
   const MiddleCounts best = middleCounts(group, *group.trial);
   std::vector<Residual> out;
@@ -101,12 +102,12 @@ std::vector<Residual> middleResiduals(const FaultGroup& group, const std::vector
 std::vector<DistanceCounts> distancesOf(const FaultGroup& group, std::size_t trialCount) {
   std::vector<DistanceCounts> out(trialCount);
   for (const JudgedRegion* region : group.regions)
-    for (std::size_t t = 0; t < region->evidence->witness.trials.size(); ++t)
-      out[t].add(region->evidence->witness.trials[t]);
+    for (std::size_t t = 0; t < region->evidence->consistency.trials.size(); ++t)
+      out[t].add(region->evidence->consistency.trials[t]);
   return out;
 }
 
-std::vector<Residual> witnessResiduals(const FaultGroup& group, const std::vector<MotionTrial>& trials) {
+std::vector<Residual> consistencyResiduals(const FaultGroup& group, const std::vector<MotionTrial>& trials) {
   const std::vector<DistanceCounts> distances = distancesOf(group, trials.size());
   std::vector<Residual> out;
   for (std::size_t t = 0; t < trials.size(); ++t)
@@ -128,7 +129,7 @@ std::string explanationNames(const std::vector<std::size_t>& explanations,
   return names;
 }
 
-std::string witnessReason(const FaultGroup& group, const std::vector<MotionTrial>& trials) {
+std::string consistencyReason(const FaultGroup& group, const std::vector<MotionTrial>& trials) {
   const std::vector<DistanceCounts> distances = distancesOf(group, trials.size());
   std::string text =
       say<"At %1 pixels depth and matrices make the motion given if it is taken like this, to %2 px: %3. As "
@@ -196,15 +197,15 @@ std::string reasonOf(const FaultGroup& group, const std::vector<MotionTrial>& tr
 } // namespace
 
 void tellEvidence(const FaultGroup& group, const std::vector<MotionTrial>& trials, Finding& out) {
-  if (isWitnessed(group)) {
-    out.reason = witnessReason(group, trials);
+  if (isChecked(group)) {
+    out.reason = consistencyReason(group, trials);
     out.measure = say<"median distance from the camera's motion, px">();
-    out.residuals = witnessResiduals(group, trials);
+    out.residuals = consistencyResiduals(group, trials);
   } else if (isOutlined(group)) {
     out.reason = outlineReason(group, trials);
     out.measure = say<"share of pixels inside an outline that came from outside of it, %">();
     out.residuals = outlineResiduals(group, trials);
-  } else if (isOfMiddles(group)) {
+  } else if (isOfCentroids(group)) {
     out.reason = middleReason(group, trials);
     out.measure = say<"mean distance from the way of the middle, px">();
     out.residuals = middleResiduals(group, trials);

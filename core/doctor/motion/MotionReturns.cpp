@@ -77,8 +77,8 @@ std::vector<Return> ReturnEvidence::found() const {
   return out;
 }
 
-void tellReturns(std::vector<Return> returns, const std::vector<Region>& regions, const Patient& patient,
-                 Diagnosis& out) {
+void tellReturns(std::vector<Return> returns, const std::vector<Region>& regions,
+                 const CaptureInfo& captureInfo, Diagnosis& out) {
   // Parts that no number says come and go as motion and depth join and part them.
   std::erase_if(returns, [&](const Return& one) {
     return regions[static_cast<std::size_t>(one.region)].objectId == 0;
@@ -86,16 +86,16 @@ void tellReturns(std::vector<Return> returns, const std::vector<Region>& regions
   if (returns.empty()) return;
   Finding finding = faultFinding(Fault::OldTransformOnReturn);
   std::erase_if(out.findings, [&](const Finding& other) { return other.id == finding.id; });
-  finding.sureness = Sureness::Likely;
+  finding.confidence = Confidence::Likely;
   for (const Return& one : returns) {
     const RegionPlace place =
-        placeOf(regions[static_cast<std::size_t>(one.region)], patient, allPixels(patient, out));
+        placeOf(regions[static_cast<std::size_t>(one.region)], captureInfo, allPixels(captureInfo, out));
     finding.reason +=
         (finding.reason.empty() ? "" : " ") +
         say<"In frame %1 %2 is drawn and in the frame before it is not; you write %3 for it there, and "
-            "%4 in the frame after.">(patient.frameNames.of(one.frame), place.name,
-                                      shortVector(storedMotion(patient, one.px)),
-                                      shortVector(storedMotion(patient, one.next)));
+            "%4 in the frame after.">(captureInfo.frameNames.of(one.frame), place.name,
+                                      shortVector(storedMotion(captureInfo, one.px)),
+                                      shortVector(storedMotion(captureInfo, one.next)));
     if (std::ranges::count(finding.regions, place.name, &RegionPlace::name) == 0)
       finding.regions.push_back(place);
   }

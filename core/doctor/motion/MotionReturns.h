@@ -2,8 +2,8 @@
 // own next motions say whether the first one is right.
 #pragma once
 
+#include "core/doctor/CaptureInfo.h"
 #include "core/doctor/Diagnosis.h"
-#include "core/doctor/Patient.h"
 #include "core/doctor/frames/DoctorFrame.h"
 #include "core/doctor/frames/Regions.h"
 
@@ -47,7 +47,7 @@ class ReturnEvidence {
 /// What to change, in a sentence.
 std::string returnChange();
 /// One finding for all of them.
-void tellReturns(std::vector<Return> returns, const std::vector<Region>& regions, const Patient& patient,
-                 Diagnosis& out);
+void tellReturns(std::vector<Return> returns, const std::vector<Region>& regions,
+                 const CaptureInfo& captureInfo, Diagnosis& out);
 
 } // namespace taa::doctor

@@ -91,8 +91,8 @@ struct MotionRow {
   /// Of Factors, unless the trial has them: what true x has of x and of y, and true y of x and of y. Of
   /// Jitter: how many times the jitter of this frame, and of the one before, are added.
   std::array<float, 4> shares{};
-  /// What makes such frames right, as --set takes it; empty: see motionMending().
-  std::array<std::string_view, 2> mending{};
+  /// What makes such frames right, as --set takes it; empty: see motionCorrection().
+  std::array<std::string_view, 2> correction{};
   /// What it is called and what one sees: of the table of faults, or its own; none where that depends on the
   /// region, see motionFault().
   std::optional<Fault> fault{};

@@ -175,10 +175,10 @@ void nameBy(const FaultWords& fault, Finding& out) {
   out.change = fault.change;
 }
 
-std::optional<MotionTrial> axesBesideUnit(const MotionTrial& trial, const Patient& patient) {
+std::optional<MotionTrial> axesBesideUnit(const MotionTrial& trial, const CaptureInfo& captureInfo) {
   if (trial.kind != MotionKind::OtherUnit) return {};
   // Device coordinates point up, where nothing is stated of their axes.
-  const bool isUp = trial.isDevice && std::abs(trial.factor.x) > 1.0f && !patient.conventions;
+  const bool isUp = trial.isDevice && std::abs(trial.factor.x) > 1.0f && !captureInfo.conventions;
   const bool isLeft = trial.factor.x < 0.0f, isOtherY = (trial.factor.y < 0.0f) != isUp;
   if (isLeft && isOtherY) return MotionTrial{MotionKind::Opposite};
   if (isLeft) return MotionTrial{MotionKind::MirroredX};
@@ -193,26 +193,26 @@ MotionTrial unitAlone(const MotionTrial& trial, const MotionTrial& axes) {
   return out;
 }
 
-glm::dvec2 storedMotion(const Patient& patient, const glm::dvec2& motionPx) {
-  if (!patient.conventions) return motionPx;
-  const capture::MotionConventions& motion = patient.conventions->motion;
-  glm::dvec2 perValue = motion.scale * capture::pxPerUnit(motion.unit, motion.yAxis, patient.sizePx);
+glm::dvec2 storedMotion(const CaptureInfo& captureInfo, const glm::dvec2& motionPx) {
+  if (!captureInfo.conventions) return motionPx;
+  const capture::MotionConventions& motion = captureInfo.conventions->motion;
+  glm::dvec2 perValue = motion.scale * capture::pxPerUnit(motion.unit, motion.yAxis, captureInfo.sizePx);
   if (motion.unit == capture::ScreenUnit::Pixels && motion.pixelOf == capture::PixelOf::Output)
-    perValue *= glm::dvec2(patient.sizePx) / glm::dvec2(patient.outputPx);
+    perValue *= glm::dvec2(captureInfo.sizePx) / glm::dvec2(captureInfo.outputPx);
   if (motion.direction == capture::MotionDirection::PreviousMinusCurrent) perValue = -perValue;
   const bool hasOffset = motion.encoding == capture::MotionEncoding::Offset;
   return motionPx / perValue + (hasOffset ? motion.offset : glm::dvec2(0.0));
 }
 
-std::string motionExample(const Patient& patient, const RegionEvidence& evidence, std::size_t trial) {
+std::string motionExample(const CaptureInfo& captureInfo, const RegionEvidence& evidence, std::size_t trial) {
   const MotionExample& example = evidence.example;
   if (trial >= example.byTrial.size() || !example.byTrial[trial]) return {};
-  const glm::dvec2 given = storedMotion(patient, glm::dvec2(example.given));
-  const glm::dvec2 should = storedMotion(patient, glm::dvec2(*example.byTrial[trial]));
+  const glm::dvec2 given = storedMotion(captureInfo, glm::dvec2(example.given));
+  const glm::dvec2 should = storedMotion(captureInfo, glm::dvec2(*example.byTrial[trial]));
   const bool isEncoded =
-      patient.conventions && patient.conventions->motion.encoding == capture::MotionEncoding::Unreal;
+      captureInfo.conventions && captureInfo.conventions->motion.encoding == capture::MotionEncoding::Unreal;
   const std::string place = say<"at pixel %1, %2 of frame %3">(example.pixel.x, example.pixel.y,
-                                                               patient.frameNames.of(example.frame));
+                                                               captureInfo.frameNames.of(example.frame));
   if (isEncoded)
     return say<"For example %1 you write what decodes to %2; the pictures show %3.">(
         place, shortVector(given), shortVector(should));

@@ -37,15 +37,15 @@ void nameBy(const FaultWords& fault, Finding& out);
 
 /// Of another unit: what is wrong with direction and axes besides, as a trial of its own; nothing: nothing
 /// is. Where a capture states its axes, they are no part of a unit.
-std::optional<MotionTrial> axesBesideUnit(const MotionTrial& trial, const Patient& patient);
+std::optional<MotionTrial> axesBesideUnit(const MotionTrial& trial, const CaptureInfo& captureInfo);
 /// The unit without that.
 MotionTrial unitAlone(const MotionTrial& trial, const MotionTrial& axes);
 
 /// What the engine stores for a motion in px, current − previous, by its conventions.
-glm::dvec2 storedMotion(const Patient& patient, const glm::dvec2& motionPx);
+glm::dvec2 storedMotion(const CaptureInfo& captureInfo, const glm::dvec2& motionPx);
 /// A sentence with numbers: what is stored at a pixel and what it should be, as the engine writes motion.
 /// Empty where the trial says nothing there.
-std::string motionExample(const Patient& patient, const RegionEvidence& evidence, std::size_t trial);
+std::string motionExample(const CaptureInfo& captureInfo, const RegionEvidence& evidence, std::size_t trial);
 
 /// Depth and matrices make something of the motion given of some regions that pixels contradict. `names`:
 /// theirs. `isMisfit`: nothing else says that these are right.

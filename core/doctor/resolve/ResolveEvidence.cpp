@@ -74,7 +74,7 @@ void ResolveEvidence::compare(const ResolveFrames& frames) {
   pairFrames_.push_back(frames.now.frame);
   ResolveTwin twin(frames);
   const bool isOfAll = pairs_ < kPairsOfAll;
-  for (const PixelSet set : {PixelSet::Anywhere, PixelSet::Rims, PixelSet::Border}) {
+  for (const PixelSet set : {PixelSet::Anywhere, PixelSet::Silhouettes, PixelSet::Border}) {
     if (isOfAll && set != PixelSet::Anywhere) continue;
     const std::size_t most = set != PixelSet::Anywhere ? kPixelsApart
                              : isOfAll                 ? kPixelsOfAll

@@ -147,8 +147,8 @@ bool isOfReading(ResolveKind kind) {
   return kind == ResolveKind::ReadJittered || kind == ResolveKind::InPlace || kind == ResolveKind::Opposite;
 }
 
-/// Where little but rims moves, dilation that picks the farthest reads history as if nothing moved: whether
-/// it explains nearly as much of what sound models leave.
+/// Where little but silhouettes moves, dilation that picks the farthest reads history as if nothing moved:
+/// whether it explains nearly as much of what sound models leave.
 bool mayBeFarthest(const ResolveEvidence& evidence, const ResolveFit& mistake) {
   constexpr double kNearlyAsMuch = 0.75;
   const auto sound = evidence.best(ResolveKind::Sound, PixelSet::Anywhere),
@@ -182,9 +182,9 @@ void tellMistake(const ResolveEvidence& evidence, const ResolveFit& fit, Diagnos
       " " + nearestText(fit);
   finding.measure = measureText();
   finding.residuals = resolveResiduals(evidence, setOf(kind), kind);
-  finding.sureness = fit.error <= kAlike ? Sureness::Sure : Sureness::Likely;
+  finding.confidence = fit.error <= kAlike ? Confidence::Sure : Confidence::Likely;
   if (mayBeFarthest(evidence, fit)) {
-    finding.sureness = Sureness::Likely;
+    finding.confidence = Confidence::Likely;
     finding.alike = {std::string(faultInfo(Fault::DilatesFarthest).id)};
     finding.reason +=
         " " + say<"So little moves but rims that dilation which picks the farthest would look the same.">();
@@ -326,8 +326,8 @@ void tellValues(const OutputValues& values, Diagnosis& out) {
     finding.reason +=
         " " + say<"Of %1 values at rest that the frame wants otherwise by one to three steps %2 "
                   "stay as they are.">(values.resting, values.stuck);
-  finding.sureness =
-      values.resting > 0 && values.stuck * 2 > values.resting ? Sureness::Sure : Sureness::Likely;
+  finding.confidence =
+      values.resting > 0 && values.stuck * 2 > values.resting ? Confidence::Sure : Confidence::Likely;
   out.findings.push_back(std::move(finding));
 }
 
@@ -407,7 +407,7 @@ Finding mistakeFrom(const ResolveFit& mistake, double soundError, const std::str
   out.residuals = {{resolveKindId(kind), resolveKindText(kind), kPer1000 * mistake.error, false, true},
                    {resolveKindId(ResolveKind::Sound), resolveKindText(ResolveKind::Sound),
                     kPer1000 * soundError, true, false}};
-  out.sureness = mistake.error <= kExact ? Sureness::Sure : Sureness::Likely;
+  out.confidence = mistake.error <= kExact ? Confidence::Sure : Confidence::Likely;
   return out;
 }
 
@@ -475,7 +475,7 @@ void tellApart(const ResolveEvidence& evidence, Diagnosis& out) {
     tellMistake(evidence, *fit, out);
     return true;
   };
-  if (const std::optional<bool> isTold = told(PixelSet::Rims); !isTold.value_or(false))
+  if (const std::optional<bool> isTold = told(PixelSet::Silhouettes); !isTold.value_or(false))
     out.parts.leaveOpen({say<"Dilation">(),
                          isTold ? say<"at rims the motion of the farthest makes as good as the same">()
                                 : say<"too few rims move otherwise than what is behind them">(),

@@ -100,7 +100,7 @@ std::vector<ResolveModel> allModels() {
 } // namespace
 
 PixelSet setOf(ResolveKind kind) {
-  if (kind == ResolveKind::Farthest) return PixelSet::Rims;
+  if (kind == ResolveKind::Farthest) return PixelSet::Silhouettes;
   return kind == ResolveKind::OffScreenKept ? PixelSet::Border : PixelSet::Anywhere;
 }
 

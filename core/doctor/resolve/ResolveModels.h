@@ -26,8 +26,8 @@ enum class ResolveKind : std::uint8_t {
 };
 inline constexpr std::size_t kResolveKinds = 8;
 
-/// Pixels that tell of a kind: anywhere, at the rims of things, where history lies beyond the picture.
-enum class PixelSet : std::uint8_t { Anywhere, Rims, Border };
+/// Pixels that tell of a kind: anywhere, at the silhouettes of things, where history lies beyond the picture.
+enum class PixelSet : std::uint8_t { Anywhere, Silhouettes, Border };
 inline constexpr std::size_t kPixelSets = 3;
 PixelSet setOf(ResolveKind kind);
 

@@ -13,10 +13,11 @@ namespace taa::doctor {
 namespace {
 
 constexpr float kMostDistance = 0.05f;
-constexpr float kRimMotionPx = 0.1f; ///< motions of the nearest and the farthest of nine differ by more
+constexpr float kSilhouetteMotionPx =
+    0.1f; ///< motions of the nearest and the farthest of nine differ by more
 constexpr float kLeastBlended = 0.05f;
-/// Places that are looked at for the pixels of a set: rims are few.
-constexpr std::size_t kMostTries = 12000, kMostTriesOfRims = 60000;
+/// Places that are looked at for the pixels of a set: silhouettes are few.
+constexpr std::size_t kMostTries = 12000, kMostTriesOfSilhouettes = 60000;
 
 bool isPlain(const DoctorFrame& frame, const glm::ivec2& pixel) {
   for (int y = pixel.y - 1; y <= pixel.y + 1; ++y)
@@ -40,7 +41,7 @@ bool leavesPicture(const DoctorFrame& frame, const glm::ivec2& pixel) {
 }
 
 /// Whether the nearest and the farthest of nine lead to different places.
-bool isAtRim(const DoctorFrame& frame, const glm::ivec2& pixel) {
+bool isAtSilhouette(const DoctorFrame& frame, const glm::ivec2& pixel) {
   if (frame.depth.empty()) return false;
   glm::ivec2 nearest = pixel, farthest = pixel;
   for (int y = pixel.y - 1; y <= pixel.y + 1; ++y)
@@ -50,7 +51,7 @@ bool isAtRim(const DoctorFrame& frame, const glm::ivec2& pixel) {
     }
   const glm::vec2 near = frame.motionAt(nearest.x, nearest.y), far = frame.motionAt(farthest.x, farthest.y);
   if (!isMotion(near) || !isMotion(far)) return false;
-  return std::hypot(near.x - far.x, near.y - far.y) >= kRimMotionPx;
+  return std::hypot(near.x - far.x, near.y - far.y) >= kSilhouetteMotionPx;
 }
 
 bool isOfSet(const DoctorFrame& frame, PixelSet set, const glm::ivec2& pixel) {
@@ -58,8 +59,8 @@ bool isOfSet(const DoctorFrame& frame, PixelSet set, const glm::ivec2& pixel) {
   case PixelSet::Anywhere:
     return hasDetail(frame.luma, pixel.x, pixel.y) && !leavesPicture(frame, pixel) &&
            isMotion(frame.motionAt(pixel.x, pixel.y));
-  case PixelSet::Rims:
-    return isAtRim(frame, pixel);
+  case PixelSet::Silhouettes:
+    return isAtSilhouette(frame, pixel);
   case PixelSet::Border:
     return leavesPicture(frame, pixel);
   }
@@ -155,7 +156,7 @@ std::vector<glm::ivec2> resolvePixels(const ResolveFrames& frames, PixelSet set,
   const glm::ivec2 size = frames.now.sizePx();
   std::vector<glm::ivec2> out;
   if (size.x < 3 || size.y < 3) return out;
-  const std::size_t tries = set == PixelSet::Rims ? kMostTriesOfRims : kMostTries;
+  const std::size_t tries = set == PixelSet::Silhouettes ? kMostTriesOfSilhouettes : kMostTries;
   std::vector<bool> isTaken(static_cast<std::size_t>(size.x) * size.y, false);
   double x = 0.5, y = 0.5;
   for (std::size_t i = 0; i < tries && out.size() < most; ++i) {

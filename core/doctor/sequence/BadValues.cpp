@@ -18,7 +18,7 @@ namespace taa::doctor {
 namespace {
 
 constexpr std::size_t kMostSteps = 256;  ///< of 8 bits
-constexpr std::size_t kFewInRegion = 16; ///< of a frame: at a rim they are those of what is beside
+constexpr std::size_t kFewInRegion = 16; ///< of a frame: at a silhouette they are those of what is beside
 
 } // namespace
 
@@ -130,8 +130,8 @@ bool ValueEvidence::isOfWholePixels() const {
          static_cast<double>(whole_) >= kNearlyAll * static_cast<double>(moving_);
 }
 
-void tellBadValues(const ValueEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
-                   Diagnosis& out) {
+void tellBadValues(const ValueEvidence& evidence, const std::vector<Region>& regions,
+                   const CaptureInfo& captureInfo, Diagnosis& out) {
   if (evidence.badColors() > 0)
     out.notes.push_back(
         say<"Color is no number (NaN or infinite) at %1 pixels of all frames: each that history takes "
@@ -173,12 +173,12 @@ void tellBadValues(const ValueEvidence& evidence, const std::vector<Region>& reg
   finding.symptom = say<"Pixels that flash, or spread black.">();
   for (const RegionIndex region : motion.regions)
     finding.regions.push_back(
-        placeOf(regions[static_cast<std::size_t>(region)], patient, allPixels(patient, out)));
+        placeOf(regions[static_cast<std::size_t>(region)], captureInfo, allPixels(captureInfo, out)));
   std::ranges::stable_sort(finding.regions, std::greater(), &RegionPlace::share);
   finding.reason =
       say<"In %1 motion is NaN at %2 pixels and infinite at %3, for example at pixel %4, %5 of frame %6.">(
-          patient.frameNames.of(motion.frames, evidence.asked()), motion.nan, motion.infinite, motion.pixel.x,
-          motion.pixel.y, patient.frameNames.of(motion.frames.front()));
+          captureInfo.frameNames.of(motion.frames, evidence.asked()), motion.nan, motion.infinite,
+          motion.pixel.x, motion.pixel.y, captureInfo.frameNames.of(motion.frames.front()));
   finding.change = say<
       "Look for a division by 0 where its motion is made: w of a previous position that was never set, or "
       "a matrix that cannot be inverted. If NaN says \"not written\", write a number for that and state it (motion.notWritten).">();

@@ -1,8 +1,8 @@
 // Values that are no number, before anything is made of them.
 #pragma once
 
+#include "core/doctor/CaptureInfo.h"
 #include "core/doctor/Diagnosis.h"
-#include "core/doctor/Patient.h"
 #include "core/doctor/frames/DoctorFrame.h"
 #include "core/doctor/frames/Regions.h"
 
@@ -67,7 +67,7 @@ class ValueEvidence {
 inline constexpr std::string_view kMotionStepsId = "motionSteps";
 
 /// A finding of motion; a note of colors, which a TAA may be made for.
-void tellBadValues(const ValueEvidence& evidence, const std::vector<Region>& regions, const Patient& patient,
-                   Diagnosis& out);
+void tellBadValues(const ValueEvidence& evidence, const std::vector<Region>& regions,
+                   const CaptureInfo& captureInfo, Diagnosis& out);
 
 } // namespace taa::doctor

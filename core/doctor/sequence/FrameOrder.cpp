@@ -342,7 +342,7 @@ void tellOrder(const std::vector<OrderFound>& found, const std::vector<int>& ask
     if (alike.empty()) continue;
     Finding finding;
     nameBy(wordsOf(fault), finding);
-    finding.sureness = fault == OrderFault::Cut ? Sureness::Likely : Sureness::Sure;
+    finding.confidence = fault == OrderFault::Cut ? Confidence::Likely : Confidence::Sure;
     finding.reason = reasonOf(alike, asked, out.frameNames);
     for (const OrderFound& one : alike) finding.regions.push_back(wholeFrame(one.frame, out));
     out.findings.push_back(std::move(finding));

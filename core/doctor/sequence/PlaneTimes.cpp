@@ -16,12 +16,12 @@ namespace taa::doctor {
 
 namespace {
 
-constexpr float kComparedPx = 1.0f; ///< what moves by less looks the same a frame later
-constexpr float kRimShare = 0.1f;   ///< of the nearer distance
+constexpr float kComparedPx = 1.0f;      ///< what moves by less looks the same a frame later
+constexpr float kSilhouetteShare = 0.1f; ///< of the nearer distance
 constexpr float kDetailStep = 0.04f;
-constexpr std::size_t kEnoughInFrame = 20, kEnoughRimPixels = 300;
+constexpr std::size_t kEnoughInFrame = 20, kEnoughSilhouettePixels = 300;
 constexpr int kEnoughFrames = 4;
-/// Rims on another picture's make its steps so many times as high; an output is so much nearer to it.
+/// Silhouettes on another picture's make its steps so many times as high; an output is so much nearer to it.
 constexpr double kHigher = 1.2, kNearer = 0.8, kVotes = 0.85;
 
 bool movesAt(const DoctorFrame& frame, const glm::ivec2& pixel) {
@@ -29,9 +29,9 @@ bool movesAt(const DoctorFrame& frame, const glm::ivec2& pixel) {
   return isMotion(motion) && glm::length(motion) > kComparedPx;
 }
 
-bool isDepthRim(float a, float b) {
+bool isDepthSilhouette(float a, float b) {
   if (a == 0.0f || b == 0.0f) return (a == 0.0f) != (b == 0.0f);
-  return std::abs(a - b) > kRimShare * std::min(a, b);
+  return std::abs(a - b) > kSilhouetteShare * std::min(a, b);
 }
 
 /// Neighbors of a pixel to the right and below.
@@ -86,7 +86,7 @@ void PlaneTimes::add(const DoctorFrame& before, const DoctorFrame& now, const Do
   const std::array<const Image*, 3> lumas{&before.luma, &now.luma, &after.luma};
   std::array<std::array<double, 3>, kTimedPlanes> sums{};
   std::array<std::size_t, kTimedPlanes> counts{};
-  const auto addRim = [&](TimedPlane plane, const glm::ivec2& a, const glm::ivec2& b) {
+  const auto addSilhouette = [&](TimedPlane plane, const glm::ivec2& a, const glm::ivec2& b) {
     const auto index = static_cast<std::size_t>(plane);
     ++counts[index];
     for (std::size_t i = 0; i < lumas.size(); ++i)
@@ -99,9 +99,9 @@ void PlaneTimes::add(const DoctorFrame& before, const DoctorFrame& now, const Do
   };
   forNeighbors(size, [&](const glm::ivec2& a, const glm::ivec2& b) {
     if (!movesAt(now, a) && !movesAt(now, b)) return;
-    if (hasDepth && isDepthRim(*now.depthView.at(a.x, a.y), *now.depthView.at(b.x, b.y)))
-      addRim(TimedPlane::Depth, a, b);
-    if (hasIds && idAt(a) != idAt(b)) addRim(TimedPlane::ObjectIds, a, b);
+    if (hasDepth && isDepthSilhouette(*now.depthView.at(a.x, a.y), *now.depthView.at(b.x, b.y)))
+      addSilhouette(TimedPlane::Depth, a, b);
+    if (hasIds && idAt(a) != idAt(b)) addSilhouette(TimedPlane::ObjectIds, a, b);
     if (output.empty() || std::abs(*now.luma.at(a.x, a.y) - *now.luma.at(b.x, b.y)) < kDetailStep) return;
     const auto index = static_cast<std::size_t>(TimedPlane::Output);
     ++counts[index];
@@ -128,7 +128,7 @@ std::vector<PlaneTime> PlaneTimes::found() const {
   std::vector<PlaneTime> out;
   for (std::size_t plane = 0; plane < kTimedPlanes; ++plane) {
     const Sums& of = planes_[plane];
-    if (of.frames < kEnoughFrames || of.count < kEnoughRimPixels) continue;
+    if (of.frames < kEnoughFrames || of.count < kEnoughSilhouettePixels) continue;
     const auto kind = static_cast<TimedPlane>(plane);
     const bool isNear = kind == TimedPlane::Output;
     for (const int delay : {1, -1}) {

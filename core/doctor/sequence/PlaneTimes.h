@@ -1,4 +1,4 @@
-// Of which frame a plane is: its rims lie on those of the picture that was drawn with it.
+// Of which frame a plane is: its silhouettes lie on those of the picture that was drawn with it.
 #pragma once
 
 #include "core/doctor/Diagnosis.h"
@@ -18,8 +18,8 @@ inline constexpr std::size_t kTimedPlanes = 3;
 struct PlaneTime {
   TimedPlane plane = TimedPlane::Depth;
   int delay = 0; ///< frames: 1: late, it is that of the frame before; −1: early
-  /// What is compared of this frame's picture, and of that frame's: steps of luma at rims, of outputs the
-  /// difference of luma; means.
+  /// What is compared of this frame's picture, and of that frame's: steps of luma at silhouettes, of outputs
+  /// the difference of luma; means.
   double own = 0.0, other = 0.0;
   int frames = 0, voting = 0; ///< that were compared; that say so
 };

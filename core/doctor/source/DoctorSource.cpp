@@ -63,10 +63,10 @@ DoctorSource openCaptureForDoctor(const SourceRequest& request, const Progress& 
   out.known.motion = manifest.framesWith(capture::PlaneKind::Motion) > 0;
   out.known.depth = manifest.framesWith(capture::PlaneKind::Depth) > 0;
   out.known.ids = manifest.framesWith(capture::PlaneKind::ObjectId) > 0;
-  out.contradicted = mendContradicted(opened->folder(), manifest);
+  out.contradicted = correctContradicted(opened->folder(), manifest);
   out.conventions = manifest.conventions;
   out.known.nearFactor = takeNearPlane(manifest);
-  for (Finding& finding : mendMotion(opened->folder(), manifest))
+  for (Finding& finding : correctMotion(opened->folder(), manifest))
     out.contradicted.push_back(std::move(finding));
   out.known.depthJittered = manifest.conventions.depth.jittered;
   out.known.depthDistance = manifest.conventions.depth.kind != capture::DepthKind::Window;
@@ -125,7 +125,7 @@ void drawWith(const Settings& settings, DoctorSource& source) {
     source.output = facts->hasOutput ? std::make_shared<CapturedOutput>() : nullptr;
   source.known.output = source.output != nullptr;
   source.known.maskUsed = facts || used.inputs.mask != MaskSource::None;
-  // What is blended over a surface, and what changes without motion, is no witness of it.
+  // What is blended over a surface, and what changes without motion, is no consistency check of it.
   if (!facts) source.request.inputs.mask = MaskSource::Opacity;
 }
 

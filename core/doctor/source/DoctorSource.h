@@ -41,8 +41,8 @@ struct DoctorSource {
   /// The engine's own; none: this program's.
   std::optional<capture::Conventions> conventions;
   FrameNames frameNames = {};             ///< of a capture: by the engine's numbers
-  std::map<int, double> preExposure = {}; ///< see Patient
-  std::vector<Finding> contradicted = {}; ///< of a capture: see mendContradicted()
+  std::map<int, double> preExposure = {}; ///< see CaptureInfo
+  std::vector<Finding> contradicted = {}; ///< of a capture: see correctContradicted()
 };
 
 /// A capture keeps the conventions that are stated or guessed, but for motion of the sky: that is examined as

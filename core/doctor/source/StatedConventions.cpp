@@ -56,7 +56,7 @@ Image storedPlane(const std::filesystem::path& folder, const Manifest& manifest,
 // Distances.
 
 /// Distances are stated, and nearly everything would lie before the near plane: it is a depth buffer.
-std::optional<Finding> mendKind(const std::filesystem::path& folder, Manifest& manifest) {
+std::optional<Finding> correctKind(const std::filesystem::path& folder, Manifest& manifest) {
   constexpr double kNearlyAllBefore = 0.98;
   capture::DepthConventions& depth = manifest.conventions.depth;
   const auto camera = capture::statedCameras(manifest, 0).now;
@@ -90,7 +90,7 @@ std::optional<Finding> mendKind(const std::filesystem::path& folder, Manifest& m
 
 /// Where the middle of the picture lies by each projection as it is stored, px of content, x right, y down;
 /// empty where a frame has none.
-std::vector<glm::dvec2> projectedMiddles(const Manifest& manifest) {
+std::vector<glm::dvec2> projectedCentroids(const Manifest& manifest) {
   Manifest asStored = manifest;
   asStored.conventions.matrices.jittered = false;
   std::vector<glm::dvec2> out;
@@ -118,49 +118,50 @@ std::vector<glm::dvec2> jitterOfFrames(const Manifest& manifest) {
   return out;
 }
 
-/// Whether middles move as jitter that is stated does, if it is multiplied so and of so many frames later,
+/// Whether centroids move as jitter that is stated does, if it is multiplied so and of so many frames later,
 /// besides a constant.
-bool moveAlike(const std::vector<glm::dvec2>& middles, const std::vector<glm::dvec2>& jitter,
+bool moveAlike(const std::vector<glm::dvec2>& centroids, const std::vector<glm::dvec2>& jitter,
                const glm::dvec2& sign, std::ptrdiff_t delay) {
   constexpr double kSamePx = 0.02;
   constexpr std::size_t kEnough = 3;
-  const auto count = static_cast<std::ptrdiff_t>(middles.size());
+  const auto count = static_cast<std::ptrdiff_t>(centroids.size());
   std::vector<glm::dvec2> left;
   for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, -delay); i < std::min(count, count - delay); ++i)
-    left.push_back(middles[static_cast<std::size_t>(i)] - sign * jitter[static_cast<std::size_t>(i + delay)]);
+    left.push_back(centroids[static_cast<std::size_t>(i)] -
+                   sign * jitter[static_cast<std::size_t>(i + delay)]);
   return left.size() >= kEnough && spreadOf(left) <= kSamePx;
 }
 
 /// The same whatever its sign or frame.
-bool moveAlike(const std::vector<glm::dvec2>& middles, const std::vector<glm::dvec2>& jitter) {
+bool moveAlike(const std::vector<glm::dvec2>& centroids, const std::vector<glm::dvec2>& jitter) {
   for (const std::ptrdiff_t delay : {0, -1, 1})
     for (const double x : {1.0, -1.0})
       for (const double y : {1.0, -1.0})
-        if (moveAlike(middles, jitter, {x, y}, delay)) return true;
+        if (moveAlike(centroids, jitter, {x, y}, delay)) return true;
   return false;
 }
 
-/// The projections of all frames without what moves their middles.
-void restProjections(const std::vector<glm::dvec2>& middles, Manifest& manifest) {
+/// The projections of all frames without what moves their centroids.
+void restProjections(const std::vector<glm::dvec2>& centroids, Manifest& manifest) {
   glm::dvec2 mean(0.0);
-  for (const glm::dvec2& middle : middles) mean += middle / static_cast<double>(middles.size());
-  for (std::size_t i = 0; i < middles.size(); ++i) {
+  for (const glm::dvec2& middle : centroids) mean += middle / static_cast<double>(centroids.size());
+  for (std::size_t i = 0; i < centroids.size(); ++i) {
     capture::CapturedFrame& frame = manifest.frames[i];
-    frame.projection = capture::withoutJitter(manifest, *frame.projection, middles[i] - mean);
+    frame.projection = capture::withoutJitter(manifest, *frame.projection, centroids[i] - mean);
     if (frame.previousProjection && i > 0)
       frame.previousProjection =
-          capture::withoutJitter(manifest, *frame.previousProjection, middles[i - 1] - mean);
+          capture::withoutJitter(manifest, *frame.previousProjection, centroids[i - 1] - mean);
   }
   manifest.conventions.matrices.jittered = false;
 }
 
 /// Projections are said to hold the jitter and do not, or the other way around.
-std::optional<Finding> mendProjections(Manifest& manifest) {
+std::optional<Finding> correctProjections(Manifest& manifest) {
   constexpr double kSameMiddlePx = 1e-3, kOtherMiddlePx = 0.1;
-  const std::vector<glm::dvec2> middles = projectedMiddles(manifest);
-  if (middles.empty()) return {};
+  const std::vector<glm::dvec2> centroids = projectedCentroids(manifest);
+  if (centroids.empty()) return {};
   const std::vector<glm::dvec2> jitter = jitterOfFrames(manifest);
-  const double movesPx = spreadOf(middles);
+  const double movesPx = spreadOf(centroids);
   const bool isStated = manifest.conventions.matrices.jittered;
   if (spreadOf(jitter) < kOtherMiddlePx) return {};
   const std::string symptom = say<"Whatever is made of depth and matrices trembles, as motion of the sky.">();
@@ -171,9 +172,9 @@ std::optional<Finding> mendProjections(Manifest& manifest) {
                              "out of them it is put in.">(),
                          symptom, say<"State that matrices are without jitter.">());
   }
-  const bool isRight = isStated && moveAlike(middles, jitter, glm::dvec2(1.0), 0);
-  if (isRight || movesPx < kOtherMiddlePx || !moveAlike(middles, jitter)) return {};
-  restProjections(middles, manifest);
+  const bool isRight = isStated && moveAlike(centroids, jitter, glm::dvec2(1.0), 0);
+  if (isRight || movesPx < kOtherMiddlePx || !moveAlike(centroids, jitter)) return {};
+  restProjections(centroids, manifest);
   if (isStated) return {};
   return statedFinding("matricesJittered", say<"Matrices hold the jitter">(),
                        say<"Projections are said to be without jitter, and move by %1 px with that which is "
@@ -185,7 +186,7 @@ std::optional<Finding> mendProjections(Manifest& manifest) {
 
 /// Jitter of so many pixels, or so small a part of one, is none, whatever pictures show: of another unit it
 /// goes to half of one.
-std::optional<Finding> mendJitterUnit(Manifest& manifest) {
+std::optional<Finding> correctJitterUnit(Manifest& manifest) {
   constexpr double kNoJittersPx = 4.0, kSmallPx = 0.02, kHalfPx = 0.5, kRoundedPx = 0.55, kNearlyPx = 0.2;
   using capture::ScreenUnit;
   ScreenUnit& unit = manifest.conventions.jitter.unit;
@@ -215,7 +216,7 @@ std::optional<Finding> mendJitterUnit(Manifest& manifest) {
   const JitterTrial trial{JitterKind::OtherUnit, glm::vec2(perUnit(*best) / perUnit(unit))};
   unit = *best;
   Finding out = jitterFinding(trial);
-  out.sureness = Sureness::Likely;
+  out.confidence = Confidence::Likely;
   out.reason =
       say<"Jitter that is stated goes to %1 px; it goes to %2 px, about half of one, like this: %3.">(
           shortNumber(statedPx), shortNumber(farthestPx(manifest)), jitterTrialText(trial));
@@ -232,7 +233,7 @@ bool areAroundHalf(const Image& stored) {
   });
 }
 
-std::optional<Finding> mendEncoding(const std::filesystem::path& folder, Manifest& manifest) {
+std::optional<Finding> correctEncoding(const std::filesystem::path& folder, Manifest& manifest) {
   constexpr double kUnrealStep = 1.0 / 65535.0;
   capture::MotionConventions& motion = manifest.conventions.motion;
   const bool isUnreal = motion.encoding == capture::MotionEncoding::Unreal;
@@ -269,10 +270,10 @@ std::optional<Finding> mendEncoding(const std::filesystem::path& folder, Manifes
 
 } // namespace
 
-std::vector<Finding> mendContradicted(const std::filesystem::path& folder, Manifest& manifest) {
+std::vector<Finding> correctContradicted(const std::filesystem::path& folder, Manifest& manifest) {
   std::vector<Finding> out;
-  for (std::optional<Finding> finding : {mendKind(folder, manifest), mendJitterUnit(manifest),
-                                         mendProjections(manifest), mendEncoding(folder, manifest)})
+  for (std::optional<Finding> finding : {correctKind(folder, manifest), correctJitterUnit(manifest),
+                                         correctProjections(manifest), correctEncoding(folder, manifest)})
     if (finding) out.push_back(std::move(*finding));
   return out;
 }

@@ -13,6 +13,6 @@ namespace taa::doctor {
 /// A finding for each convention that what is stored contradicts; these are set to what is stored, so that
 /// all else can be examined. Of one frame from the middle, but for jitter in projections, which all say.
 /// Throws Error.
-std::vector<Finding> mendContradicted(const std::filesystem::path& folder, capture::Manifest& manifest);
+std::vector<Finding> correctContradicted(const std::filesystem::path& folder, capture::Manifest& manifest);
 
 } // namespace taa::doctor

@@ -188,7 +188,7 @@ Finding toldFinding(const Otherwise& told, const Changes& changes, double shareS
 
 } // namespace
 
-std::vector<Finding> mendMotion(const std::filesystem::path& folder, capture::Manifest& manifest) {
+std::vector<Finding> correctMotion(const std::filesystem::path& folder, capture::Manifest& manifest) {
   const Conventions& stated = manifest.conventions;
   const Fit ofOne = MotionFits(folder, manifest, 1).of(stated);
   if (ofOne.places == 0 || ofOne.share() >= kRightShare) return {};

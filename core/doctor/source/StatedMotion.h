@@ -14,6 +14,6 @@ namespace taa::doctor {
 /// frames: with them motion is what depth and matrices make it, to the precision that it is stored with, and
 /// with those that are stated it is not. These are set to what is stored. Nothing is found where one alone is
 /// wrong that pictures tell as well, or where several explain the same. Throws Error.
-std::vector<Finding> mendMotion(const std::filesystem::path& folder, capture::Manifest& manifest);
+std::vector<Finding> correctMotion(const std::filesystem::path& folder, capture::Manifest& manifest);
 
 } // namespace taa::doctor

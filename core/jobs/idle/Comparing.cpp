@@ -10,9 +10,9 @@ namespace taa {
 // Those that are not the one on show.
 std::vector<int> Comparing::frames() const {
   std::vector<int> frames;
-  if (!desk_.isOpen()) return frames;
-  const InspectedShot& shot = desk_.inspector.shot();
-  for (const ViewRequest& view : wanted_.views) {
+  if (!jobContext_.isOpen()) return frames;
+  const InspectedShot& shot = jobContext_.inspector.shot();
+  for (const ViewRequest& view : subscriptions_.views) {
     if (!isShown(view) || !view.other) continue;
     const auto frame = otherSource(*view.other, shot.frame(), shot.frameCount()).frame;
     if (frame && std::ranges::find(frames, *frame) == frames.end()) frames.push_back(*frame);
@@ -21,36 +21,37 @@ std::vector<int> Comparing::frames() const {
 }
 
 void Comparing::take(const request::SetViews&) {
-  if (desk_.isOpen() && frames().empty()) desk_.inspector.views().keepComparisonFrames({});
+  if (jobContext_.isOpen() && frames().empty()) jobContext_.inspector.views().keepComparisonFrames({});
 }
 
 bool Comparing::isDue() {
-  if (!desk_.isOpen() || transport_.isPlaying()) return false;
-  const std::vector<int> wanted = frames();
-  if (stoppedAt_ == desk_.version() && stopped_ == wanted) return false;
-  return std::ranges::any_of(wanted,
-                             [&](int frame) { return !desk_.inspector.views().isCached({.frame = frame}); });
+  if (!jobContext_.isOpen() || transport_.isPlaying()) return false;
+  const std::vector<int> subscriptions = frames();
+  if (stoppedAt_ == jobContext_.version() && stopped_ == subscriptions) return false;
+  return std::ranges::any_of(
+      subscriptions, [&](int frame) { return !jobContext_.inspector.views().isCached({.frame = frame}); });
 }
 
 void Comparing::stop() {
-  stoppedAt_ = desk_.version();
+  stoppedAt_ = jobContext_.version();
   stopped_ = frames();
 }
 
 // What requests interrupt is taken up again by the next step().
 void Comparing::step() {
   bool isCancelled = false;
-  const bool isDone = desk_.attempt(RequestKind::Views, [&] {
+  const bool isDone = jobContext_.attempt(RequestKind::Views, [&] {
     try {
-      desk_.inspector.views().keepComparisonFrames(
-          frames(), desk_.progressOfReplay(WorkKind::Comparing, say<"Drawing the frame to compare with">()));
+      jobContext_.inspector.views().keepComparisonFrames(
+          frames(),
+          jobContext_.progressOfReplay(WorkKind::Comparing, say<"Drawing the frame to compare with">()));
     } catch (const Cancelled&) {
       isCancelled = true;
     }
   });
-  desk_.endWork();
+  jobContext_.endWork();
   if (!isDone) stop();
-  if (!isCancelled) ++desk_.comparisonVersion;
+  if (!isCancelled) ++jobContext_.comparisonVersion;
 }
 
 } // namespace taa

@@ -1,9 +1,9 @@
 // Draws the frames that views are compared with, beside the one on show.
 #pragma once
 
-#include "core/jobs/desk/Job.h"
-#include "core/jobs/desk/Transport.h"
-#include "core/jobs/desk/Wanted.h"
+#include "core/jobs/context/Job.h"
+#include "core/jobs/context/Subscriptions.h"
+#include "core/jobs/context/Transport.h"
 #include "core/requests/Requests.h"
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace taa {
 
 class Comparing final : public Job {
  public:
-  Comparing(Desk& desk, const Transport& transport, const Wanted& wanted)
-      : desk_(desk), transport_(transport), wanted_(wanted) {}
+  Comparing(JobContext& jobContext, const Transport& transport, const Subscriptions& subscriptions)
+      : jobContext_(jobContext), transport_(transport), subscriptions_(subscriptions) {}
 
   void take(const request::Cancel&) { stop(); }
   void take(const request::SetViews&);
@@ -26,9 +26,9 @@ class Comparing final : public Job {
   std::vector<int> frames() const;
   void stop();
 
-  Desk& desk_;
+  JobContext& jobContext_;
   const Transport& transport_;
-  const Wanted& wanted_;
+  const Subscriptions& subscriptions_;
   std::uint64_t stoppedAt_ = 0; // version for which `stopped_` were cancelled or failed: not again
   std::vector<int> stopped_;    // frames
 };

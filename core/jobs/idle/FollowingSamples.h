@@ -1,9 +1,9 @@
 // What the active probe's pixel is made of, looked for while nothing else is to be done.
 #pragma once
 
-#include "core/jobs/desk/Job.h"
-#include "core/jobs/desk/Transport.h"
-#include "core/jobs/desk/Wanted.h"
+#include "core/jobs/context/Job.h"
+#include "core/jobs/context/Subscriptions.h"
+#include "core/jobs/context/Transport.h"
 #include "core/requests/Requests.h"
 
 #include <cstdint>
@@ -13,10 +13,10 @@ namespace taa {
 
 class FollowingSamples final : public Job {
  public:
-  FollowingSamples(Desk& desk, const Transport& transport, const Wanted& wanted)
-      : desk_(desk), transport_(transport), wanted_(wanted) {}
+  FollowingSamples(JobContext& jobContext, const Transport& transport, const Subscriptions& subscriptions)
+      : jobContext_(jobContext), transport_(transport), subscriptions_(subscriptions) {}
 
-  void take(const request::SetLineage& wanted);
+  void take(const request::SetLineage& subscriptions);
   void take(const request::Cancel&) { followed_ = now(); } // not again until something changes
 
   bool isDue() override;
@@ -32,9 +32,9 @@ class FollowingSamples final : public Job {
   std::optional<Followed> now() const;
   void follow();
 
-  Desk& desk_;
+  JobContext& jobContext_;
   const Transport& transport_;
-  const Wanted& wanted_;
+  const Subscriptions& subscriptions_;
   int frames_ = 0;
   std::optional<Followed> followed_; // last, or given up
 };

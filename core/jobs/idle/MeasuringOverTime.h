@@ -1,7 +1,7 @@
 // Measures what rows over time are made of, up to the frame on show, while nothing else is to be done.
 #pragma once
 
-#include "core/jobs/desk/Wanted.h"
+#include "core/jobs/context/Subscriptions.h"
 #include "core/jobs/idle/Refinement.h"
 
 #include <vector>
@@ -10,8 +10,8 @@ namespace taa {
 
 class MeasuringOverTime final : public Refinement {
  public:
-  MeasuringOverTime(Desk& desk, const Transport& transport, const Wanted& wanted)
-      : Refinement(desk, transport), wanted_(wanted) {}
+  MeasuringOverTime(JobContext& jobContext, const Transport& transport, const Subscriptions& subscriptions)
+      : Refinement(jobContext, transport), subscriptions_(subscriptions) {}
 
  private:
   bool isWanted(int lane) const override;
@@ -19,7 +19,7 @@ class MeasuringOverTime final : public Refinement {
   /// Kinds of which more is wanted than there is.
   std::vector<OverTime> kindsOf(int lane) const;
 
-  const Wanted& wanted_;
+  const Subscriptions& subscriptions_;
 };
 
 } // namespace taa

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/inspect/MetricCursor.h"
-#include "core/jobs/desk/Job.h"
-#include "core/jobs/desk/Transport.h"
-#include "core/jobs/desk/Wanted.h"
+#include "core/jobs/context/Job.h"
+#include "core/jobs/context/Subscriptions.h"
+#include "core/jobs/context/Transport.h"
 #include "core/jobs/idle/ThumbnailDrawing.h"
 #include "core/requests/Requests.h"
 
@@ -18,10 +18,12 @@ namespace taa {
 
 class MetricMeasuring final : public Job {
  public:
-  MetricMeasuring(Desk& desk, const Transport& transport, Wanted& wanted, ThumbnailDrawing& thumbnails)
-      : desk_(desk), transport_(transport), wanted_(wanted), thumbnails_(thumbnails) {}
+  MetricMeasuring(JobContext& jobContext, const Transport& transport, Subscriptions& subscriptions,
+                  ThumbnailDrawing& thumbnails)
+      : jobContext_(jobContext), transport_(transport), subscriptions_(subscriptions),
+        thumbnails_(thumbnails) {}
 
-  void take(const request::SetMetrics& wanted);
+  void take(const request::SetMetrics& subscriptions);
   void take(const request::SetReferenceSamples&) { forget(); }
   void take(const request::Cancel&) { isStopped_ = true; }
   void settle() override;
@@ -41,9 +43,9 @@ class MetricMeasuring final : public Job {
   bool isWhole(const FrameMetrics& metrics) const;
   void endIfDone();
 
-  Desk& desk_;
+  JobContext& jobContext_;
   const Transport& transport_;
-  Wanted& wanted_;
+  Subscriptions& subscriptions_;
   ThumbnailDrawing& thumbnails_;
   std::pair<std::uint64_t, std::uint64_t> deliveredOf_; // versions of frame and reference
   std::uint64_t shotVersion_ = 0;                       // what follows is of this one

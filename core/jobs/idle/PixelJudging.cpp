@@ -9,8 +9,8 @@
 
 namespace taa {
 
-void PixelJudging::take(const request::SetVerdicts& wanted) {
-  isWanted_ = wanted.on;
+void PixelJudging::take(const request::SetVerdicts& subscriptions) {
+  isWanted_ = subscriptions.on;
   known_ = {};
 }
 
@@ -22,7 +22,7 @@ void PixelJudging::take(const request::Cancel&) {
 void PixelJudging::noteShown(const ProbeResult& result) {
   shown_.reset();
   if (!result.exact || result.around.empty()) return;
-  shown_ = {result.frame, {result.x, result.y}, desk_.version(), desk_.shotVersion()};
+  shown_ = {result.frame, {result.x, result.y}, jobContext_.version(), jobContext_.shotVersion()};
 }
 
 bool PixelJudging::isKnown() const {
@@ -40,8 +40,8 @@ void PixelJudging::beginAnew() {
 }
 
 bool PixelJudging::isDue() {
-  return isWanted_ && desk_.isOpen() && !transport_.isPlaying() && shown_ &&
-         shown_->version == desk_.version() && !(isKnown() && known_.isWhole);
+  return isWanted_ && jobContext_.isOpen() && !transport_.isPlaying() && shown_ &&
+         shown_->version == jobContext_.version() && !(isKnown() && known_.isWhole);
 }
 
 void PixelJudging::step() {
@@ -57,38 +57,38 @@ void PixelJudging::step() {
 }
 
 void PixelJudging::tryOn() {
-  VerdictOfShot& verdicts = desk_.inspector.verdicts();
+  VerdictOfShot& verdicts = jobContext_.inspector.verdicts();
   VerdictDelivery& delivery = known_.delivery;
   const VerdictQuestion question{.frame = delivery.frame, .pixel = delivery.pixel};
   if (!delivery.answer) {
-    delivery.answer =
-        verdicts.of(question, desk_.progressUntilAny(WorkKind::Verdict, say<"Looking for the reason">()));
+    delivery.answer = verdicts.of(
+        question, jobContext_.progressUntilAny(WorkKind::Verdict, say<"Looking for the reason">()));
     known_.isWhole = delivery.answer->verdict.kind == VerdictKind::None;
   } else if (!delivery.remedies) {
     delivery.remedies =
         verdicts.triedRemedies(question, *delivery.answer, known_.search,
-                               desk_.progressUntilAny(WorkKind::Verdict, say<"Trying remedies">()));
+                               jobContext_.progressUntilAny(WorkKind::Verdict, say<"Trying remedies">()));
     known_.isWhole = delivery.remedies->best.empty();
   } else {
     verdicts.measurePictures(
         question, *delivery.answer, *delivery.remedies, known_.search,
-        desk_.progressUntilAny(WorkKind::Verdict, say<"Measuring what remedies cost">()));
+        jobContext_.progressUntilAny(WorkKind::Verdict, say<"Measuring what remedies cost">()));
     known_.isWhole = true;
   }
-  desk_.tell(RequestKind::Verdicts, delivery);
+  jobContext_.tell(RequestKind::Verdicts, delivery);
 }
 
 void PixelJudging::giveUp(const std::string& whyNot) {
   if (!isKnown()) beginAnew();
   known_.delivery.whyNot = whyNot;
   known_.isWhole = true;
-  desk_.tell(RequestKind::Verdicts, known_.delivery);
+  jobContext_.tell(RequestKind::Verdicts, known_.delivery);
 }
 
 void PixelJudging::endIfDone() {
   if (!isTold_ || isDue()) return;
   isTold_ = false;
-  desk_.endWork();
+  jobContext_.endWork();
 }
 
 } // namespace taa

@@ -1,8 +1,8 @@
-// What is wrong with the active probe's pixel, and then what mends it, while nothing else is to be done.
+// What is wrong with the active probe's pixel, and then what corrects it, while nothing else is to be done.
 #pragma once
 
-#include "core/jobs/desk/Job.h"
-#include "core/jobs/desk/Transport.h"
+#include "core/jobs/context/Job.h"
+#include "core/jobs/context/Transport.h"
 #include "core/requests/Requests.h"
 #include "core/requests/Results.h"
 
@@ -16,15 +16,16 @@ namespace taa {
 
 class PixelJudging final : public Job {
  public:
-  PixelJudging(Desk& desk, const Transport& transport) : desk_(desk), transport_(transport) {}
+  PixelJudging(JobContext& jobContext, const Transport& transport)
+      : jobContext_(jobContext), transport_(transport) {}
 
-  void take(const request::SetVerdicts& wanted);
+  void take(const request::SetVerdicts& subscriptions);
   void take(const request::SetProbes&) { shown_.reset(); } // noted again when they are delivered
   void take(const request::Cancel&);
   void settle() override { endIfDone(); }
 
   bool isDue() override;
-  /// The verdict, or what mends it, or what that costs. Any request interrupts it: a verdict begins anew
+  /// The verdict, or what corrects it, or what that costs. Any request interrupts it: a verdict begins anew
   /// then, with the references that are there, and remedies go on with the next one.
   void step() override;
 
@@ -50,7 +51,7 @@ class PixelJudging final : public Job {
   void giveUp(const std::string& whyNot);
   void endIfDone();
 
-  Desk& desk_;
+  JobContext& jobContext_;
   const Transport& transport_;
   bool isWanted_ = false;
   std::optional<Place> shown_; // nothing: there is no probe, or nothing to see of it

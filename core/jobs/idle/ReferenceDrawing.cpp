@@ -10,17 +10,18 @@ namespace taa {
 namespace {
 
 // The picture is shown as often as its error halves: with 4, 16, 64 … samples.
-int nextShown(int samples, int goal) {
+int nextShown(int samples, int seekTarget) {
   int next = kMinReferenceSamples;
   while (next <= samples) next *= 4;
-  return std::min(next, goal);
+  return std::min(next, seekTarget);
 }
 
 } // namespace
 
-void ReferenceDrawing::take(const request::SetReferenceSamples& wanted) {
-  wanted_.referenceSamples = std::clamp(wanted.samples, kMinReferenceSamples, kMaxReferenceSamples);
-  desk().isStatusOld = true;
+void ReferenceDrawing::take(const request::SetReferenceSamples& subscriptions) {
+  subscriptions_.referenceSamples =
+      std::clamp(subscriptions.samples, kMinReferenceSamples, kMaxReferenceSamples);
+  jobContext().isStatusOld = true;
   goOn();
 }
 
@@ -31,17 +32,18 @@ void ReferenceDrawing::take(const request::SetProbes& probes) {
 }
 
 bool ReferenceDrawing::isWanted(int lane) const {
-  return wanted_.needsReferenceOf(lane) &&
-         desk().inspector.reference().samples(lane) != wanted_.referenceSamples;
+  return subscriptions_.needsReferenceOf(lane) &&
+         jobContext().inspector.reference().samples(lane) != subscriptions_.referenceSamples;
 }
 
 void ReferenceDrawing::refine(int lane) {
-  ReferenceOfShot& reference = desk().inspector.reference();
+  ReferenceOfShot& reference = jobContext().inspector.reference();
   const auto told = [this](std::string_view, int done, int) {
-    desk().tellWork(WorkKind::Reference, say<"Drawing the reference">(), done, wanted_.referenceSamples);
-    return !desk().waiting().any();
+    jobContext().tellWork(WorkKind::Reference, say<"Drawing the reference">(), done,
+                          subscriptions_.referenceSamples);
+    return !jobContext().waiting().any();
   };
-  reference.refine(nextShown(reference.samples(lane), wanted_.referenceSamples), told, lane);
+  reference.refine(nextShown(reference.samples(lane), subscriptions_.referenceSamples), told, lane);
 }
 
 } // namespace taa

@@ -5,8 +5,8 @@
 namespace taa {
 
 std::optional<int> Refinement::lane() const {
-  if (!desk_.isOpen() || transport_.isPlaying() || stoppedAt_ == desk_.version()) return {};
-  const int lanes = desk_.inspector.shot().laneCount();
+  if (!jobContext_.isOpen() || transport_.isPlaying() || stoppedAt_ == jobContext_.version()) return {};
+  const int lanes = jobContext_.inspector.shot().laneCount();
   for (int lane = 0; lane < lanes; ++lane)
     if (isWanted(lane)) return lane;
   return {};
@@ -15,7 +15,7 @@ std::optional<int> Refinement::lane() const {
 void Refinement::step() {
   isTold_ = true;
   bool goesOn = false;
-  const bool isDone = desk_.attempt(RequestKind::Reference, [&] {
+  const bool isDone = jobContext_.attempt(RequestKind::Reference, [&] {
     try {
       refine(*lane());
     } catch (const Cancelled&) {
@@ -23,7 +23,7 @@ void Refinement::step() {
     }
   });
   if (!isDone) stop();
-  if (isDone && !goesOn) ++desk_.referenceVersion;
+  if (isDone && !goesOn) ++jobContext_.referenceVersion;
   endIfDone();
 }
 
@@ -31,7 +31,7 @@ void Refinement::step() {
 void Refinement::endIfDone() {
   if (!isTold_ || lane()) return;
   isTold_ = false;
-  desk_.endWork();
+  jobContext_.endWork();
 }
 
 } // namespace taa

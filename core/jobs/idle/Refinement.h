@@ -1,8 +1,8 @@
 // What is made of the frame on show little by little while nothing else is to be done, lane by lane.
 #pragma once
 
-#include "core/jobs/desk/Job.h"
-#include "core/jobs/desk/Transport.h"
+#include "core/jobs/context/Job.h"
+#include "core/jobs/context/Transport.h"
 #include "core/requests/Requests.h"
 
 #include <cstdint>
@@ -12,7 +12,8 @@ namespace taa {
 
 class Refinement : public Job {
  public:
-  Refinement(Desk& desk, const Transport& transport) : desk_(desk), transport_(transport) {}
+  Refinement(JobContext& jobContext, const Transport& transport)
+      : jobContext_(jobContext), transport_(transport) {}
 
   void take(const request::SetReferenceSamples&) { goOn(); }
   void take(const request::FindWorst&) { goOn(); }
@@ -24,8 +25,8 @@ class Refinement : public Job {
   void step() override;
 
  protected:
-  Desk& desk() { return desk_; }
-  const Desk& desk() const { return desk_; }
+  JobContext& jobContext() { return jobContext_; }
+  const JobContext& jobContext() const { return jobContext_; }
   void goOn() { stoppedAt_ = 0; }
 
  private:
@@ -35,10 +36,10 @@ class Refinement : public Job {
   virtual void refine(int lane) = 0;
 
   std::optional<int> lane() const;
-  void stop() { stoppedAt_ = desk_.version(); }
+  void stop() { stoppedAt_ = jobContext_.version(); }
   void endIfDone();
 
-  Desk& desk_;
+  JobContext& jobContext_;
   const Transport& transport_;
   std::uint64_t stoppedAt_ = 0; // version that it was cancelled or failed for
   bool isTold_ = false;         // somebody was told that it is under way

@@ -9,32 +9,32 @@
 namespace taa {
 
 void StageCosting::take(const request::Cancel&) {
-  if (std::exchange(isMeasuring_, false)) desk_.endWork();
+  if (std::exchange(isMeasuring_, false)) jobContext_.endWork();
 }
 
 // Any request is answered between two draws; then it goes on, or starts anew where the frame is another one.
 void StageCosting::step() {
   bool goesOn = false;
-  desk_.attempt(RequestKind::Profile, [&] {
+  jobContext_.attempt(RequestKind::Profile, [&] {
     try {
       StageCosts costs =
-          desk_.inspector.profiler().measureStages([this](std::string_view what, int done, int total) {
-            if (total > 1) desk_.tellWork(WorkKind::Stages, std::string(what), done, total);
-            return !desk_.waiting().any();
+          jobContext_.inspector.profiler().measureStages([this](std::string_view what, int done, int total) {
+            if (total > 1) jobContext_.tellWork(WorkKind::Stages, std::string(what), done, total);
+            return !jobContext_.waiting().any();
           });
-      desk_.tell(RequestKind::Profile, std::move(costs));
+      jobContext_.tell(RequestKind::Profile, std::move(costs));
     } catch (const Cancelled&) {
       goesOn = true;
     }
   });
   isMeasuring_ = goesOn;
-  if (!goesOn) desk_.endWork();
+  if (!goesOn) jobContext_.endWork();
 }
 
 void StageCosting::deliver() {
-  desk_.attempt(RequestKind::Profile, [&] {
-    if (auto profile = desk_.inspector.profiler().takeProfile())
-      desk_.tell(RequestKind::Profile, std::move(*profile));
+  jobContext_.attempt(RequestKind::Profile, [&] {
+    if (auto profile = jobContext_.inspector.profiler().takeProfile())
+      jobContext_.tell(RequestKind::Profile, std::move(*profile));
   });
 }
 

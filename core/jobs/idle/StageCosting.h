@@ -1,18 +1,20 @@
 // Times passes as they are drawn, and measures what each stage's settings cost on the frame on show.
 #pragma once
 
-#include "core/jobs/desk/Desk.h"
-#include "core/jobs/desk/Job.h"
+#include "core/jobs/context/Job.h"
+#include "core/jobs/context/JobContext.h"
 #include "core/requests/Requests.h"
 
 namespace taa {
 
 class StageCosting final : public Job {
  public:
-  explicit StageCosting(Desk& desk) : desk_(desk) {}
+  explicit StageCosting(JobContext& jobContext) : jobContext_(jobContext) {}
 
-  void take(const request::SetProfiling& wanted) { desk_.inspector.profiler().setProfiling(wanted.on); }
-  void take(const request::MeasureStages&) { isMeasuring_ = desk_.isOpen(); }
+  void take(const request::SetProfiling& subscriptions) {
+    jobContext_.inspector.profiler().setProfiling(subscriptions.on);
+  }
+  void take(const request::MeasureStages&) { isMeasuring_ = jobContext_.isOpen(); }
   void take(const request::Cancel&);
 
   bool isDue() override { return isMeasuring_; }
@@ -21,7 +23,7 @@ class StageCosting final : public Job {
   void deliver();
 
  private:
-  Desk& desk_;
+  JobContext& jobContext_;
   bool isMeasuring_ = false;
 };
 

@@ -7,8 +7,8 @@
 namespace taa {
 
 std::optional<Job::Clock::time_point> ThumbnailDrawing::dueAt() {
-  if (!desk_.isOpen()) return {};
-  return schedule_.dueAt(desk_.version(), Clock::now(),
+  if (!jobContext_.isOpen()) return {};
+  return schedule_.dueAt(jobContext_.version(), Clock::now(),
                          transport_.isPlaying() ? std::optional(transport_.nextFrameAt()) : std::nullopt);
 }
 
@@ -20,15 +20,16 @@ bool ThumbnailDrawing::isDue() {
 void ThumbnailDrawing::step() {
   const Clock::time_point began = Clock::now();
   // Shares first, then the thumbnails, which wait.
-  if (!transport_.isPlaying() && sharesDelivered_ != desk_.version()) {
+  if (!transport_.isPlaying() && sharesDelivered_ != jobContext_.version()) {
     deliverShares();
     return;
   }
-  const bool isDrawn = desk_.attempt(RequestKind::Thumbnails, [&] {
+  const bool isDrawn = jobContext_.attempt(RequestKind::Thumbnails, [&] {
     const IntermediateId id = schedule_.next();
-    desk_.tell(RequestKind::Thumbnails,
-               Thumbnail{id, desk_.inspector.shot().frame(),
-                         desk_.inspector.views().thumbnail(id, schedule_.texels()), desk_.shotVersion()});
+    jobContext_.tell(RequestKind::Thumbnails,
+                     Thumbnail{id, jobContext_.inspector.shot().frame(),
+                               jobContext_.inspector.views().thumbnail(id, schedule_.texels()),
+                               jobContext_.shotVersion()});
   });
   if (!isDrawn) {
     schedule_.want({});
@@ -38,12 +39,12 @@ void ThumbnailDrawing::step() {
 }
 
 void ThumbnailDrawing::deliverShares() {
-  sharesDelivered_ = desk_.version();
-  desk_.attempt(RequestKind::Thumbnails, [this] {
-    const InspectedShot& shot = desk_.inspector.shot();
+  sharesDelivered_ = jobContext_.version();
+  jobContext_.attempt(RequestKind::Thumbnails, [this] {
+    const InspectedShot& shot = jobContext_.inspector.shot();
     StageShares shares{.frame = shot.frame(), .startsHistory = shot.info().startsHistory, .stages = {}};
-    shares.stages = sharesOf(desk_.inspector.views().images(shareRows()), shot.usedSettings());
-    desk_.tell(RequestKind::Thumbnails, std::move(shares));
+    shares.stages = sharesOf(jobContext_.inspector.views().images(shareRows()), shot.usedSettings());
+    jobContext_.tell(RequestKind::Thumbnails, std::move(shares));
   });
 }
 

@@ -1,8 +1,8 @@
 // Draws small pictures of the stages, and counts what the stages changed, where nothing else waits.
 #pragma once
 
-#include "core/jobs/desk/Job.h"
-#include "core/jobs/desk/Transport.h"
+#include "core/jobs/context/Job.h"
+#include "core/jobs/context/Transport.h"
 #include "core/jobs/idle/ThumbnailSchedule.h"
 #include "core/requests/Requests.h"
 
@@ -13,9 +13,12 @@ namespace taa {
 
 class ThumbnailDrawing final : public Job {
  public:
-  ThumbnailDrawing(Desk& desk, const Transport& transport) : desk_(desk), transport_(transport) {}
+  ThumbnailDrawing(JobContext& jobContext, const Transport& transport)
+      : jobContext_(jobContext), transport_(transport) {}
 
-  void take(const request::SetThumbnails& wanted) { schedule_.want({wanted.width, wanted.height}); }
+  void take(const request::SetThumbnails& subscriptions) {
+    schedule_.want({subscriptions.width, subscriptions.height});
+  }
 
   bool isDue() override;
   void step() override;
@@ -26,7 +29,7 @@ class ThumbnailDrawing final : public Job {
   std::optional<Clock::time_point> dueAt();
   void deliverShares();
 
-  Desk& desk_;
+  JobContext& jobContext_;
   const Transport& transport_;
   ThumbnailSchedule schedule_;
   std::uint64_t sharesDelivered_ = 0; // version

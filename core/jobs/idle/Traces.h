@@ -2,9 +2,9 @@
 // demand, beside what is shown.
 #pragma once
 
-#include "core/jobs/desk/Job.h"
-#include "core/jobs/desk/Transport.h"
-#include "core/jobs/desk/Wanted.h"
+#include "core/jobs/context/Job.h"
+#include "core/jobs/context/Subscriptions.h"
+#include "core/jobs/context/Transport.h"
 #include "core/probe/PixelTrace.h"
 #include "core/replay/TraceCursor.h"
 #include "core/requests/Requests.h"
@@ -19,17 +19,19 @@ namespace taa {
 
 class Traces final : public Job {
  public:
-  Traces(Desk& desk, const Transport& transport, Wanted& wanted)
-      : desk_(desk), transport_(transport), wanted_(wanted) {}
+  Traces(JobContext& jobContext, const Transport& transport, Subscriptions& subscriptions)
+      : jobContext_(jobContext), transport_(transport), subscriptions_(subscriptions) {}
 
-  void take(const request::SetTracing& wanted);
-  void take(const request::FillTraces& wanted) { filling_ = {wanted.first, wanted.last}; }
-  void take(const request::TraceInIdleTime& wanted);
+  void take(const request::SetTracing& subscriptions);
+  void take(const request::FillTraces& subscriptions) {
+    filling_ = {subscriptions.first, subscriptions.last};
+  }
+  void take(const request::TraceInIdleTime& subscriptions);
   void take(const request::Cancel&);
   void settle() override;
 
   bool isDue() override {
-    return filling_ && desk_.isOpen() && !transport_.isPlaying() && !wanted_.probes.all.empty();
+    return filling_ && jobContext_.isOpen() && !transport_.isPlaying() && !subscriptions_.probes.all.empty();
   }
   void step() override;
 
@@ -49,9 +51,9 @@ class Traces final : public Job {
   std::set<int>& framesOf(const Probe& probe);
   void deliver(const Probe& probe, int frame, const std::optional<TraceSample>& sample);
 
-  Desk& desk_;
+  JobContext& jobContext_;
   const Transport& transport_;
-  Wanted& wanted_;
+  Subscriptions& subscriptions_;
   bool isWanted_ = false;
   std::uint64_t shotVersion_ = 0;                      // what follows is of this one
   std::vector<std::pair<Probe, std::set<int>>> known_; // frames

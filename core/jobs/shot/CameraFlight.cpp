@@ -21,7 +21,7 @@ std::string freeName(const std::vector<std::string>& cameras) {
 } // namespace
 
 void CameraFlight::take(const request::SetPlayback&) {
-  if (recording_) recording_->setRate(transport_.framesPerSecond(), desk_.now());
+  if (recording_) recording_->setRate(transport_.framesPerSecond(), jobContext_.now());
 }
 
 void CameraFlight::record() {
@@ -31,12 +31,12 @@ void CameraFlight::record() {
 // Whether the last pose belongs to a recording that is over: then it is not shown by itself.
 bool CameraFlight::switchRecordings() {
   bool isLastRecorded = false;
-  for (const request::SetRecording& wanted : std::exchange(switches_, {})) {
-    if (wanted.on && !recording_) {
-      if (desk_.change(RequestKind::Recording, [&] { beginRecording(wanted.at); })) record();
-    } else if (!wanted.on && recording_) {
-      endRecording(wanted.at);
-      isLastRecorded = !poses_.empty() && poses_.back().at <= wanted.at;
+  for (const request::SetRecording& subscriptions : std::exchange(switches_, {})) {
+    if (subscriptions.on && !recording_) {
+      if (jobContext_.change(RequestKind::Recording, [&] { beginRecording(subscriptions.at); })) record();
+    } else if (!subscriptions.on && recording_) {
+      endRecording(subscriptions.at);
+      isLastRecorded = !poses_.empty() && poses_.back().at <= subscriptions.at;
     }
   }
   return isLastRecorded;
@@ -44,7 +44,7 @@ bool CameraFlight::switchRecordings() {
 
 void CameraFlight::settle() {
   if (poses_.empty() && switches_.empty()) return;
-  if (desk_.isOpen()) {
+  if (jobContext_.isOpen()) {
     if (recording_) record();
     const bool isLastRecorded = switchRecordings();
     if (!poses_.empty() && !isLastRecorded) {
@@ -53,8 +53,8 @@ void CameraFlight::settle() {
       if (transport_.isPlaying())
         pose_ = pose; // of the next frame
       else
-        desk_.change(RequestKind::Flight, [&] {
-          desk_.inspector.shot().setCameraTrack({kFreeCamera, 0, {pose}});
+        jobContext_.change(RequestKind::Flight, [&] {
+          jobContext_.inspector.shot().setCameraTrack({kFreeCamera, 0, {pose}});
         });
     }
   }
@@ -64,8 +64,8 @@ void CameraFlight::settle() {
 
 // What was flown up to here belongs to it, so that the frame on show stays what it is.
 void CameraFlight::beginRecording(Clock::time_point at) {
-  InspectedShot& shot = desk_.inspector.shot();
-  const int frame = goal_.frame.value_or(shot.frame()), end = shot.frameCount() - 1;
+  InspectedShot& shot = jobContext_.inspector.shot();
+  const int frame = seekTarget_.frame.value_or(shot.frame()), end = shot.frameCount() - 1;
   const auto [first, last] = transport_.frames();
   if (frame >= end)
     throw Error(say<"cannot record a flight at frame %1, which is the last one: go to another frame">(frame));
@@ -87,15 +87,16 @@ void CameraFlight::endRecording(Clock::time_point at) {
   CameraTrack track = std::move(recorded_);
   int frame = recording.firstFrame() - 1;
   for (const CameraPose& pose : recording.poses(at)) track.put(++frame, pose);
-  desk_.change(RequestKind::Recording, [&] { desk_.inspector.shot().setCameraTrack(std::move(track)); });
+  jobContext_.change(RequestKind::Recording,
+                     [&] { jobContext_.inspector.shot().setCameraTrack(std::move(track)); });
   pose_.reset();
   isLaying_ = false;
-  goal_.set(frame);
+  seekTarget_.set(frame);
   transport_.setPlaying(playsAfter_);
 }
 
 CameraTrackHandle CameraFlight::currentTrack() const {
-  const InspectedShot& shot = desk_.inspector.shot();
+  const InspectedShot& shot = jobContext_.inspector.shot();
   for (const CameraTrackHandle& track : shot.cameraTracks())
     if (track->name == shot.camera()) return track;
   return nullptr;
@@ -109,7 +110,7 @@ void CameraFlight::layPose(int frame) {
 // What is flown starts from where the camera is. Until a recording is done its camera has the poses that were
 // on show.
 void CameraFlight::layTrack(int frame, const CameraPose& pose) {
-  InspectedShot& shot = desk_.inspector.shot();
+  InspectedShot& shot = jobContext_.inspector.shot();
   const std::string name = recording_ ? recorded_.name : kFreeCamera;
   CameraTrack track{name, shot.frame(), {shot.cameraPose()}};
   // One that begins later was begun before somebody jumped here.
@@ -118,17 +119,17 @@ void CameraFlight::layTrack(int frame, const CameraPose& pose) {
   track.put(frame, pose);
   shot.setCameraTrack(std::move(track));
   // What is known of the frames up to here stays true; of those to come nothing is once they were dropped.
-  if (!std::exchange(isLaying_, true)) desk_.noteShotChange();
+  if (!std::exchange(isLaying_, true)) jobContext_.noteShotChange();
 }
 
 void CameraFlight::end() {
   if (recording_) {
-    endRecording(desk_.now());
+    endRecording(jobContext_.now());
     return;
   }
   isLaying_ = false;
-  InspectedShot& shot = desk_.inspector.shot();
-  if (!desk_.isOpen() || shot.camera() != kFreeCamera) {
+  InspectedShot& shot = jobContext_.inspector.shot();
+  if (!jobContext_.isOpen() || shot.camera() != kFreeCamera) {
     pose_.reset();
     return;
   }
@@ -136,8 +137,8 @@ void CameraFlight::end() {
   pose_.reset();
   CameraTrack rests{kFreeCamera, 0, {pose}};
   if (*currentTrack() == rests) return;
-  if (!desk_.attempt(RequestKind::Flight, [&] { shot.setCameraTrack(std::move(rests)); })) return;
-  desk_.noteChange(RequestKind::Flight);
+  if (!jobContext_.attempt(RequestKind::Flight, [&] { shot.setCameraTrack(std::move(rests)); })) return;
+  jobContext_.noteChange(RequestKind::Flight);
 }
 
 } // namespace taa

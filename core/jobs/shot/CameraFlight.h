@@ -1,8 +1,8 @@
 // The camera in somebody's hands: flown, recorded, put down.
 #pragma once
 
-#include "core/jobs/desk/Transport.h"
-#include "core/jobs/shot/Goal.h"
+#include "core/jobs/context/Transport.h"
+#include "core/jobs/shot/SeekTarget.h"
 #include "core/requests/Requests.h"
 #include "core/scene/camera/FlightRecording.h"
 
@@ -15,8 +15,8 @@ class CameraFlight {
  public:
   using Clock = FlightRecording::Clock;
 
-  CameraFlight(Desk& desk, Transport& transport, Goal& goal)
-      : desk_(desk), transport_(transport), goal_(goal) {}
+  CameraFlight(JobContext& jobContext, Transport& transport, SeekTarget& seekTarget)
+      : jobContext_(jobContext), transport_(transport), seekTarget_(seekTarget) {}
 
   // Poses and recordings that are taken up together are dealt with together, by settle().
   void take(const request::Fly& fly) { poses_.push_back(fly); }
@@ -45,9 +45,9 @@ class CameraFlight {
   void layTrack(int frame, const CameraPose& pose);
   CameraTrackHandle currentTrack() const;
 
-  Desk& desk_;
+  JobContext& jobContext_;
   Transport& transport_;
-  Goal& goal_;
+  SeekTarget& seekTarget_;
   std::vector<request::Fly> poses_;             // that wait for settle()
   std::vector<request::SetRecording> switches_; // the same
   std::optional<CameraPose> pose_;              // that the next frame is given

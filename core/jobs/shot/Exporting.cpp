@@ -9,16 +9,16 @@ namespace taa {
 void Exporting::step() {
   const SequenceRequest sequence = *std::exchange(sequence_, {});
   ExportResult result{sequenceFile(sequence, sequence.first).string(), 0};
-  desk_.attempt(RequestKind::Export, [&] {
-    exportSequence(desk_.inspector, sequence, [this](std::string_view what, int done, int total) {
-      desk_.tellWork(WorkKind::Export, std::string(what), done, total);
-      return !desk_.waiting().cancel();
+  jobContext_.attempt(RequestKind::Export, [&] {
+    exportSequence(jobContext_.inspector, sequence, [this](std::string_view what, int done, int total) {
+      jobContext_.tellWork(WorkKind::Export, std::string(what), done, total);
+      return !jobContext_.waiting().cancel();
     });
     result.frames = sequence.last - sequence.first + 1;
   });
-  desk_.noteFrame(); // a failed way back leaves another frame
-  desk_.endWork();
-  desk_.tell(RequestKind::Export, std::move(result));
+  jobContext_.noteFrame(); // a failed way back leaves another frame
+  jobContext_.endWork();
+  jobContext_.tell(RequestKind::Export, std::move(result));
 }
 
 } // namespace taa

@@ -1,8 +1,8 @@
 // Writes ranges of frames into files; everything else waits for it.
 #pragma once
 
-#include "core/jobs/desk/Desk.h"
-#include "core/jobs/desk/Job.h"
+#include "core/jobs/context/Job.h"
+#include "core/jobs/context/JobContext.h"
 #include "core/requests/Requests.h"
 
 #include <optional>
@@ -11,10 +11,10 @@ namespace taa {
 
 class Exporting final : public Job {
  public:
-  explicit Exporting(Desk& desk) : desk_(desk) {}
+  explicit Exporting(JobContext& jobContext) : jobContext_(jobContext) {}
 
-  void take(const request::ExportSequence& wanted) {
-    if (desk_.isOpen()) sequence_ = wanted.sequence;
+  void take(const request::ExportSequence& subscriptions) {
+    if (jobContext_.isOpen()) sequence_ = subscriptions.sequence;
   }
   void take(const request::Cancel&) { sequence_.reset(); } // it has not begun
 
@@ -22,7 +22,7 @@ class Exporting final : public Job {
   void step() override;
 
  private:
-  Desk& desk_;
+  JobContext& jobContext_;
   std::optional<SequenceRequest> sequence_;
 };
 

@@ -4,27 +4,27 @@
 
 namespace taa {
 
-void Play::take(const request::SetPlaying& wanted) {
-  if (!desk_.isOpen()) return;
+void Play::take(const request::SetPlaying& subscriptions) {
+  if (!jobContext_.isOpen()) return;
   const auto [first, last] = transport_.frames();
-  const bool restarts = wanted.playing && !transport_.isPlaying() && !transport_.isLooping() &&
-                        desk_.inspector.shot().frame() == last;
-  if (!wanted.playing) flight_.end();
-  transport_.setPlaying(wanted.playing);
-  if (restarts) goal_.frame = first;
-  goal_.isNear = false;
+  const bool restarts = subscriptions.playing && !transport_.isPlaying() && !transport_.isLooping() &&
+                        jobContext_.inspector.shot().frame() == last;
+  if (!subscriptions.playing) flight_.end();
+  transport_.setPlaying(subscriptions.playing);
+  if (restarts) seekTarget_.frame = first;
+  seekTarget_.isNear = false;
 }
 
 // Frames outside the range lead into it. A recording goes by the clock, to its own end.
 void Play::step() {
-  if (flight_.isRecording() && flight_.recording().isFull(desk_.now())) {
-    flight_.endRecording(desk_.now());
+  if (flight_.isRecording() && flight_.recording().isFull(jobContext_.now())) {
+    flight_.endRecording(jobContext_.now());
     return;
   }
   const bool isRecording = flight_.isRecording();
   const auto [first, last] =
       isRecording ? std::pair(0, flight_.recording().lastFrame()) : transport_.frames();
-  const int now = desk_.inspector.shot().frame();
+  const int now = jobContext_.inspector.shot().frame();
   transport_.takeTurn();
   if (now < last && now >= first) {
     advance(now);
@@ -35,33 +35,33 @@ void Play::step() {
 
 void Play::startAgain(int first, int last) {
   flight_.end();
-  InspectedShot& shot = desk_.inspector.shot();
+  InspectedShot& shot = jobContext_.inspector.shot();
   const int now = shot.frame();
   if ((first == last && now == first) || (now >= last && !transport_.isLooping())) {
     transport_.setPlaying(false);
     return;
   }
   if (shot.replayLength(first) > 1) { // a long way, which requests may end
-    goal_.frame = first;
-    goal_.isNear = true; // what is on show stays until then
+    seekTarget_.frame = first;
+    seekTarget_.isNear = true; // what is on show stays until then
     return;
   }
-  if (!desk_.attempt(RequestKind::Time, [&] { shot.seek(first); })) transport_.setPlaying(false);
+  if (!jobContext_.attempt(RequestKind::Time, [&] { shot.seek(first); })) transport_.setPlaying(false);
   transport_.fallBehind();
-  desk_.noteFrame();
+  jobContext_.noteFrame();
 }
 
 void Play::advance(int from) {
-  const bool isDone = desk_.attempt(RequestKind::Time, [&] {
+  const bool isDone = jobContext_.attempt(RequestKind::Time, [&] {
     flight_.layPose(from + 1);
-    desk_.inspector.shot().advance();
+    jobContext_.inspector.shot().advance();
   });
   if (!isDone) {
     flight_.end();
     transport_.setPlaying(false);
   }
   transport_.fallBehind();
-  desk_.noteFrame();
+  jobContext_.noteFrame();
 }
 
 } // namespace taa

@@ -1,10 +1,10 @@
 // Lets time go on: one frame after the other, in its turn.
 #pragma once
 
-#include "core/jobs/desk/Job.h"
-#include "core/jobs/desk/Transport.h"
+#include "core/jobs/context/Job.h"
+#include "core/jobs/context/Transport.h"
 #include "core/jobs/shot/CameraFlight.h"
-#include "core/jobs/shot/Goal.h"
+#include "core/jobs/shot/SeekTarget.h"
 #include "core/requests/Requests.h"
 
 #include <optional>
@@ -13,12 +13,12 @@ namespace taa {
 
 class Play final : public Job {
  public:
-  Play(Desk& desk, Transport& transport, Goal& goal, CameraFlight& flight)
-      : desk_(desk), transport_(transport), goal_(goal), flight_(flight) {}
+  Play(JobContext& jobContext, Transport& transport, SeekTarget& seekTarget, CameraFlight& flight)
+      : jobContext_(jobContext), transport_(transport), seekTarget_(seekTarget), flight_(flight) {}
 
-  void take(const request::SetPlaying& wanted);
-  void take(const request::SetLooping& wanted) { transport_.setLooping(wanted.looping); }
-  void take(const request::SetPlayback& wanted) { transport_.setPlayback(wanted.playback); }
+  void take(const request::SetPlaying& subscriptions);
+  void take(const request::SetLooping& subscriptions) { transport_.setLooping(subscriptions.looping); }
+  void take(const request::SetPlayback& subscriptions) { transport_.setPlayback(subscriptions.playback); }
 
   bool isDue() override { return isPlaying() && Clock::now() >= transport_.nextFrameAt(); }
   void step() override;
@@ -28,13 +28,13 @@ class Play final : public Job {
   bool isAwaited() const override { return false; } // it has no end
 
  private:
-  bool isPlaying() const { return desk_.isOpen() && transport_.isPlaying(); }
+  bool isPlaying() const { return jobContext_.isOpen() && transport_.isPlaying(); }
   void startAgain(int first, int last);
   void advance(int from);
 
-  Desk& desk_;
+  JobContext& jobContext_;
   Transport& transport_;
-  Goal& goal_;
+  SeekTarget& seekTarget_;
   CameraFlight& flight_;
 };
 

@@ -1,8 +1,8 @@
 // Shows what a change of settings does before the whole picture is there, where that takes long.
 #pragma once
 
-#include "core/jobs/desk/Desk.h"
-#include "core/jobs/desk/Wanted.h"
+#include "core/jobs/context/JobContext.h"
+#include "core/jobs/context/Subscriptions.h"
 #include "core/requests/Requests.h"
 
 #include <optional>
@@ -11,9 +11,10 @@ namespace taa {
 
 class Previews {
  public:
-  Previews(Desk& desk, const Wanted& wanted) : desk_(desk), wanted_(wanted) {}
+  Previews(JobContext& jobContext, const Subscriptions& subscriptions)
+      : jobContext_(jobContext), subscriptions_(subscriptions) {}
 
-  void take(const request::SetPreviews& wanted) { fromMs_ = wanted.fromMs; }
+  void take(const request::SetPreviews& subscriptions) { fromMs_ = subscriptions.fromMs; }
 
   /// Tells pictures of the views by settings of the first lane that come next. Returns whether newer ones
   /// wait by now, so that these need not come.
@@ -26,8 +27,8 @@ class Previews {
  private:
   bool isSlow();
 
-  Desk& desk_;
-  const Wanted& wanted_;
+  JobContext& jobContext_;
+  const Subscriptions& subscriptions_;
   std::optional<double> fromMs_;
   double resolveMs_ = 0.0; ///< of the last frame that was resolved
   bool areShown_ = false;

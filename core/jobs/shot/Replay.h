@@ -1,10 +1,10 @@
 // Goes to the frame that is wanted, and makes the frame on show exact.
 #pragma once
 
-#include "core/jobs/desk/Job.h"
-#include "core/jobs/desk/Transport.h"
+#include "core/jobs/context/Job.h"
+#include "core/jobs/context/Transport.h"
 #include "core/jobs/shot/CameraFlight.h"
-#include "core/jobs/shot/Goal.h"
+#include "core/jobs/shot/SeekTarget.h"
 #include "core/requests/Requests.h"
 
 #include <string>
@@ -13,14 +13,14 @@ namespace taa {
 
 class Replay final : public Job {
  public:
-  Replay(Desk& desk, Transport& transport, Goal& goal, CameraFlight& flight)
-      : desk_(desk), transport_(transport), goal_(goal), flight_(flight) {}
+  Replay(JobContext& jobContext, Transport& transport, SeekTarget& seekTarget, CameraFlight& flight)
+      : jobContext_(jobContext), transport_(transport), seekTarget_(seekTarget), flight_(flight) {}
 
   void take(const request::Seek& seek);
   void take(const request::Step& step);
   void take(const request::Cancel&);
 
-  bool isDue() override { return desk_.isOpen() && (goal_.frame || needsRefinement()); }
+  bool isDue() override { return jobContext_.isOpen() && (seekTarget_.frame || needsRefinement()); }
   void step() override;
 
  private:
@@ -29,9 +29,9 @@ class Replay final : public Job {
   bool goNear();
   void replay(int frame, const std::string& what);
 
-  Desk& desk_;
+  JobContext& jobContext_;
   Transport& transport_;
-  Goal& goal_;
+  SeekTarget& seekTarget_;
   CameraFlight& flight_;
 };
 

@@ -10,16 +10,16 @@ namespace taa {
 void Shaders::take(const request::ReloadShaders&) {
   read_.emplace();
   try {
-    desk_.inspector.shot().reloadShaders();
-    desk_.noteChange(RequestKind::Shaders);
-    desk_.isReplayStopped = false;
+    jobContext_.inspector.shot().reloadShaders();
+    jobContext_.noteChange(RequestKind::Shaders);
+    jobContext_.isReplayStopped = false;
   } catch (const std::exception& failed) {
     read_->error = shownReason(failed);
   }
 }
 
 void Shaders::deliver() {
-  if (read_) desk_.tell(RequestKind::Shaders, *std::exchange(read_, {}));
+  if (read_) jobContext_.tell(RequestKind::Shaders, *std::exchange(read_, {}));
 }
 
 } // namespace taa

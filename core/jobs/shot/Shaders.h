@@ -1,7 +1,7 @@
 // Shaders read anew from their folder.
 #pragma once
 
-#include "core/jobs/desk/Desk.h"
+#include "core/jobs/context/JobContext.h"
 #include "core/requests/Requests.h"
 
 #include <optional>
@@ -10,14 +10,14 @@ namespace taa {
 
 class Shaders {
  public:
-  explicit Shaders(Desk& desk) : desk_(desk) {}
+  explicit Shaders(JobContext& jobContext) : jobContext_(jobContext) {}
 
   void take(const request::ReloadShaders&);
   /// To be called once the status has said that the picture on show is not theirs yet.
   void deliver();
 
  private:
-  Desk& desk_;
+  JobContext& jobContext_;
   std::optional<ShadersRead> read_;
 };
 

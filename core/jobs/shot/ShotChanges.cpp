@@ -10,67 +10,67 @@ namespace taa {
 
 bool ShotChanges::open(const request::Open& open) {
   flight_.end(); // of the old one, which stays where the new one is refused
-  goal_.frame.reset();
-  InspectedShot& shot = desk_.inspector.shot();
+  seekTarget_.frame.reset();
+  InspectedShot& shot = jobContext_.inspector.shot();
   const Progress told = [this](std::string_view doing, int done, int total) {
-    if (desk_.waiting().stopOpening()) return false;
-    desk_.tellWork(WorkKind::Opening, std::string(doing), done, total);
+    if (jobContext_.waiting().stopOpening()) return false;
+    jobContext_.tellWork(WorkKind::Opening, std::string(doing), done, total);
     return true;
   };
-  const bool isOpened = desk_.change(RequestKind::Source, [&] {
+  const bool isOpened = jobContext_.change(RequestKind::Source, [&] {
     shot.open(open.source, told, open.choice, open.budget);
     objects_ = objectNames(shot.scene());
     objects_.resize(std::min(objects_.size(), kMaxObjects));
     outline_ = std::make_shared<const SceneOutline>(outlineOf(shot.scene(), shot.source()));
   });
-  if (isOpened) opened_ = desk_.latest(RequestKind::Source);
-  desk_.endWork();
+  if (isOpened) opened_ = jobContext_.latest(RequestKind::Source);
+  jobContext_.endWork();
   return isOpened;
 }
 
 void ShotChanges::changeIf(bool isOther, RequestKind kind, const std::function<void()>& action) {
-  if (isOther) desk_.change(kind, action);
+  if (isOther) jobContext_.change(kind, action);
 }
 
 void ShotChanges::take(const request::SetSize& size) {
-  InspectedShot& shot = desk_.inspector.shot();
+  InspectedShot& shot = jobContext_.inspector.shot();
   changeIf(size.width != shot.width() || size.height != shot.height(), RequestKind::Size,
            [&] { shot.setSize(size.width, size.height); });
 }
 
 void ShotChanges::take(const request::SetFlownCameras& flown) {
   flight_.end();
-  changeIf(desk_.isOpen(), RequestKind::FlownCameras,
-           [&] { desk_.inspector.shot().setFlownCameras(flown.cameras); });
+  changeIf(jobContext_.isOpen(), RequestKind::FlownCameras,
+           [&] { jobContext_.inspector.shot().setFlownCameras(flown.cameras); });
 }
 
 void ShotChanges::take(const request::AddCameraTrack& added) {
   flight_.end();
-  changeIf(desk_.isOpen(), RequestKind::FlownCameras,
-           [&] { desk_.inspector.shot().setCameraTrack(added.track); });
+  changeIf(jobContext_.isOpen(), RequestKind::FlownCameras,
+           [&] { jobContext_.inspector.shot().setCameraTrack(added.track); });
 }
 
 void ShotChanges::take(const request::SetCamera& camera) {
   flight_.end();
-  InspectedShot& shot = desk_.inspector.shot();
-  changeIf(desk_.isOpen() && camera.name != shot.camera(), RequestKind::Camera,
+  InspectedShot& shot = jobContext_.inspector.shot();
+  changeIf(jobContext_.isOpen() && camera.name != shot.camera(), RequestKind::Camera,
            [&] { shot.setCamera(camera.name); });
 }
 
 void ShotChanges::take(const request::SetMotionModes& modes) {
-  InspectedShot& shot = desk_.inspector.shot();
-  changeIf(desk_.isOpen() && modes.modes != shot.motionModes(), RequestKind::MotionModes,
+  InspectedShot& shot = jobContext_.inspector.shot();
+  changeIf(jobContext_.isOpen() && modes.modes != shot.motionModes(), RequestKind::MotionModes,
            [&] { shot.setMotionModes(modes.modes); });
 }
 
 void ShotChanges::take(const request::SetSettings& settings) {
-  InspectedShot& shot = desk_.inspector.shot();
+  InspectedShot& shot = jobContext_.inspector.shot();
   if (settings.settings == shot.settings()) {
     previews_.withdraw();
     return;
   }
   if (previews_.tell(settings.settings)) return; // newer ones are taken up next
-  if (desk_.change(RequestKind::Settings, [&] { shot.setSettings(settings.settings); }))
+  if (jobContext_.change(RequestKind::Settings, [&] { shot.setSettings(settings.settings); }))
     previews_.cameTrue();
   else
     previews_.withdraw();
@@ -78,8 +78,8 @@ void ShotChanges::take(const request::SetSettings& settings) {
 
 // Lane 0 is the one of the settings.
 void ShotChanges::take(const request::SetOtherLanes& others) {
-  InspectedShot& shot = desk_.inspector.shot();
-  desk_.change(RequestKind::Lanes, [&] {
+  InspectedShot& shot = jobContext_.inspector.shot();
+  jobContext_.change(RequestKind::Lanes, [&] {
     std::vector<Settings> lanes{shot.settings()};
     lanes.insert(lanes.end(), others.lanes.begin(), others.lanes.end());
     shot.changeLanes(lanes);
@@ -87,30 +87,30 @@ void ShotChanges::take(const request::SetOtherLanes& others) {
 }
 
 void ShotChanges::take(const request::SetObjectFilter& filter) {
-  InspectedShot& shot = desk_.inspector.shot();
-  changeIf(desk_.isOpen() && !(filter.filter == shot.objectFilter()), RequestKind::Objects,
+  InspectedShot& shot = jobContext_.inspector.shot();
+  changeIf(jobContext_.isOpen() && !(filter.filter == shot.objectFilter()), RequestKind::Objects,
            [&] { shot.setObjectFilter(filter.filter); });
 }
 
 void ShotChanges::take(const request::SetObjectClasses& classes) {
-  InspectedShot& shot = desk_.inspector.shot();
-  changeIf(desk_.isOpen() && classes.classes != shot.objectClasses(), RequestKind::Classes,
+  InspectedShot& shot = jobContext_.inspector.shot();
+  changeIf(jobContext_.isOpen() && classes.classes != shot.objectClasses(), RequestKind::Classes,
            [&] { shot.setObjectClasses(classes.classes); });
 }
 
 void ShotChanges::take(const request::SetRestarts& restarts) {
-  InspectedShot& shot = desk_.inspector.shot();
-  changeIf(desk_.isOpen() && restarts.frames != shot.restarts(), RequestKind::Restarts,
+  InspectedShot& shot = jobContext_.inspector.shot();
+  changeIf(jobContext_.isOpen() && restarts.frames != shot.restarts(), RequestKind::Restarts,
            [&] { shot.setRestarts(restarts.frames); });
 }
 
 void ShotChanges::take(const request::SetCheckpointBudget& budget) {
-  desk_.inspector.shot().setCheckpointBudget(budget.bytes);
-  desk_.isStatusOld = true;
+  jobContext_.inspector.shot().setCheckpointBudget(budget.bytes);
+  jobContext_.isStatusOld = true;
 }
 
 void ShotChanges::take(const request::SetSceneBudget& budget) {
-  desk_.inspector.shot().setSceneBudget(budget.budget);
+  jobContext_.inspector.shot().setSceneBudget(budget.budget);
 }
 
 } // namespace taa

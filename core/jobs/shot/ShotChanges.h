@@ -1,10 +1,10 @@
 // What the frames are a function of: source, size, camera, settings, objects. Changed as requests say.
 #pragma once
 
-#include "core/jobs/desk/Desk.h"
+#include "core/jobs/context/JobContext.h"
 #include "core/jobs/shot/CameraFlight.h"
-#include "core/jobs/shot/Goal.h"
 #include "core/jobs/shot/Previews.h"
+#include "core/jobs/shot/SeekTarget.h"
 #include "core/requests/Requests.h"
 
 #include <functional>
@@ -16,8 +16,8 @@ namespace taa {
 
 class ShotChanges {
  public:
-  ShotChanges(Desk& desk, CameraFlight& flight, Goal& goal, Previews& previews)
-      : desk_(desk), flight_(flight), goal_(goal), previews_(previews) {}
+  ShotChanges(JobContext& jobContext, CameraFlight& flight, SeekTarget& seekTarget, Previews& previews)
+      : jobContext_(jobContext), flight_(flight), seekTarget_(seekTarget), previews_(previews) {}
 
   /// Whether it could be opened.
   bool open(const request::Open& open);
@@ -44,9 +44,9 @@ class ShotChanges {
   /// What is so already is no change.
   void changeIf(bool isOther, RequestKind kind, const std::function<void()>& action);
 
-  Desk& desk_;
+  JobContext& jobContext_;
   CameraFlight& flight_;
-  Goal& goal_;
+  SeekTarget& seekTarget_;
   Previews& previews_;
   std::vector<std::string> objects_;
   std::shared_ptr<const SceneOutline> outline_;

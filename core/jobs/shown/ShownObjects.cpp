@@ -10,7 +10,7 @@ namespace {
 
 /// Where pixels of `ids` that hold one of `objects` are.
 ObjectArea areaOf(const Image& ids, const std::vector<int>& objects) {
-  const std::unordered_set<int> wanted(objects.begin(), objects.end());
+  const std::unordered_set<int> subscriptions(objects.begin(), objects.end());
   ObjectArea area;
   area.objects = objects;
   glm::dvec2 sum(0.0);
@@ -18,7 +18,7 @@ ObjectArea areaOf(const Image& ids, const std::vector<int>& objects) {
   std::vector<glm::ivec2> found;
   for (int y = 0; y < ids.height; ++y)
     for (int x = 0; x < ids.width; ++x) {
-      if (!wanted.contains(static_cast<int>(*ids.at(x, y)))) continue;
+      if (!subscriptions.contains(static_cast<int>(*ids.at(x, y)))) continue;
       found.emplace_back(x, y);
       sum += glm::dvec2(x, y);
       low = glm::min(low, glm::ivec2(x, y));
@@ -37,19 +37,20 @@ ObjectArea areaOf(const Image& ids, const std::vector<int>& objects) {
 
 } // namespace
 
-void ShownObjects::take(const request::Locate& wanted) {
-  objects_ = wanted.objects;
+void ShownObjects::take(const request::Locate& subscriptions) {
+  objects_ = subscriptions.objects;
   delivered_ = 0;
 }
 
 // Reading a whole picture back takes longer than a frame that plays may.
 void ShownObjects::deliver() {
-  if (objects_.empty() || delivered_ == desk_.version() || transport_.isPlaying() || goal_.frame) return;
-  delivered_ = desk_.version();
-  desk_.attempt(RequestKind::Objects, [&] {
-    ObjectArea area = areaOf(desk_.inspector.views().image(IntermediateId::objectId), objects_);
-    area.frame = desk_.inspector.shot().frame();
-    desk_.tell(RequestKind::Objects, std::move(area));
+  if (objects_.empty() || delivered_ == jobContext_.version() || transport_.isPlaying() || seekTarget_.frame)
+    return;
+  delivered_ = jobContext_.version();
+  jobContext_.attempt(RequestKind::Objects, [&] {
+    ObjectArea area = areaOf(jobContext_.inspector.views().image(IntermediateId::objectId), objects_);
+    area.frame = jobContext_.inspector.shot().frame();
+    jobContext_.tell(RequestKind::Objects, std::move(area));
   });
 }
 

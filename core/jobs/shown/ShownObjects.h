@@ -1,8 +1,8 @@
 // Delivers where wanted objects are seen on each frame that it rests at.
 #pragma once
 
-#include "core/jobs/desk/Transport.h"
-#include "core/jobs/shot/Goal.h"
+#include "core/jobs/context/Transport.h"
+#include "core/jobs/shot/SeekTarget.h"
 #include "core/requests/Requests.h"
 
 #include <cstdint>
@@ -12,16 +12,16 @@ namespace taa {
 
 class ShownObjects {
  public:
-  ShownObjects(Desk& desk, const Transport& transport, const Goal& goal)
-      : desk_(desk), transport_(transport), goal_(goal) {}
+  ShownObjects(JobContext& jobContext, const Transport& transport, const SeekTarget& seekTarget)
+      : jobContext_(jobContext), transport_(transport), seekTarget_(seekTarget) {}
 
-  void take(const request::Locate& wanted);
+  void take(const request::Locate& subscriptions);
   void deliver();
 
  private:
-  Desk& desk_;
+  JobContext& jobContext_;
   const Transport& transport_;
-  const Goal& goal_;
+  const SeekTarget& seekTarget_;
   std::vector<int> objects_;
   std::uint64_t delivered_ = 0; // version
 };

@@ -15,51 +15,52 @@ void ShownProbes::take(const request::SetProbes& probes) {
   for (Probe& probe : next.all) {
     if (probe.anchor) continue;
     Probe known = probe;
-    for (const Probe& old : wanted_.probes.all) {
+    for (const Probe& old : subscriptions_.probes.all) {
       known.anchor = old.anchor;
       if (known == old) probe.anchor = old.anchor;
     }
   }
-  wanted_.probes = std::move(next);
+  subscriptions_.probes = std::move(next);
   delivered_ = {};
 }
 
 void ShownProbes::deliver() {
-  const std::tuple now(desk_.version(), desk_.referenceVersion,
-                       wanted_.probes.other ? desk_.comparisonVersion : 0);
+  const std::tuple now(jobContext_.version(), jobContext_.referenceVersion,
+                       subscriptions_.probes.other ? jobContext_.comparisonVersion : 0);
   if (delivered_ == now) return;
   delivered_ = now; // also when it fails: once is enough to tell
-  for (int probe = 0; probe < static_cast<int>(wanted_.probes.all.size()); ++probe) deliverProbe(probe);
+  for (int probe = 0; probe < static_cast<int>(subscriptions_.probes.all.size()); ++probe)
+    deliverProbe(probe);
 }
 
 void ShownProbes::deliverProbe(int index) {
-  Probe& probe = wanted_.probes.all[static_cast<std::size_t>(index)];
-  const InspectedShot& shot = desk_.inspector.shot();
+  Probe& probe = subscriptions_.probes.all[static_cast<std::size_t>(index)];
+  const InspectedShot& shot = jobContext_.inspector.shot();
   // A probe may lie outside for a while, when the size changes.
   const bool isInside = probe.pixel.x >= 0 && probe.pixel.y >= 0 && probe.pixel.x < shot.width() &&
                         probe.pixel.y < shot.height();
   if (!isInside && !probe.anchor) return;
-  desk_.attempt(RequestKind::Probes, [&] {
-    const bool isActive = index == wanted_.probes.active;
+  jobContext_.attempt(RequestKind::Probes, [&] {
+    const bool isActive = index == subscriptions_.probes.active;
     ProbeResult result = resultOf(probe, isActive);
     traces_.noteShown(result);
     if (isActive) judging_.noteShown(result);
-    desk_.tell(RequestKind::Probes, std::move(result));
+    jobContext_.tell(RequestKind::Probes, std::move(result));
   });
 }
 
 // Nothing while it is on its way.
 void ShownProbes::addOther(ProbeResult& result, const OtherSide& other) {
-  const InspectedShot& shot = desk_.inspector.shot();
+  const InspectedShot& shot = jobContext_.inspector.shot();
   PictureSource source = otherSource(other, shot.frame(), shot.frameCount());
   source.id = IntermediateId::resolved; // a row that needs no reference: all are given
-  if (desk_.inspector.views().isCached(source))
-    result.compared = desk_.inspector.probes().compared({result.x, result.y}, source);
+  if (jobContext_.inspector.views().isCached(source))
+    result.compared = jobContext_.inspector.probes().compared({result.x, result.y}, source);
 }
 
 ProbeResult ShownProbes::resultOf(Probe& probe, bool isActive) {
-  const InspectedShot& shot = desk_.inspector.shot();
-  Probes& probes = desk_.inspector.probes();
+  const InspectedShot& shot = jobContext_.inspector.shot();
+  Probes& probes = jobContext_.inspector.probes();
   probe = probes.anchored(probe);
   ProbeResult result{.probe = probe, .spot = probes.spot(probe), .around = {}};
   result.x = result.spot.pixel.x;
@@ -68,11 +69,11 @@ ProbeResult ShownProbes::resultOf(Probe& probe, bool isActive) {
   if (result.spot.state == ProbeState::Seen || result.spot.state == ProbeState::Hidden) {
     result.around = probes.probeAround(result.x, result.y, 1);
     if (isActive) result.details = std::make_shared<const twin::Details>(probes.details(result.x, result.y));
-    if (isActive && wanted_.probes.whatIf) {
+    if (isActive && subscriptions_.probes.whatIf) {
       result.whatIf = probes.whatIf(result.x, result.y);
       result.sensitivities = probes.sensitivities(result.x, result.y);
     }
-    if (isActive && wanted_.probes.other) addOther(result, *wanted_.probes.other);
+    if (isActive && subscriptions_.probes.other) addOther(result, *subscriptions_.probes.other);
   }
   result.exact = shot.isExact();
   result.settings = shot.usedSettings();

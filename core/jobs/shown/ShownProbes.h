@@ -1,8 +1,8 @@
 // Delivers what is at the probes of each frame on show.
 #pragma once
 
-#include "core/jobs/desk/Desk.h"
-#include "core/jobs/desk/Wanted.h"
+#include "core/jobs/context/JobContext.h"
+#include "core/jobs/context/Subscriptions.h"
 #include "core/jobs/idle/PixelJudging.h"
 #include "core/jobs/idle/Traces.h"
 #include "core/requests/Requests.h"
@@ -14,8 +14,8 @@ namespace taa {
 
 class ShownProbes {
  public:
-  ShownProbes(Desk& desk, Wanted& wanted, Traces& traces, PixelJudging& judging)
-      : desk_(desk), wanted_(wanted), traces_(traces), judging_(judging) {}
+  ShownProbes(JobContext& jobContext, Subscriptions& subscriptions, Traces& traces, PixelJudging& judging)
+      : jobContext_(jobContext), subscriptions_(subscriptions), traces_(traces), judging_(judging) {}
 
   void take(const request::SetProbes& probes);
   void take(const request::SetTracing&) { delivered_ = {}; } // the frame on show is a part of it
@@ -26,8 +26,8 @@ class ShownProbes {
   void addOther(ProbeResult& result, const OtherSide& other);
   ProbeResult resultOf(Probe& probe, bool isActive);
 
-  Desk& desk_;
-  Wanted& wanted_;
+  JobContext& jobContext_;
+  Subscriptions& subscriptions_;
   Traces& traces_;
   PixelJudging& judging_;
   // Versions of frame, reference and comparison frames

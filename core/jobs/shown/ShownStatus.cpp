@@ -8,33 +8,33 @@
 namespace taa {
 
 void ShownStatus::deliverBefore() {
-  if (desk_.isOpen() && (goal_.frame || !desk_.inspector.shot().isExact())) deliver();
+  if (jobContext_.isOpen() && (seekTarget_.frame || !jobContext_.inspector.shot().isExact())) deliver();
 }
 
 void ShownStatus::deliver() {
-  if (!std::exchange(desk_.isStatusOld, false)) return;
-  const InspectedShot& shot = desk_.inspector.shot();
-  if (desk_.isOpen() && shot.areAllExact()) desk_.noteExact();
+  if (!std::exchange(jobContext_.isStatusOld, false)) return;
+  const InspectedShot& shot = jobContext_.inspector.shot();
+  if (jobContext_.isOpen() && shot.areAllExact()) jobContext_.noteExact();
   Status status;
   status.width = shot.width();
   status.height = shot.height();
   status.settings = shot.settings();
-  status.taken = desk_.taken();
+  status.taken = jobContext_.taken();
   status.capture = shot.capture();
   status.jitterPeriod = status.capture ? status.capture->jitterPeriod : jitterPeriod(status.settings.jitter);
   status.playing = transport_.isPlaying();
   status.driver = shot.driver();
-  status.referenceGoal = wanted_.referenceSamples;
+  status.referenceGoal = subscriptions_.referenceSamples;
   status.checkpointBudget = shot.checkpointBudget();
   status.playback = transport_.playback();
-  status.shotVersion = desk_.shotVersion();
-  status.inexactSince = desk_.inexactSince();
-  if (desk_.isOpen()) addShot(status);
-  desk_.tell(RequestKind::None, std::move(status));
+  status.shotVersion = jobContext_.shotVersion();
+  status.inexactSince = jobContext_.inexactSince();
+  if (jobContext_.isOpen()) addShot(status);
+  jobContext_.tell(RequestKind::None, std::move(status));
 }
 
 void ShownStatus::addShot(Status& status) const {
-  const InspectedShot& shot = desk_.inspector.shot();
+  const InspectedShot& shot = jobContext_.inspector.shot();
   status.source = shot.source();
   status.camera = shot.camera();
   status.cameras = shot.cameras();
@@ -47,7 +47,8 @@ void ShownStatus::addShot(Status& status) const {
   status.framesPerSecond = shot.scene().shot.framesPerSecond;
   status.info = shot.info();
   status.exact = shot.isExact();
-  if (goal_.frame && goal_.isNear && *goal_.frame != shot.frame()) status.goal = goal_.frame;
+  if (seekTarget_.frame && seekTarget_.isNear && *seekTarget_.frame != shot.frame())
+    status.goal = seekTarget_.frame;
   status.times = shot.times();
   status.cuts = shot.scene().shot.cuts;
   status.restarts = shot.restarts();
@@ -58,7 +59,7 @@ void ShownStatus::addShot(Status& status) const {
   status.tracks = shot.cameraTracks();
   status.pose = shot.cameraPose();
   status.recording = flight_.isRecording();
-  status.recordedFrames = flight_.isRecording() ? flight_.recording().frameCount(desk_.now()) : 0;
+  status.recordedFrames = flight_.isRecording() ? flight_.recording().frameCount(jobContext_.now()) : 0;
   status.opened = changes_.opened();
 }
 

@@ -1,20 +1,20 @@
 // Delivers the status whenever any of it has changed.
 #pragma once
 
-#include "core/jobs/desk/Transport.h"
-#include "core/jobs/desk/Wanted.h"
+#include "core/jobs/context/Subscriptions.h"
+#include "core/jobs/context/Transport.h"
 #include "core/jobs/shot/CameraFlight.h"
-#include "core/jobs/shot/Goal.h"
+#include "core/jobs/shot/SeekTarget.h"
 #include "core/jobs/shot/ShotChanges.h"
 
 namespace taa {
 
 class ShownStatus {
  public:
-  ShownStatus(Desk& desk, const Transport& transport, const Goal& goal, const CameraFlight& flight,
-              const ShotChanges& changes, const Wanted& wanted)
-      : desk_(desk), transport_(transport), goal_(goal), flight_(flight), changes_(changes), wanted_(wanted) {
-  }
+  ShownStatus(JobContext& jobContext, const Transport& transport, const SeekTarget& seekTarget,
+              const CameraFlight& flight, const ShotChanges& changes, const Subscriptions& subscriptions)
+      : jobContext_(jobContext), transport_(transport), seekTarget_(seekTarget), flight_(flight),
+        changes_(changes), subscriptions_(subscriptions) {}
 
   /// Before the pictures of a frame that is not exact or not the wished one.
   void deliverBefore();
@@ -24,12 +24,12 @@ class ShownStatus {
  private:
   void addShot(Status& status) const;
 
-  Desk& desk_;
+  JobContext& jobContext_;
   const Transport& transport_;
-  const Goal& goal_;
+  const SeekTarget& seekTarget_;
   const CameraFlight& flight_;
   const ShotChanges& changes_;
-  const Wanted& wanted_;
+  const Subscriptions& subscriptions_;
 };
 
 } // namespace taa

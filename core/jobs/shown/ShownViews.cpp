@@ -22,37 +22,37 @@ bool showsReference(const ViewRequest& view) {
 } // namespace
 
 void ShownViews::take(const request::SetViews& views) {
-  wanted_.views = views.views;
+  subscriptions_.views = views.views;
   delivered_.resize(views.views.size());
-  desk_.inspector.views().watch(wanted_.rows());
+  jobContext_.inspector.views().watch(subscriptions_.rows());
 }
 
 void ShownViews::deliver() {
-  for (int index = 0; index < static_cast<int>(wanted_.views.size()); ++index) deliverView(index);
+  for (int index = 0; index < static_cast<int>(subscriptions_.views.size()); ++index) deliverView(index);
 }
 
 void ShownViews::deliverView(int index) {
-  const ViewRequest& view = wanted_.views[static_cast<std::size_t>(index)];
+  const ViewRequest& view = subscriptions_.views[static_cast<std::size_t>(index)];
   Delivered& last = delivered_[static_cast<std::size_t>(index)];
-  const Delivered now{view, desk_.version(), view.other ? desk_.comparisonVersion : 0,
-                      showsReference(view) ? desk_.referenceVersion : 0, desk_.previewVersion};
+  const Delivered now{view, jobContext_.version(), view.other ? jobContext_.comparisonVersion : 0,
+                      showsReference(view) ? jobContext_.referenceVersion : 0, jobContext_.previewVersion};
   if (!isShown(view) || last == now) return;
-  const InspectedShot& shot = desk_.inspector.shot();
+  const InspectedShot& shot = jobContext_.inspector.shot();
   std::optional<PictureSource> other;
   if (view.other) other = otherSource(*view.other, shot.frame(), shot.frameCount());
-  if (other && !desk_.inspector.views().isCached(*other)) other.reset(); // on its way
+  if (other && !jobContext_.inspector.views().isCached(*other)) other.reset(); // on its way
   if (view.lane >= shot.laneCount() || (view.asDifference && !other)) return;
   last = now; // also when it fails: once is enough to tell
-  desk_.attempt(RequestKind::Views, [&] {
+  jobContext_.attempt(RequestKind::Views, [&] {
     if (view.asDifference) checkDifference(view.id, other->id);
-    desk_.tell(RequestKind::Views, draw(index, {view.id, view.lane, {}}, other));
+    jobContext_.tell(RequestKind::Views, draw(index, {view.id, view.lane, {}}, other));
   });
 }
 
 // Of the whole picture, once for each that it is of: panning asks again and again.
 ReasonCounts ShownViews::reasonsOf(const PictureSource& source, IntermediateId id, const ViewStyle& style) {
   if (!style.markRejected && id != IntermediateId::rejectReason) return {};
-  const std::pair now(desk_.version(), desk_.comparisonVersion);
+  const std::pair now(jobContext_.version(), jobContext_.comparisonVersion);
   if (reasons_.version != now) reasons_ = {now, {}};
   // Over a picture along the motion lies what is of the frame on show, whose pixels it has.
   if (source.alongMotion && !style.markRejected) return {};
@@ -61,9 +61,9 @@ ReasonCounts ShownViews::reasonsOf(const PictureSource& source, IntermediateId i
   const auto known =
       std::ranges::find(reasons_.counts, reasons, &std::pair<PictureSource, ReasonCounts>::first);
   if (known != reasons_.counts.end()) return known->second;
-  const InspectedShot& shot = desk_.inspector.shot();
+  const InspectedShot& shot = jobContext_.inspector.shot();
   const gl::Rect whole{0, 0, shot.width(), shot.height()};
-  const ReasonCounts counts = countReasons(desk_.inspector.views().values(reasons, {}, whole).values);
+  const ReasonCounts counts = countReasons(jobContext_.inspector.views().values(reasons, {}, whole).values);
   reasons_.counts.emplace_back(reasons, counts);
   return counts;
 }
@@ -72,12 +72,12 @@ ReasonCounts ShownViews::reasonsOf(const PictureSource& source, IntermediateId i
 std::optional<RegionSpread> ShownViews::spreadOf(const PictureSource& source,
                                                  const std::optional<PictureSource>& minus,
                                                  const ViewRequest& view) {
-  Views& views = desk_.inspector.views();
-  const InspectedShot& shot = desk_.inspector.shot();
+  Views& views = jobContext_.inspector.views();
+  const InspectedShot& shot = jobContext_.inspector.shot();
   if (!view.measured || !views.isCached(source)) return {};
   const std::optional<gl::Rect> region = insidePicture(*view.measured, shot.width(), shot.height());
   if (!region) return {};
-  const std::tuple now(desk_.version(), desk_.comparisonVersion, desk_.referenceVersion);
+  const std::tuple now(jobContext_.version(), jobContext_.comparisonVersion, jobContext_.referenceVersion);
   if (spreads_.version != now) spreads_ = {now, {}};
   for (const Spreads::Known& known : spreads_.known)
     if (known.source == source && known.minus == minus && known.spread.region == *region) return known.spread;
@@ -92,9 +92,9 @@ std::optional<RegionSpread> ShownViews::spreadOf(const PictureSource& source,
 
 ViewResult ShownViews::draw(int index, const PictureSource& source,
                             const std::optional<PictureSource>& other) {
-  const ViewRequest& view = wanted_.views[static_cast<std::size_t>(index)];
-  const InspectedShot& shot = desk_.inspector.shot();
-  Views& views = desk_.inspector.views();
+  const ViewRequest& view = subscriptions_.views[static_cast<std::size_t>(index)];
+  const InspectedShot& shot = jobContext_.inspector.shot();
+  Views& views = jobContext_.inspector.views();
   ViewResult result{.view = index, .request = view, .picture = {}, .values = {}, .region = {}};
   if (isOfReference(view.id)) addReference(result);
   const gl::Rect region = visiblePixels(view, {shot.width(), shot.height()});
@@ -102,7 +102,7 @@ ViewResult ShownViews::draw(int index, const PictureSource& source,
     result.region = region;
   const std::optional<PictureSource> minus = view.asDifference ? other : std::nullopt;
   result.frame = shot.frame();
-  result.shotVersion = desk_.shotVersion();
+  result.shotVersion = jobContext_.shotVersion();
   result.exact = views.isExact(source) && (!minus || views.isExact(*minus));
   result.picture = views.picture(source, minus, view.style, view.transform, view.width, view.height);
   if (result.region.width > 0) {
@@ -118,7 +118,7 @@ ViewResult ShownViews::draw(int index, const PictureSource& source,
 
 void ShownViews::drawOther(ViewResult& result, const PictureSource& other) {
   const ViewRequest& view = result.request;
-  Views& views = desk_.inspector.views();
+  Views& views = jobContext_.inspector.views();
   ViewSide& side = result.other.emplace();
   side.frame = other.frame.value_or(result.frame);
   side.exact = views.isExact(other);
@@ -135,16 +135,16 @@ void ShownViews::drawOther(ViewResult& result, const PictureSource& other) {
 void ShownViews::addReference(ViewResult& result) {
   const ViewRequest& view = result.request;
   if (isOverTime(view.id)) {
-    result.overTimeSamples = desk_.inspector.overTime().samples(overTime(view.id), view.lane);
+    result.overTimeSamples = jobContext_.inspector.overTime().samples(overTime(view.id), view.lane);
     addNumber(result);
     return;
   }
-  ReferenceOfShot& reference = desk_.inspector.reference();
+  ReferenceOfShot& reference = jobContext_.inspector.reference();
   if (isOfEngine(view.id)) {
     if (ReferenceRows* rows = reference.engineRows(view.lane)) result.error = rows->compared().error();
     return;
   }
-  const std::shared_ptr<const CaptureFacts> captured = desk_.inspector.shot().capture();
+  const std::shared_ptr<const CaptureFacts> captured = jobContext_.inspector.shot().capture();
   result.isReferenceGiven = captured && captured->hasReference;
   result.referenceSamples = reference.samples(view.lane);
   if (result.referenceSamples == 0) return;
@@ -154,7 +154,7 @@ void ShownViews::addReference(ViewResult& result) {
 
 void ShownViews::addNumber(ViewResult& result) {
   if (const std::optional<Metric> metric = metricOfMap(result.request.id))
-    result.number = desk_.inspector.metrics().measure({*metric}, result.request.lane).at(*metric);
+    result.number = jobContext_.inspector.metrics().measure({*metric}, result.request.lane).at(*metric);
 }
 
 } // namespace taa

@@ -1,8 +1,8 @@
 // Delivers the pictures of the views, both of their sides, whenever what they show or how has changed.
 #pragma once
 
-#include "core/jobs/desk/Desk.h"
-#include "core/jobs/desk/Wanted.h"
+#include "core/jobs/context/JobContext.h"
+#include "core/jobs/context/Subscriptions.h"
 #include "core/requests/Requests.h"
 
 #include <cstdint>
@@ -15,7 +15,8 @@ namespace taa {
 
 class ShownViews {
  public:
-  ShownViews(Desk& desk, Wanted& wanted) : desk_(desk), wanted_(wanted) {}
+  ShownViews(JobContext& jobContext, Subscriptions& subscriptions)
+      : jobContext_(jobContext), subscriptions_(subscriptions) {}
 
   void take(const request::SetViews& views);
   void deliver();
@@ -50,8 +51,8 @@ class ShownViews {
                                        const ViewRequest& view);
   ReasonCounts reasonsOf(const PictureSource& source, IntermediateId id, const ViewStyle& style);
 
-  Desk& desk_;
-  Wanted& wanted_;
+  JobContext& jobContext_;
+  Subscriptions& subscriptions_;
   std::vector<Delivered> delivered_;
   Reasons reasons_;
   Spreads spreads_;

@@ -2,25 +2,26 @@
 // by is made.
 #pragma once
 
-#include "core/jobs/desk/Desk.h"
-#include "core/jobs/desk/Wanted.h"
+#include "core/jobs/context/JobContext.h"
+#include "core/jobs/context/Subscriptions.h"
 #include "core/requests/Requests.h"
 
 namespace taa {
 
 class ShownWorst {
  public:
-  ShownWorst(Desk& desk, Wanted& wanted) : desk_(desk), wanted_(wanted) {}
+  ShownWorst(JobContext& jobContext, Subscriptions& subscriptions)
+      : jobContext_(jobContext), subscriptions_(subscriptions) {}
 
-  void take(const request::FindWorst& asked) { wanted_.worst = asked; }
-  void take(const request::Cancel&) { wanted_.worst.reset(); }
+  void take(const request::FindWorst& asked) { subscriptions_.worst = asked; }
+  void take(const request::Cancel&) { subscriptions_.worst.reset(); }
   void deliver();
 
  private:
   bool isUnderWay() const;
 
-  Desk& desk_;
-  Wanted& wanted_;
+  JobContext& jobContext_;
+  Subscriptions& subscriptions_;
 };
 
 } // namespace taa

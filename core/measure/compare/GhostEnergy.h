@@ -8,10 +8,10 @@
 //   ghost = |t d| / √3 with t = clamp(e·d / d·d, 0, 1): the part of e along d
 //   ghost energy = √ mean ghost²
 // In units of what is shown, and never above RMSE, which is of all of o − R. 0 where q is off the picture.
-// One frame back does not tell why: light that is followed too late and an error that stays, such as the rims
-// of sharpening, lie towards what was shown as well. What a blur of one pixel could have made never counts,
-// so that a faint ghost on a busy background is missed. The parts of the error (core/verdict) tell them
-// apart.
+// One frame back does not tell why: light that is followed too late and an error that stays, such as the
+// silhouettes of sharpening, lie towards what was shown as well. What a blur of one pixel could have made
+// never counts, so that a faint ghost on a busy background is missed. The parts of the error (core/verdict)
+// tell them apart.
 #pragma once
 
 #include "core/base/Image.h"

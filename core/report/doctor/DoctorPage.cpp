@@ -108,17 +108,18 @@ Image grayPicture(const Image& luma) {
 }
 
 /// The outline of its regions, over the pictures where there are some.
-std::string findingPictures(const Diagnosis& diagnosis, std::size_t index, const doctor::MendedLook* mended) {
+std::string findingPictures(const Diagnosis& diagnosis, std::size_t index,
+                            const doctor::CorrectedLook* corrected) {
   const Finding& finding = diagnosis.findings[index];
   const glm::ivec2& sizePx = diagnosis.sizePx;
-  if (mended)
-    for (const doctor::MendedPicture& picture : mended->pictures)
+  if (corrected)
+    for (const doctor::CorrectedPicture& picture : corrected->pictures)
       if (picture.finding == index) {
         const std::string path = outlinePath(finding, picture.frame);
         return "<div class=\"pictures\">\n" +
                figureHtml(imageHtml(picture.given, sizePx) + path, sizePx,
                           say<"Frame %1 as it is">(diagnosis.frameNames.of(picture.frame))) +
-               figureHtml(imageHtml(picture.mended, sizePx) + path, sizePx,
+               figureHtml(imageHtml(picture.corrected, sizePx) + path, sizePx,
                           say<"Frame %1 mended">(diagnosis.frameNames.of(picture.frame))) +
                "</div>\n";
       }
@@ -134,7 +135,7 @@ std::string findingPictures(const Diagnosis& diagnosis, std::size_t index, const
 }
 
 std::string findingHtml(const Finding& finding, int number, const doctor::FrameNames& names) {
-  const bool isSure = finding.sureness == doctor::Sureness::Sure;
+  const bool isSure = finding.confidence == doctor::Confidence::Sure;
   std::string text = htmlTag("h2", std::to_string(number) + ". " + finding.name +
                                        (isSure ? std::string() : " (" + say<"likely">() + ")") +
                                        (finding.isKnown ? " (" + say<"known">() + ")" : std::string()));
@@ -147,23 +148,23 @@ std::string findingHtml(const Finding& finding, int number, const doctor::FrameN
   return text + residualBars(finding);
 }
 
-std::string mendedHtml(const doctor::MendedLook& look, const Diagnosis& diagnosis) {
+std::string correctedHtml(const doctor::CorrectedLook& look, const Diagnosis& diagnosis) {
   std::vector<std::string> lines;
-  for (const std::size_t finding : look.mended.findings) lines.push_back(diagnosis.findings[finding].name);
+  for (const std::size_t finding : look.corrected.findings) lines.push_back(diagnosis.findings[finding].name);
   std::string text = htmlList(say<"Mended in these pictures">(), lines);
   for (const Finding& finding : look.left.findings) text += htmlTag("p", say<"Found then: %1">(finding.name));
-  if (!look.mended.findings.empty() && look.left.isHealthy())
+  if (!look.corrected.findings.empty() && look.left.isHealthy())
     text += htmlTag("p", say<"Nothing wrong is found then.">());
-  if (look.givenPsnr && look.mendedPsnr)
+  if (look.givenPsnr && look.correctedPsnr)
     text += htmlTag("p", say<"PSNR of frame %1: %2 dB as it is, %3 dB mended">(
-                             look.lastFrame, shortNumber(*look.givenPsnr), shortNumber(*look.mendedPsnr)));
+                             look.lastFrame, shortNumber(*look.givenPsnr), shortNumber(*look.correctedPsnr)));
   return text;
 }
 
 } // namespace
 
 std::string doctorHtml(const Diagnosis& diagnosis, const std::string& source,
-                       const doctor::MendedLook* mended) {
+                       const doctor::CorrectedLook* corrected) {
   const std::string title = say<"What the doctor says of %1">(reportedName(source));
   std::string text = "<!DOCTYPE html>\n<html>\n<head>\n<meta charset=\"utf-8\">\n" + htmlTag("title", title) +
                      "<style>" + std::string(kPageStyle) + "</style>\n</head>\n<body>\n" +
@@ -172,10 +173,10 @@ std::string doctorHtml(const Diagnosis& diagnosis, const std::string& source,
   int number = 0;
   for (const Finding& finding : diagnosis.findings) {
     text += findingHtml(finding, number + 1, diagnosis.frameNames);
-    text += findingPictures(diagnosis, static_cast<std::size_t>(number), mended);
+    text += findingPictures(diagnosis, static_cast<std::size_t>(number), corrected);
     ++number;
   }
-  if (mended) text += mendedHtml(*mended, diagnosis);
+  if (corrected) text += correctedHtml(*corrected, diagnosis);
   std::vector<std::string> right;
   for (const doctor::RightPart& part : diagnosis.parts.right()) right.push_back(part.sentence);
   text += htmlList(say<"Right">(), right);

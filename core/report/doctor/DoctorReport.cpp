@@ -43,7 +43,7 @@ std::string residualLine(const Residual& residual, std::size_t width) {
 
 std::string findingText(const doctor::Finding& finding, const doctor::FrameNames& names) {
   std::string text = finding.name;
-  text += finding.sureness == doctor::Sureness::Sure ? "" : " (" + say<"likely">() + ")";
+  text += finding.confidence == doctor::Confidence::Sure ? "" : " (" + say<"likely">() + ")";
   text += finding.isKnown ? " (" + say<"known">() + ")" : "";
   text += ": " + regionsText(finding) + "\n";
   const auto line = [&](const std::string& sentence) { text += "  " + sentence + "\n"; };
@@ -103,7 +103,7 @@ ordered_json undecidedJson(const Undecided& undecided) {
 ordered_json foundJson(const doctor::Finding& finding, const doctor::FrameNames& names) {
   return {{"id", finding.id},
           {"name", finding.name},
-          {"sure", finding.sureness == doctor::Sureness::Sure},
+          {"sure", finding.confidence == doctor::Confidence::Sure},
           {"known", finding.isKnown},
           {"wholePicture", finding.isWholePicture},
           {"regions",
@@ -113,7 +113,7 @@ ordered_json foundJson(const doctor::Finding& finding, const doctor::FrameNames&
           {"residuals", listJson(finding.residuals, residualJson)},
           {"symptom", finding.symptom},
           {"change", finding.change},
-          {"mending", finding.mending},
+          {"mending", finding.correction},
           {"alike", finding.alike}};
 }
 
@@ -167,34 +167,36 @@ ordered_json doctorJson(const Diagnosis& diagnosis, const std::string& source) {
           {"notes", diagnosis.notes}};
 }
 
-std::string mendedText(const doctor::MendedLook& look, const Diagnosis& diagnosis, const Settings& given) {
+std::string correctedText(const doctor::CorrectedLook& look, const Diagnosis& diagnosis,
+                          const Settings& given) {
   std::string text = "\n" + say<"Mended">() + "\n";
-  if (look.mended.findings.empty()) return text + "  " + say<"No setting makes this right.">() + "\n";
-  for (const std::size_t finding : look.mended.findings)
+  if (look.corrected.findings.empty()) return text + "  " + say<"No setting makes this right.">() + "\n";
+  for (const std::size_t finding : look.corrected.findings)
     text += "  " + diagnosis.findings[finding].name + "\n";
   const std::vector<std::string> names = foundIds(look.left);
-  text += "  " + say<"By: %1">(spacedWords(differences(look.mended.settings, given))) + "\n";
+  text += "  " + say<"By: %1">(spacedWords(differences(look.corrected.settings, given))) + "\n";
   text +=
       "  " +
       (names.empty() ? say<"Nothing wrong is found then.">() : say<"Found then: %1">(spacedWords(names))) +
       "\n";
-  if (look.givenPsnr && look.mendedPsnr)
+  if (look.givenPsnr && look.correctedPsnr)
     text += "  " +
             say<"PSNR of frame %1: %2 dB as it is, %3 dB mended">(
-                look.lastFrame, shortNumber(*look.givenPsnr), shortNumber(*look.mendedPsnr)) +
+                look.lastFrame, shortNumber(*look.givenPsnr), shortNumber(*look.correctedPsnr)) +
             "\n";
   return text;
 }
 
-ordered_json mendedJson(const doctor::MendedLook& look, const Diagnosis& diagnosis, const Settings& given) {
+ordered_json correctedJson(const doctor::CorrectedLook& look, const Diagnosis& diagnosis,
+                           const Settings& given) {
   ordered_json out{
-      {"findings",
-       listJson(look.mended.findings, [&](std::size_t finding) { return diagnosis.findings[finding].id; })},
-      {"settings", differences(look.mended.settings, given)},
+      {"findings", listJson(look.corrected.findings,
+                            [&](std::size_t finding) { return diagnosis.findings[finding].id; })},
+      {"settings", differences(look.corrected.settings, given)},
       {"left", foundIds(look.left)},
       {"frame", look.lastFrame}};
-  if (look.givenPsnr && look.mendedPsnr)
-    out["psnr"] = {{"given", *look.givenPsnr}, {"mended", *look.mendedPsnr}};
+  if (look.givenPsnr && look.correctedPsnr)
+    out["psnr"] = {{"given", *look.givenPsnr}, {"mended", *look.correctedPsnr}};
   return out;
 }
 

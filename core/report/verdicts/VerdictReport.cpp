@@ -1,9 +1,9 @@
 #include "core/report/verdicts/VerdictReport.h"
 
 #include "core/base/NumberText.h"
+#include "core/explanation/RowFormatter.h"
 #include "core/inspect/RemedyTrial.h"
 #include "core/io/FrameJson.h"
-#include "core/story/StoryText.h"
 #include "core/verdict/parts/PartsRows.h"
 #include "core/verdict/pixel/BlindAgreement.h"
 #include "core/verdict/pixel/VerdictText.h"
@@ -83,7 +83,7 @@ ordered_json remediesJson(const RemedyAnswer& remedies) {
   for (const TriedRemedy& tried : remedies.best)
     json["best"].push_back({{"changes", tried.remedy.changes},
                             {"named", tried.isNamed},
-                            {"mends", isMending(remedies.pixel, tried.pixel)},
+                            {"mends", isCorrection(remedies.pixel, tried.pixel)},
                             {"costsPicture", remedies.picture && tried.picture &&
                                                  costsPicture(*remedies.picture, *tried.picture)},
                             {"pixel", pixelMeasureJson(tried.pixel)},
@@ -125,11 +125,11 @@ ordered_json laneValues(const VerdictOfLane& lane) {
   for (const ErrorOfFrame& entry : lane.answer.error.frames)
     json["frames"].push_back(
         {{"frame", entry.frame}, {"weight", numberJson(entry.weight)}, {"parts", splitJson(entry.split)}});
-  for (const StraySamples& stray : lane.answer.error.strays)
-    json["strays"].push_back({{"frame", stray.frame},
-                              {"object", stray.object},
-                              {"pull", channelsJson(stray.pull)},
-                              {"weight", numberJson(stray.weight)}});
+  for (const OutlierSamples& outlier : lane.answer.error.outliers)
+    json["strays"].push_back({{"frame", outlier.frame},
+                              {"object", outlier.object},
+                              {"pull", channelsJson(outlier.pull)},
+                              {"weight", numberJson(outlier.weight)}});
   if (lane.remedies) json["remedies"] = remediesJson(*lane.remedies);
   return json;
 }
@@ -147,8 +147,8 @@ std::string stepsChange(double before, double after) {
 std::string pictureChange(const RemedyMeasure& before, const RemedyMeasure& after) {
   return "picture: PSNR " + numberText(psnrOf(before), 4) + " → " + numberText(psnrOf(after), 4) +
          " dB, flicker " + stepsChange(before.flicker, after.flicker) + ", ghost " +
-         stepsChange(before.ghost, after.ghost) + ", sharpness " + story::percentText(before.sharpness) +
-         " → " + story::percentText(after.sharpness);
+         stepsChange(before.ghost, after.ghost) + ", sharpness " +
+         explanation::percentText(before.sharpness) + " → " + explanation::percentText(after.sharpness);
 }
 
 /// Before → after, of 255 steps where nothing else is said.
@@ -169,8 +169,8 @@ std::string remediesText(const RemedyAnswer& remedies) {
                      std::to_string(remedies.first) + ", measured over the last " +
                      std::to_string(kMeasuredFrames) + " frames, in steps of 255\n";
   for (const TriedRemedy& tried : remedies.best) text += remedyText(remedies, tried);
-  const auto mends = [&](const TriedRemedy& tried) { return isMending(remedies.pixel, tried.pixel); };
-  if (std::ranges::none_of(remedies.best, mends))
+  const auto corrects = [&](const TriedRemedy& tried) { return isCorrection(remedies.pixel, tried.pixel); };
+  if (std::ranges::none_of(remedies.best, corrects))
     text += "  None of them brings the pixel clearly nearer to the reference.\n";
   return text;
 }

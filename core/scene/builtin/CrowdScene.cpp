@@ -61,7 +61,7 @@ int addHoops(SceneBuilder& builder) {
                  {hoops.build(builder.addMaterial(paintOf({0.9f, 0.75f, 0.5f}, 0.3f, 1.0f)))});
 }
 
-/// A rim and spokes a centimeter thick, which soon are thinner than a pixel.
+/// A silhouette and spokes a centimeter thick, which soon are thinner than a pixel.
 int addCrowdRotor(SceneBuilder& builder) {
   constexpr int kSpokes = 16;
   MeshBuilder rotor;

@@ -32,15 +32,15 @@ void addFogLamp(SceneBuilder& builder, const Lamp& lamp, int parent, const glm::
                 const glm::vec3& direction) {
   constexpr float kDepth = 0.34f;
   MeshBuilder body, glass;
-  const float rim = 1.25f * lamp.mouth, neck = 0.45f * lamp.mouth;
-  const std::array<glm::vec2, 6> outside{{{rim, 0.0f},
-                                          {1.08f * rim, 0.02f},
-                                          {rim, 0.04f},
-                                          {rim, 0.5f * kDepth},
+  const float silhouette = 1.25f * lamp.mouth, neck = 0.45f * lamp.mouth;
+  const std::array<glm::vec2, 6> outside{{{silhouette, 0.0f},
+                                          {1.08f * silhouette, 0.02f},
+                                          {silhouette, 0.04f},
+                                          {silhouette, 0.5f * kDepth},
                                           {neck, kDepth},
                                           {0.0f, kDepth}}};
   body.lathe({0, 0, 0}, outside, 40);
-  const std::array<glm::vec2, 3> disc{{{0.0f, -0.004f}, {0.9f * rim, -0.004f}, {rim, 0.0f}}};
+  const std::array<glm::vec2, 3> disc{{{0.0f, -0.004f}, {0.9f * silhouette, -0.004f}, {silhouette, 0.0f}}};
   glass.lathe({0, 0, 0}, disc, 40);
   Material paint = paintOf(glm::vec3(0.04f), 0.35f, 0.6f), glow = paintOf(glm::vec3(0.02f), 0.6f);
   paint.doubleSided = true;

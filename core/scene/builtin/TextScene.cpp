@@ -108,14 +108,14 @@ Material printed(SceneBuilder& builder, SceneImage image) {
 
 Scene makeTextScene() {
   SceneBuilder builder("builtin:text");
-  MeshBuilder page, zone, checkers, ticker, desk;
+  MeshBuilder page, zone, checkers, ticker, jobContext;
   page.quad({-1.65f, -0.9f, 0.0f}, {1.9f, 0, 0}, {0, 1.9f, 0});
   zone.quad({0.42f, -0.2f, 0.0f}, {1.2f, 0, 0}, {0, 1.2f, 0});
   checkers.quad({0.42f, -0.39f, 0.0f}, {1.2f, 0, 0}, {0, 0.15f, 0});
   checkers.quad({0.42f, -0.9f, 0.0f}, {1.2f, 0, 0}, {0, 0.15f, 0});
   ticker.quad({-4.0f, -0.06f, 0.0f}, {8.0f, 0, 0}, {0, 0.26f, 0}, {2.0f, 1.0f});
-  desk.quad({-4.0f, -2.5f, -0.05f}, {8.0f, 0, 0}, {0, 5.0f, 0});
-  builder.addObject("desk", {desk.build(builder.addMaterial(paintOf({0.16f, 0.18f, 0.2f}, 0.8f)))});
+  jobContext.quad({-4.0f, -2.5f, -0.05f}, {8.0f, 0, 0}, {0, 5.0f, 0});
+  builder.addObject("desk", {jobContext.build(builder.addMaterial(paintOf({0.16f, 0.18f, 0.2f}, 0.8f)))});
   builder.addObject("page", {page.build(builder.addMaterial(printed(builder, pageImage())))});
   builder.addObject("zone plate", {zone.build(builder.addMaterial(printed(builder, zoneImage())))});
   builder.addObject("checkers", {checkers.build(builder.addMaterial(printed(builder, checkerImage())))});

@@ -1,6 +1,6 @@
 #include "core/sweep/tune/ShotTune.h"
 
-#include "core/gl/Turn.h"
+#include "core/gl/ContextLock.h"
 #include "core/inspect/Inspector.h"
 #include "core/inspect/OpenedShot.h"
 #include "core/sweep/ShotSweep.h"
@@ -11,7 +11,7 @@
 namespace taa {
 
 void tuneShot(const ShotTuneRequest& request, const TuneTold& told, const Progress& progress) {
-  gl::Turn turn;
+  gl::ContextLock turn;
   const Progress passing = turn.passing(progress);
   Inspector inspector;
   inspector.shot().setSettings(request.start);

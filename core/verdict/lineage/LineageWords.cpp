@@ -1,7 +1,7 @@
 #include "core/verdict/lineage/LineageWords.h"
 
 #include "core/base/Say.h"
-#include "core/story/StoryText.h"
+#include "core/explanation/RowFormatter.h"
 
 #include <cmath>
 #include <cstddef>
@@ -14,32 +14,33 @@ namespace {
 constexpr double kWorthSaying = 5e-4;
 
 std::string worthSentence(const Lineage& lineage) {
-  const std::string text =
-      say<"worth %1 equal frames, N says %2; noise of single samples keeps %3 of its variance">(
-          numberText(lineage.effectiveFrames, 3), numberText(lineage.historyLength, 3),
-          story::percentText(lineage.variance));
+  const std::string text = say<
+      "averages as much as %1 equally weighted frames (the resolve counts N = %2); %3 of the noise variance of single samples is left">(
+      numberText(lineage.effectiveFrames, 3), numberText(lineage.historyLength, 3),
+      explanation::percentText(lineage.variance));
   return lineage.rectified < kWorthSaying ? text : say<"%1, besides what rectification brings in">(text);
 }
 
 std::string partsSentence(const Lineage& lineage) {
   std::string text = lineage.frames.size() == 1
-                         ? say<"%1 samples of this frame">(story::percentText(lineage.weight))
-                         : say<"%1 samples of the last %2 frames">(story::percentText(lineage.weight),
+                         ? say<"%1 samples of this frame">(explanation::percentText(lineage.weight))
+                         : say<"%1 samples of the last %2 frames">(explanation::percentText(lineage.weight),
                                                                    lineage.frames.size());
   const auto add = [&text](double share, const std::string& words) {
     if (std::fabs(share) >= kWorthSaying) text += ", " + words;
   };
-  add(lineage.rectified, say<"%1 put there by rectification">(story::percentText(lineage.rectified)));
-  add(lineage.older, say<"%1 older">(story::percentText(lineage.older)));
-  add(lineage.pruned, say<"%1 in pixels that hardly count">(story::percentText(lineage.pruned)));
-  add(lineage.blank, say<"%1 of nothing">(story::percentText(lineage.blank)));
+  add(lineage.rectified, say<"%1 replaced by clipping">(explanation::percentText(lineage.rectified)));
+  add(lineage.older, say<"%1 older">(explanation::percentText(lineage.older)));
+  add(lineage.pruned, say<"%1 in discarded small weights">(explanation::percentText(lineage.pruned)));
+  add(lineage.blank, say<"%1 of nothing">(explanation::percentText(lineage.blank)));
   return text;
 }
 
 std::string placeSentence(const Lineage& lineage) {
   const LineageFrame& first = lineage.frames.back();
-  return say<"its samples lie %1 px around its center; in frame %2 they were read around %3, over %4 px">(
-      numberText(lineage.radiusPx, 3), first.frame, story::tupleText(glm::vec2(first.place)),
+  return say<
+      "its samples lie within %1 px (rms) of its center; in frame %2 history was gathered over %4 px around %3">(
+      numberText(lineage.radiusPx, 3), first.frame, explanation::tupleText(glm::vec2(first.place)),
       numberText(first.spreadPx, 3));
 }
 

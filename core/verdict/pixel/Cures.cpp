@@ -94,7 +94,7 @@ constexpr Cure kHistoryCures[] = {
     {{Wrong::Ghost}, [](Settings& s) { s.validate.offScreen = OffScreen::Reject; }},
     {{Wrong::Ghost}, [](Settings& s) { s.validate.action = RejectAction::Restart; }},
     {{Wrong::Ghost}, [](Settings& s) { s.dilate.method = DilateMethod::Closest3x3; }},
-    // A pixel beside a rim reads what its neighbor came from.
+    // A pixel beside a silhouette reads what its neighbor came from.
     {{Wrong::Ghost}, [](Settings& s) { s.dilate.method = DilateMethod::ClosestCross; }},
     {{Wrong::Ghost}, [](Settings& s) { s.dilate.method = DilateMethod::None; }},
     {{Wrong::Ghost, Wrong::Lag, Wrong::MaskSmear},

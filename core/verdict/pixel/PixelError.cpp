@@ -33,7 +33,7 @@ struct InRowOrder {
 struct ErrorNode {
   glm::dvec3 weight{0.0}, color{0.0};
   // What rectification on the way left of the share, and what of that was read of something else.
-  glm::dvec3 carried{0.0}, strayed{0.0};
+  glm::dvec3 carried{0.0}, outlying{0.0};
 };
 using ErrorNodes = std::map<glm::ivec2, ErrorNode, InRowOrder>;
 
@@ -93,8 +93,8 @@ class ErrorWalk {
   std::vector<PixelStep> takeSteps(int frame);
   void follow(const glm::ivec2& pixel, const ErrorNode& node, const PixelStep& step, ErrorOfFrame& entry);
   void readHistory(const PixelStep& step, const ErrorNode& node, bool isGhost);
-  void addStray(int object, const glm::dvec3& weight, const glm::dvec3& color);
-  void listStrays(int frame);
+  void addOutlier(int object, const glm::dvec3& weight, const glm::dvec3& color);
+  void listOutliers(int frame);
   TrueChange trueChange(int frame, const glm::ivec2& pixel, const PixelStep& step, const glm::dvec3& truth);
 
   EvidenceSource& source_;
@@ -103,7 +103,7 @@ class ErrorWalk {
   ErrorNodes nodes_, before_; // of the frame that is visited, and of the one before it
   double heaviest_ = 0.0, heaviestGhost_ = 0.0;
   // Of the frame that is visited: pull by object, and the share of all samples.
-  std::map<int, glm::dvec3> strays_;
+  std::map<int, glm::dvec3> outliers_;
   double sampled_ = 0.0;
 };
 
@@ -126,18 +126,18 @@ void ErrorWalk::visit(int frame) {
       leave(frame, pixel, node, entry);
   if (entry.ghostObject < 0) entry.ghostPixel = entry.pixel;
   found_.frames.push_back(entry);
-  listStrays(frame);
+  listOutliers(frame);
   nodes_ = std::move(before_);
 }
 
-void ErrorWalk::addStray(int object, const glm::dvec3& weight, const glm::dvec3& color) {
+void ErrorWalk::addOutlier(int object, const glm::dvec3& weight, const glm::dvec3& color) {
   if (!(largest(weight) > 0.0)) return;
-  strays_.try_emplace(object, glm::dvec3(0.0)).first->second += weight * (color - found_.reference);
+  outliers_.try_emplace(object, glm::dvec3(0.0)).first->second += weight * (color - found_.reference);
 }
 
-void ErrorWalk::listStrays(int frame) {
-  for (const auto& [object, pull] : strays_) found_.strays.push_back({frame, object, pull, sampled_});
-  strays_.clear();
+void ErrorWalk::listOutliers(int frame) {
+  for (const auto& [object, pull] : outliers_) found_.outliers.push_back({frame, object, pull, sampled_});
+  outliers_.clear();
   sampled_ = 0.0;
 }
 
@@ -182,7 +182,7 @@ void ErrorWalk::follow(const glm::ivec2& pixel, const ErrorNode& node, const Pix
     entry.passedBy = passingObject(source_.steps(entry.frame), pixel);
   }
   entry.weight += meanOf(node.weight);
-  addStray(step.sampled, node.strayed * step.alpha, step.current);
+  addOutlier(step.sampled, node.outlying * step.alpha, step.current);
   sampled_ += meanOf(node.carried * step.alpha);
   const glm::dvec3 samples = node.weight * step.alpha;
   of(entry.split, ErrorPart::Aliasing) += samples * (step.current - truth);
@@ -212,13 +212,13 @@ void ErrorWalk::follow(const glm::ivec2& pixel, const ErrorNode& node, const Pix
 void ErrorWalk::readHistory(const PixelStep& step, const ErrorNode& node, bool isGhost) {
   const glm::dvec3 history = node.weight - node.weight * step.alpha;
   const glm::dvec3 kept = (1.0 - step.rectified) * (1.0 - step.alpha);
-  const glm::dvec3 carried = kept * node.carried, strayed = isGhost ? carried : kept * node.strayed;
+  const glm::dvec3 carried = kept * node.carried, outlying = isGhost ? carried : kept * node.outlying;
   for (const HistoryRead& tap : step.history) {
     ErrorNode& older = before_[tap.texel];
     older.weight += tap.weight * history;
     older.color = tap.color;
     older.carried += tap.weight * carried;
-    older.strayed += tap.weight * strayed;
+    older.outlying += tap.weight * outlying;
   }
 }
 
@@ -253,14 +253,14 @@ void ErrorWalk::end(int frame) {
   double most = -1.0;
   for (const auto& [pixel, node] : nodes_) {
     leave(frame, pixel, node, last);
-    addStray(source_.object(frame, pixel), node.strayed, node.color);
+    addOutlier(source_.object(frame, pixel), node.outlying, node.color);
     sampled_ += meanOf(node.carried);
     const double error = largest(node.weight * (node.color - pixelColorAt(source_.reference(frame), pixel)));
     if (error <= most) continue;
     most = error;
     found_.older = OlderPlace{frame, pixel};
   }
-  listStrays(frame);
+  listOutliers(frame);
 }
 
 } // namespace

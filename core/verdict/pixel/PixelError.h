@@ -59,7 +59,7 @@ struct ErrorOfFrame {
 };
 
 /// Samples of one frame and one object that history was read of instead of today's surface.
-struct StraySamples {
+struct OutlierSamples {
   int frame = 0;
   int object = 0;       ///< 0: the sky
   glm::dvec3 pull{0.0}; ///< Σ w·(s − R), scene-linear
@@ -80,7 +80,7 @@ struct PixelError {
   ErrorSplit sum{};                 ///< of all frames
   /// Latest first, of a frame by object. What is left before the last frame counts as a sample of what it
   /// showed then.
-  std::vector<StraySamples> strays;
+  std::vector<OutlierSamples> outliers;
   std::optional<OlderPlace> older; ///< nothing: history starts within the frames that were followed
   glm::dvec3 error() const { return resolved - reference; }
 };

@@ -328,8 +328,8 @@ void Judge::nameGhost() {
 std::map<int, double> Judge::pulls() const {
   const glm::dvec3 error = origin_.error();
   std::map<int, double> found;
-  for (const StraySamples& stray : origin_.strays)
-    found[stray.object] += glm::dot(stray.pull, error) / std::max(glm::dot(error, error), 1e-12);
+  for (const OutlierSamples& outlier : origin_.outliers)
+    found[outlier.object] += glm::dot(outlier.pull, error) / std::max(glm::dot(error, error), 1e-12);
   return found;
 }
 
@@ -399,15 +399,16 @@ bool Judge::areHighlightsRare() const {
 // The latest frame that shows the object at least half as far off as any does: all of what a frame is sampled
 // of, for the first samples of a history, and what is older than those followed, count many times.
 void Judge::findLastOf(int object) {
-  const auto offOf = [&](const StraySamples& stray) {
-    return stray.object == object && stray.weight > 0.0 ? glm::dot(stray.pull, origin_.error()) / stray.weight
-                                                        : 0.0;
+  const auto offOf = [&](const OutlierSamples& outlier) {
+    return outlier.object == object && outlier.weight > 0.0
+               ? glm::dot(outlier.pull, origin_.error()) / outlier.weight
+               : 0.0;
   };
   double most = 0.0;
-  for (const StraySamples& stray : origin_.strays) most = std::max(most, offOf(stray));
-  for (const StraySamples& stray : origin_.strays) {
-    if (most == 0.0 || offOf(stray) < 0.5 * most) continue;
-    found_.causeFrame = stray.frame;
+  for (const OutlierSamples& outlier : origin_.outliers) most = std::max(most, offOf(outlier));
+  for (const OutlierSamples& outlier : origin_.outliers) {
+    if (most == 0.0 || offOf(outlier) < 0.5 * most) continue;
+    found_.causeFrame = outlier.frame;
     return;
   }
 }
@@ -552,7 +553,7 @@ double Judge::meanBias() const {
   return sizes > 0.0 ? glm::length(sum) / sizes : 0.0;
 }
 
-/// Whether all of four samples or more are off one way, so that no number of them mends it.
+/// Whether all of four samples or more are off one way, so that no number of them corrects it.
 bool Judge::isFiltered() const {
   constexpr double kOneWay = 0.8;
   const auto sampled = std::ranges::count_if(origin_.frames, [](const ErrorOfFrame& entry) {

@@ -1,9 +1,9 @@
 #include "core/verdict/pixel/Remedies.h"
 
 #include "core/base/Say.h"
+#include "core/explanation/RowFormatter.h"
 #include "core/settings/Faults.h"
 #include "core/settings/Parameters.h"
-#include "core/story/StoryText.h"
 #include "core/verdict/pixel/Cures.h"
 
 #include <algorithm>
@@ -95,7 +95,7 @@ bool isNearer(const TriedRemedy& a, const TriedRemedy& b) {
 /// The best one together with each of some that help by themselves.
 void addTogether(RemedyList& list, const RemedyCase& of, const std::vector<TriedRemedy>& tried) {
   constexpr int kPartners = 5;
-  constexpr double kUnseen = 2.0 / 255.0; // nothing is left to mend
+  constexpr double kUnseen = 2.0 / 255.0; // nothing is left to correct
   std::vector<TriedRemedy> helpful;
   std::ranges::copy_if(tried, std::back_inserter(helpful),
                        [&](const TriedRemedy& one) { return harm(one.pixel) < harm(of.before); });
@@ -137,7 +137,7 @@ bool costs(const TriedRemedy& tried, const RemedyCase& of) {
 /// Whether one of them leaves less than half of what is visible: a hundred more would take ten times as long.
 bool isEnough(const RemedyCase& of, const std::vector<TriedRemedy>& tried) {
   return std::ranges::any_of(tried, [&](const TriedRemedy& one) {
-    return isMending(of.before, one.pixel) && harm(one.pixel) < 0.5 * kVisibleError;
+    return isCorrection(of.before, one.pixel) && harm(one.pixel) < 0.5 * kVisibleError;
   });
 }
 
@@ -203,7 +203,7 @@ void addNamed(std::vector<TriedRemedy>& best, const std::vector<TriedRemedy>& tr
   TriedRemedy told = preferred(named, of);
   told.isNamed = true;
   if (best.size() == count) best.pop_back();
-  const bool isLast = costs(told, of) || !isMending(of.before, told.pixel);
+  const bool isLast = costs(told, of) || !isCorrection(of.before, told.pixel);
   const auto costing = [&](const TriedRemedy& one) { return costs(one, of); };
   best.insert(isLast ? best.end() : std::ranges::find_if(best, costing), std::move(told));
 }
@@ -221,7 +221,7 @@ bool costsPicture(const RemedyMeasure& before, const RemedyMeasure& after) {
          after.flicker > std::max((1.0 + kFlickerCost) * before.flicker, before.flicker + kLeastFlicker);
 }
 
-bool isMending(const RemedyMeasure& before, const RemedyMeasure& after) {
+bool isCorrection(const RemedyMeasure& before, const RemedyMeasure& after) {
   constexpr double kClearly = 0.9; // of what was there before
   return harm(after) < kClearly * harm(before) && after.latest < before.latest;
 }
@@ -230,15 +230,15 @@ std::string remedyNote(const TriedRemedy& tried, const RemedyMeasure& pixel,
                        const std::optional<RemedyMeasure>& picture) {
   std::string note;
   const auto add = [&note](const std::string& sentence) { note += (note.empty() ? "" : " ") + sentence; };
-  const bool isMended = isMending(pixel, tried.pixel);
+  const bool isCorrected = isCorrection(pixel, tried.pixel);
   if (tried.isNamed)
-    add(isMended ? say<"The verdict names this setting.">()
-                 : say<"The verdict names this setting; changing it does not mend the pixel.">());
+    add(isCorrected ? say<"The verdict names this setting.">()
+                    : say<"The verdict names this setting; changing it does not mend the pixel.">());
   if (!picture || !tried.picture || !costsPicture(*picture, *tried.picture)) return note;
   const double lost = psnrOf(*picture) - psnrOf(*tried.picture);
   if (lost > kPictureCost) add(say<"It costs the picture %1 dB of PSNR.">(numberText(lost, 2)));
   if (const double rise = tried.picture->flicker / picture->flicker - 1.0; rise > kFlickerCost)
-    add(say<"The picture flickers more: by %1.">(story::percentText(rise)));
+    add(say<"The picture flickers more: by %1.">(explanation::percentText(rise)));
   return note;
 }
 
@@ -255,8 +255,8 @@ std::vector<Remedy> remedyRound(int round, const RemedyCase& of, const std::vect
     list.add(likelyCures(of.kind, of.settings));
   } else if (!isEnough(of, tried)) {
     list.add(singleChanges(of.settings));
-    const auto mends = [&](const TriedRemedy& one) { return isMending(of.before, one.pixel); };
-    if (std::ranges::none_of(tried, mends)) list.add(otherCures(of.kind, of.settings));
+    const auto corrects = [&](const TriedRemedy& one) { return isCorrection(of.before, one.pixel); };
+    if (std::ranges::none_of(tried, corrects)) list.add(otherCures(of.kind, of.settings));
   }
   return list.take();
 }
@@ -265,7 +265,7 @@ std::vector<TriedRemedy> bestRemedies(const std::vector<TriedRemedy>& tried, con
                                       std::size_t count) {
   std::vector<TriedRemedy> better;
   std::ranges::copy_if(tried, std::back_inserter(better),
-                       [&](const TriedRemedy& one) { return isMending(of.before, one.pixel); });
+                       [&](const TriedRemedy& one) { return isCorrection(of.before, one.pixel); });
   std::ranges::stable_sort(better, isNearer);
   RemedyPicks picks(std::move(better), of, count);
   const auto isCheap = [&](const TriedRemedy& one) { return !costs(one, of); };

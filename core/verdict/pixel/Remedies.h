@@ -1,5 +1,5 @@
-// What might mend a pixel: changes of settings that are worth a try for what is wrong with it, and which of
-// those that were tried are worth telling. No GL.
+// What might correct a pixel: changes of settings that are worth a try for what is wrong with it, and which
+// of those that were tried are worth telling. No GL.
 #pragma once
 
 #include "core/settings/Settings.h"
@@ -38,7 +38,7 @@ struct TriedRemedy {
   bool isNamed = false;                   ///< it changes a setting that the verdict names
 };
 
-/// What is to be mended.
+/// What is to be corrected.
 struct RemedyCase {
   VerdictKind kind = VerdictKind::None;
   Settings settings;                      ///< that made the frames
@@ -59,7 +59,7 @@ bool costsPicture(const RemedyMeasure& before, const RemedyMeasure& after);
 
 /// Whether it leaves clearly less of the pixel's error than there was, by its errors and their change
 /// together, and less in the last frame.
-bool isMending(const RemedyMeasure& before, const RemedyMeasure& after);
+bool isCorrection(const RemedyMeasure& before, const RemedyMeasure& after);
 
 /// What is to be known of a remedy besides its numbers, in sentences: that the verdict names it, that it does
 /// not help, what it costs the picture. Mostly empty. `pixel`, `picture`: as it is.
@@ -74,11 +74,11 @@ inline constexpr int kRemedyRounds = 4;
 /// more than three settings.
 std::vector<Remedy> remedyRound(int round, const RemedyCase& of, const std::vector<TriedRemedy>& tried);
 
-/// The best `count` of those that mend the pixel. Those that cost the picture come last, as far as it was
+/// The best `count` of those that correct the pixel. Those that cost the picture come last, as far as it was
 /// measured. Of those that leave about the same the one with fewer changes comes first, then the one whose
 /// picture is best, by its error and flicker together. One that has all changes of one that is told, and
 /// more, is left out. What takes out what was injected, or turns TAA on, comes before all. One that changes a
-/// setting that the verdict names is always among them, after all others where it does not mend the pixel.
+/// setting that the verdict names is always among them, after all others where it does not correct the pixel.
 std::vector<TriedRemedy> bestRemedies(const std::vector<TriedRemedy>& tried, const RemedyCase& of,
                                       std::size_t count);
 

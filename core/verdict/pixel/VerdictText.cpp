@@ -1,10 +1,10 @@
 #include "core/verdict/pixel/VerdictText.h"
 
 #include "core/base/Say.h"
+#include "core/explanation/RowFormatter.h"
 #include "core/render/Jitter.h"
 #include "core/settings/Faults.h"
 #include "core/settings/Parameters.h"
-#include "core/story/StoryText.h"
 #include "core/verdict/pixel/SurfaceMoments.h"
 
 #include <string_view>
@@ -48,7 +48,7 @@ std::string rejectedText(const PixelVerdict& verdict) {
 }
 
 std::string alphaText(const PixelVerdict& verdict) {
-  return story::percentText(decidingValue(verdict, IntermediateId::alpha));
+  return explanation::percentText(decidingValue(verdict, IntermediateId::alpha));
 }
 
 /// The label of what a setting chooses: "Catmull-Rom 5".
@@ -69,7 +69,7 @@ std::string pulledText(const PixelVerdict& verdict, const Settings& settings) {
   if (pulled <= 0.005) return say<"rectification leaves it, for the old color lies inside the color box">();
   if (pulled >= 0.995)
     return say<"history is rectified fully, to a color box that still holds a part of the difference">();
-  return say<"rectification removes only %1 of it">(story::percentText(pulled));
+  return say<"rectification removes only %1 of it">(explanation::percentText(pulled));
 }
 
 std::string ghostReason(const PixelVerdict& verdict, const Settings& settings) {
@@ -123,7 +123,7 @@ std::string flickerReason(const PixelVerdict& verdict, const Settings& settings)
     return say<"tests reject history again and again, in %1 of the last %2 frames">(events, frames);
   if (verdict.stage == Stage::RectifyHistory)
     return say<"the color box changes with every jittered frame, and history is clipped to it, in %1 of the "
-               "last %2 frames, by up to %3">(events, frames, story::percentText(largest));
+               "last %2 frames, by up to %3">(events, frames, explanation::percentText(largest));
   return say<"the current frame has a weight (α) of %1, so each frame's jittered sample shows">(
       alphaText(verdict));
 }

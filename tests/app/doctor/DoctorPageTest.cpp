@@ -71,7 +71,7 @@ struct Script {
   std::optional<ExaminationRequest> asked;
   std::atomic<bool> isHeld = false; ///< between what the first frames show and all
   std::atomic<bool> fails = false;
-  std::atomic<bool> mendingFails = false, isMendingHeld = false;
+  std::atomic<bool> correctionFails = false, isCorrectionHeld = false;
   Diagnosis early = wrongSky(), all = wrongSky();
 };
 
@@ -91,12 +91,13 @@ class DoctorPageTest : public FakeWindow {
       while (script->isHeld) report(progress, "Examining frames", 8, 32);
       return script->all;
     });
-    window.doctor()->work().setMend([script = script_](const ExaminationRequest&, const Diagnosis& diagnosis,
-                                                       const Settings& healthy, const Progress& progress) {
-      if (script->mendingFails) throw Error("the capture has no frame 3");
-      while (script->isMendingHeld) report(progress, "Drawing mended frames", 8, 32);
-      doctor::MendedLook look;
-      look.mended = doctor::mended(diagnosis.findings, Settings{}, healthy);
+    window.doctor()->work().setCorrect([script = script_](const ExaminationRequest&,
+                                                          const Diagnosis& diagnosis, const Settings& healthy,
+                                                          const Progress& progress) {
+      if (script->correctionFails) throw Error("the capture has no frame 3");
+      while (script->isCorrectionHeld) report(progress, "Drawing mended frames", 8, 32);
+      doctor::CorrectedLook look;
+      look.corrected = doctor::corrected(diagnosis.findings, Settings{}, healthy);
       look.pictures = {{0, 12, Image(2, 2, 3), Image(2, 2, 3)}};
       return look;
     });
@@ -272,31 +273,32 @@ TEST_F(DoctorPageTest, EnterGoesToFrameAndPlaneAndOutlinesTheRegion) {
 }
 
 TEST_F(DoctorPageTest, ComparesWithWhatItWouldBeIfTheFindingWereRight) {
-  EXPECT_FALSE(window.doctorCommands()->whyNotMended().isEmpty()) << "nothing is found";
+  EXPECT_FALSE(window.doctorCommands()->whyNotCorrected().isEmpty()) << "nothing is found";
   session.presets().setParameter("fault.motionY", -1.0);
   examine();
-  EXPECT_TRUE(panel()->details()->mendedButton()->isEnabled());
-  QTest::mouseClick(panel()->details()->mendedButton(), Qt::LeftButton);
+  EXPECT_TRUE(panel()->details()->correctedButton()->isEnabled());
+  QTest::mouseClick(panel()->details()->correctedButton(), Qt::LeftButton);
   settle();
   const Comparison shown = window.views()->active()->comparison();
   ASSERT_EQ(shown.kind, OtherKind::Preset);
   EXPECT_EQ(window.views()->active()->id(), IntermediateId::resolved);
   EXPECT_EQ(renderer->status.info.frame, 12);
-  const Preset mended = preset(shown.preset);
-  EXPECT_EQ(differences(mended.settings, session.presets().settings()),
+  const Preset corrected = preset(shown.preset);
+  EXPECT_EQ(differences(corrected.settings, session.presets().settings()),
             std::vector<std::string>{"fault.motionY=1"});
-  EXPECT_EQ(mended.label, "Mended: Motion's y negated");
+  EXPECT_EQ(corrected.label, "Mended: Motion's y negated");
   std::filesystem::remove(shown.preset);
 }
 
 TEST_F(DoctorPageTest, SaysWhyAFindingCannotBeShownMended) {
   examine();
-  EXPECT_FALSE(panel()->details()->mendedButton()->isEnabled()) << "it says no settings, and none are faulty";
+  EXPECT_FALSE(panel()->details()->correctedButton()->isEnabled())
+      << "it says no settings, and none are faulty";
   key(Qt::Key_M, Qt::AltModifier);
   EXPECT_FALSE(window.views()->active()->comparison());
-  script_->early.findings[0].mending = script_->all.findings[0].mending = {"fault.motionY=-1"};
+  script_->early.findings[0].correction = script_->all.findings[0].correction = {"fault.motionY=-1"};
   examine();
-  EXPECT_TRUE(panel()->details()->mendedButton()->isEnabled());
+  EXPECT_TRUE(panel()->details()->correctedButton()->isEnabled());
 }
 
 TEST_F(DoctorPageTest, SaysWhyItIsUndecidedAndWhatToCapture) {
@@ -344,17 +346,17 @@ TEST_F(DoctorPageTest, SavesTheReportOnceAllIsKnown) {
 }
 
 TEST_F(DoctorPageTest, SavesPicturesOfWhatCanBeMendedWithTheReport) {
-  script_->all.findings[0].mending = {"fault.motionY=-1"};
+  script_->all.findings[0].correction = {"fault.motionY=-1"};
   const QTemporaryDir folder;
   const QString path = folder.filePath("doctor.html");
   examine();
-  script_->isMendingHeld = true;
+  script_->isCorrectionHeld = true;
   window.doctorCommands()->writeReport(path);
   settle();
   EXPECT_FALSE(QFile::exists(path)) << "its pictures are being drawn";
   EXPECT_FALSE(panel()->saveButton()->isEnabled());
   EXPECT_FALSE(window.doctorCommands()->whyNoReport().isEmpty());
-  script_->isMendingHeld = false;
+  script_->isCorrectionHeld = false;
   ASSERT_TRUE(waitFor([&] { return !panel()->work().isRunning(); }));
   settle();
   const std::string text = readFile(path.toStdString());
@@ -364,23 +366,23 @@ TEST_F(DoctorPageTest, SavesPicturesOfWhatCanBeMendedWithTheReport) {
 }
 
 TEST_F(DoctorPageTest, SavesTheReportWithoutPicturesWhereTheyCannotBeDrawnAndNoneWhereTheyAreStopped) {
-  script_->all.findings[0].mending = {"fault.motionY=-1"};
+  script_->all.findings[0].correction = {"fault.motionY=-1"};
   const QTemporaryDir folder;
   const QString path = folder.filePath("doctor.html"), other = folder.filePath("other.html");
   examine();
-  script_->mendingFails = true;
+  script_->correctionFails = true;
   window.doctorCommands()->writeReport(path);
   ASSERT_TRUE(waitFor([&] { return !panel()->work().isRunning(); }));
   settle();
   const std::string text = readFile(path.toStdString());
   EXPECT_NE(text.find("Motion's y negated"), std::string::npos);
   EXPECT_EQ(text.find("data:image/png"), std::string::npos);
-  script_->mendingFails = false;
-  script_->isMendingHeld = true;
+  script_->correctionFails = false;
+  script_->isCorrectionHeld = true;
   window.doctorCommands()->writeReport(other);
   settle();
   QTest::mouseClick(button("Stop"), Qt::LeftButton);
-  script_->isMendingHeld = false;
+  script_->isCorrectionHeld = false;
   ASSERT_TRUE(waitFor([&] { return !panel()->work().isRunning(); }));
   settle();
   EXPECT_FALSE(QFile::exists(other));

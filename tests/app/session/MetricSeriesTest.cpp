@@ -1,5 +1,5 @@
 // Metrics of frames on their way to the strip of the timeline.
-#include "app/window/PlotFeed.h"
+#include "app/window/PlotPresenter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The verdict in the probe's panel: its sentence, what decided, what mends the pixel.
+// The verdict in the probe's panel: its sentence, what decided, what corrects the pixel.
 #include "app/models/verdict/VerdictWords.h"
 #include "app/panels/ProbePanel.h"
 #include "app/style/Numbers.h"

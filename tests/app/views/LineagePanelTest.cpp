@@ -55,8 +55,8 @@ TEST_F(LineagePage, SaysWhatThePixelIsMadeOf) {
   open();
   const std::shared_ptr<const Lineage> lineage = window.lineage()->lineage();
   ASSERT_TRUE(lineage);
-  EXPECT_TRUE(
-      window.lineage()->summary().startsWith("Pixel (20, 10) of frame 9\nWorth 3 equal frames, N says 1"))
+  EXPECT_TRUE(window.lineage()->summary().startsWith(
+      "Pixel (20, 10) of frame 9\nAverages as much as 3 equally weighted frames (the resolve counts N = 1)"))
       << window.lineage()->summary().toStdString();
   EXPECT_EQ(path()[3], (PathPlace{{17.5, 10.5}, 0.0625}));
   const LineageBars* bars = window.lineage()->bars();

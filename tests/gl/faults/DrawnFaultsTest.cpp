@@ -93,21 +93,21 @@ TEST_F(DrawnFaultsTest, OfTheSkyLeaveSurfaces) {
   const Image is = inputs.color.download(), depth = inputs.depth.download(),
               right = on.healthy(on.jitter(kFrame)).color.download(), still = other.color.download(),
               stillDepth = other.depth.download();
-  int skyTexels = 0, rims = 0, moved = 0;
+  int skyTexels = 0, silhouettes = 0, moved = 0;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
-      const bool isSky = depth.at(x, y)[0] == 0.0f, isRim = isSky && stillDepth.at(x, y)[0] != 0.0f;
+      const bool isSky = depth.at(x, y)[0] == 0.0f, isSilhouette = isSky && stillDepth.at(x, y)[0] != 0.0f;
       for (int channel = 0; channel < 3; ++channel) {
-        ASSERT_EQ(is.at(x, y)[channel], (isSky && !isRim ? still : right).at(x, y)[channel])
+        ASSERT_EQ(is.at(x, y)[channel], (isSky && !isSilhouette ? still : right).at(x, y)[channel])
             << x << ", " << y;
-        if (isSky && !isRim && still.at(x, y)[channel] != right.at(x, y)[channel]) ++moved;
+        if (isSky && !isSilhouette && still.at(x, y)[channel] != right.at(x, y)[channel]) ++moved;
       }
       if (isSky) ++skyTexels;
-      if (isRim) ++rims;
+      if (isSilhouette) ++silhouettes;
     }
   EXPECT_GT(skyTexels, 20);
   EXPECT_LT(skyTexels, kWidth * kHeight - 20);
-  EXPECT_GT(rims, 0) << "jitter moves an object's rim";
+  EXPECT_GT(silhouettes, 0) << "jitter moves an object's rim";
   EXPECT_GT(moved, 0) << "the sky has something that jitter moves";
 }
 

@@ -64,11 +64,11 @@ TEST_F(BatchDoctor, LooksAtTheFramesMended) {
       joined(doctorCommand(), {"--set", "fault.motionShift=1", "--mended", folder.string()});
   const ProcessResult result = batch(command);
   ASSERT_EQ(result.exitCode, 3) << result.out << result.err;
-  const json mended = json::parse(result.out)["mended"];
-  EXPECT_EQ(mended["findings"], json::array({"motionShifted"}));
-  EXPECT_EQ(mended["settings"], json::array({"fault.motionShift=0"}));
-  EXPECT_TRUE(mended["left"].empty());
-  EXPECT_GT(mended["psnr"]["mended"], mended["psnr"]["given"]);
+  const json corrected = json::parse(result.out)["mended"];
+  EXPECT_EQ(corrected["findings"], json::array({"motionShifted"}));
+  EXPECT_EQ(corrected["settings"], json::array({"fault.motionShift=0"}));
+  EXPECT_TRUE(corrected["left"].empty());
+  EXPECT_GT(corrected["psnr"]["mended"], corrected["psnr"]["given"]);
   for (const char* file : {"mended.json", "finding1-frame5-given.png", "finding1-frame5-mended.png"})
     EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
   expectFailure(command, {"mended.json", "--force"});

@@ -41,7 +41,7 @@ TEST_F(DoctorFaults, AreNamedFirst) {
         Fault::SkyWithoutMotion, Fault::HistoryNotSwapped, Fault::HistoryReadJittered, Fault::NanKept,
         Fault::AlphaOne, Fault::AlphaZero, Fault::BoxOfCorners, Fault::DilatesFarthest,
         Fault::OffScreenClamped, Fault::LowPrecision, Fault::DepthReversed, Fault::DepthLinear,
-        // At rims it has the motion of what is beside: outlines say nothing then.
+        // At silhouettes it has the motion of what is beside: outlines say nothing then.
         Fault::MotionLingers,
         // The way of small things over all frames holds that of the one.
         Fault::PreviousIdentity}},
@@ -75,7 +75,7 @@ TEST_F(DoctorFaults, AreNamedFirst) {
   }
 }
 
-// Rims are many there and sway a little: nothing was said of dilation.
+// Silhouettes are many there and sway a little: nothing was said of dilation.
 TEST_F(DoctorFaults, OfDilationAreOpenWhereTheFarthestMakesAsGoodAsTheSame) {
   const Fault fault = Fault::DilatesFarthest;
   const Diagnosis diagnosis = diagnosisWith({"foliage", "orbit", {}}, &fault);
@@ -85,8 +85,8 @@ TEST_F(DoctorFaults, OfDilationAreOpenWhereTheFarthestMakesAsGoodAsTheSame) {
   EXPECT_EQ(open->reason, "at rims the motion of the farthest makes as good as the same");
 }
 
-// The rims of what is coarse have the motion of what is beside, as those of motion that is late; but they
-// showed nothing else a frame before.
+// The silhouettes of what is coarse have the motion of what is beside, as those of motion that is late; but
+// they showed nothing else a frame before.
 TEST_F(DoctorFaults, OfACoarsePlaneAreNotLate) {
   const Fault fault = Fault::MotionCoarse;
   for (const Finding& finding : diagnosisWith({"crowd", "pan", {}}, &fault).findings)
@@ -103,16 +103,17 @@ TEST_F(DoctorFaults, OfAnInterfaceAreNotThoseOfJitter) {
   }));
 }
 
-// Nothing but rims and what is blended moves: the farthest of nine rests, and so does the pixel's own place.
+// Nothing but silhouettes and what is blended moves: the farthest of nine rests, and so does the pixel's own
+// place.
 TEST_F(DoctorFaults, OfDilationMayLookLikeNoReprojection) {
   const Fault fault = Fault::DilatesFarthest;
   const Diagnosis diagnosis = diagnosisWith({"glass", "still", {}}, &fault);
   ASSERT_EQ(diagnosis.findings.size(), 1u);
-  EXPECT_EQ(diagnosis.findings[0].sureness, Sureness::Likely);
+  EXPECT_EQ(diagnosis.findings[0].confidence, Confidence::Likely);
   EXPECT_EQ(diagnosis.findings[0].alike, std::vector<std::string>{"dilatesFarthest"});
 }
 
-// Where depth has no jitter, its rims are not those of the pictures, and say nothing of motion.
+// Where depth has no jitter, its silhouettes are not those of the pictures, and say nothing of motion.
 TEST_F(DoctorFaults, OfDepthAreNoneOfMotion) {
   const Fault fault = Fault::DepthNotJittered;
   const Diagnosis diagnosis = diagnosisWith({"text", "still", {}}, &fault);

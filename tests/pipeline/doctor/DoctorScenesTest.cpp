@@ -51,7 +51,7 @@ class DoctorScenes : public test::GlTest {
   }
 
   /// What is said of places that no motion leads to.
-  static std::string straysOf(const Diagnosis& diagnosis) {
+  static std::string outliersOf(const Diagnosis& diagnosis) {
     const std::vector<Undecided>& undecided = diagnosis.parts.undecided();
     const auto motion = std::ranges::find(undecided, "Motion", &Undecided::question);
     return motion != undecided.end() && motion->isMisfit ? motion->reason : std::string();
@@ -83,7 +83,7 @@ TEST_F(DoctorScenes, OfThisProgramAreHealthy) {
       const Diagnosis diagnosis = diagnosisOf(sourceOf("builtin:" + scene.id, camera));
       EXPECT_EQ(told(diagnosis), "") << scene.id << " " << camera;
       EXPECT_EQ(toldTwice(diagnosis), "") << scene.id << " " << camera;
-      EXPECT_EQ(straysOf(diagnosis), "") << scene.id << " " << camera;
+      EXPECT_EQ(outliersOf(diagnosis), "") << scene.id << " " << camera;
     }
 }
 
@@ -96,7 +96,7 @@ TEST_F(DoctorScenes, OfThisProgramAreHealthyByTheirOwnCamera) {
       EXPECT_TRUE(told(diagnosis).starts_with("zFighting in object 175")) << told(diagnosis);
     else
       EXPECT_EQ(told(diagnosis), "") << scene.id;
-    EXPECT_EQ(straysOf(diagnosis), "") << scene.id;
+    EXPECT_EQ(outliersOf(diagnosis), "") << scene.id;
   }
 }
 

@@ -52,13 +52,13 @@ TEST_F(ExaminedShot, IsFoundFaultyBySettingsOfTheSession) {
 TEST_F(ExaminedShot, IsDrawnAsItWouldBeWithNumbersOfTheShot) {
   ExaminationRequest request = requestOf(3, 10);
   request.shot.settings.settings.fault.motionX = -1.0f;
-  doctor::MendedLook look;
-  beside([&] { look = lookAtMendedShot(request, examineShot(request, {}, {}), Settings{}, {}); });
+  doctor::CorrectedLook look;
+  beside([&] { look = lookAtCorrectedShot(request, examineShot(request, {}, {}), Settings{}, {}); });
   EXPECT_EQ(look.lastFrame, 12);
   EXPECT_TRUE(look.left.isHealthy());
   ASSERT_FALSE(look.pictures.empty());
   EXPECT_GE(look.pictures[0].frame, 3);
-  EXPECT_NE(look.pictures[0].given.pixels, look.pictures[0].mended.pixels);
+  EXPECT_NE(look.pictures[0].given.pixels, look.pictures[0].corrected.pixels);
 }
 
 TEST_F(ExaminedShot, IsLeftWhereItIsCancelled) {

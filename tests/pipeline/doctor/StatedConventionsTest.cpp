@@ -126,7 +126,7 @@ TEST_F(StatedConventions, HoldNumbersOfFrames) {
   capture::Manifest stated = shot.healthy();
   EXPECT_EQ(shot.open(stated).frameNames.number(7), std::nullopt);
   stated.frames.erase(stated.frames.begin() + 5);
-  EXPECT_EQ(examinationOf(shot.open(stated), kStatedFrames).patient.frameNames.of(7), "7 (number 8)");
+  EXPECT_EQ(examinationOf(shot.open(stated), kStatedFrames).captureInfo.frameNames.of(7), "7 (number 8)");
 }
 
 TEST_F(StatedConventions, AreNamedWhereTwoAreWrong) {
@@ -197,7 +197,7 @@ TEST_F(StatedConventions, OfMotionAreSetRightInPairs) {
       if (one->group == two->group) continue;
       capture::Manifest stated = own().stating({one->stated.assignment, two->stated.assignment});
       std::multiset<std::string> ids;
-      for (const Finding& finding : mendMotion(own().folder(), stated)) ids.insert(finding.id);
+      for (const Finding& finding : correctMotion(own().folder(), stated)) ids.insert(finding.id);
       EXPECT_EQ(ids, setOf({one->stated.id, two->stated.id}))
           << one->stated.assignment << " " << two->stated.assignment;
       EXPECT_EQ(stated.conventions, healthy) << one->stated.assignment << " " << two->stated.assignment;
@@ -209,7 +209,7 @@ TEST_F(StatedConventions, OfMotionAreLeftToPicturesWhereOneIsWrong) {
   const auto idsOf = [](const std::string& assignment) {
     capture::Manifest stated = own().stating({assignment});
     Ids ids;
-    for (const Finding& finding : mendMotion(own().folder(), stated)) ids.push_back(finding.id);
+    for (const Finding& finding : correctMotion(own().folder(), stated)) ids.push_back(finding.id);
     EXPECT_EQ(stated.conventions == own().healthy().conventions, !ids.empty()) << assignment;
     return ids;
   };
@@ -220,7 +220,7 @@ TEST_F(StatedConventions, OfMotionAreLeftToPicturesWhereOneIsWrong) {
   EXPECT_EQ(idsOf("motion.jitter=both"), Ids{"motionJitterTakenOff"});
   EXPECT_EQ(idsOf("depth.range=minusOneToOne"), Ids{"depthRange"});
   capture::Manifest healthy = own().healthy();
-  EXPECT_TRUE(mendMotion(own().folder(), healthy).empty());
+  EXPECT_TRUE(correctMotion(own().folder(), healthy).empty());
 }
 
 // Motion whose jitter is taken off is decoded by what is stated of jitter.
@@ -250,8 +250,8 @@ TEST_F(StatedConventions, OfDepthThatIsNotReversed) {
   const StatedCapture fsr("stated-fsr", {"fsr", {}});
   EXPECT_EQ(fsr.found({}), Ids{});
   EXPECT_EQ(fsr.found({"depth.kind=planar"}), Ids{"depthKind"});
-  const DoctorSource mended = openForDoctor({fsr.folder().string(), "", kStatedPx, {}});
-  EXPECT_FALSE(mended.known.depthDistance) << "all else is examined by what it is";
+  const DoctorSource corrected = openForDoctor({fsr.folder().string(), "", kStatedPx, {}});
+  EXPECT_FALSE(corrected.known.depthDistance) << "all else is examined by what it is";
   EXPECT_EQ(fsr.found({"depth.range=minusOneToOne"}), Ids{"depthRange"});
   EXPECT_EQ(fsr.found({"matrices.clipZ=minusOneToOne"}), Ids{"matricesRange"});
 }
@@ -260,19 +260,19 @@ TEST_F(StatedConventions, OfDepthThatIsNotReversed) {
 TEST_F(StatedConventions, OfTextureCoordinates) {
   const StatedCapture unity("stated-unity", {"unity", {}});
   EXPECT_EQ(unity.found({}), Ids{});
-  const auto mended = [&](const Ids& assignments) {
+  const auto corrected = [&](const Ids& assignments) {
     capture::Manifest stated = unity.stating(assignments);
     std::multiset<std::string> ids;
-    for (const Finding& finding : mendMotion(unity.folder(), stated)) ids.insert(finding.id);
+    for (const Finding& finding : correctMotion(unity.folder(), stated)) ids.insert(finding.id);
     EXPECT_EQ(stated.conventions == unity.healthy().conventions, !ids.empty());
     return ids;
   };
-  EXPECT_EQ(mended({"motion.unit=pixels"}), setOf({}));
-  EXPECT_EQ(mended({"motion.unit=pixels", "matrices.clipZ=zeroToOne"}),
+  EXPECT_EQ(corrected({"motion.unit=pixels"}), setOf({}));
+  EXPECT_EQ(corrected({"motion.unit=pixels", "matrices.clipZ=zeroToOne"}),
             setOf({"motionInUv", "matricesRange"}));
-  EXPECT_EQ(mended({"motion.unit=pixels", "motion.includesCamera=off"}),
+  EXPECT_EQ(corrected({"motion.unit=pixels", "motion.includesCamera=off"}),
             setOf({"motionInUv", "motionCameraTwice"}));
-  EXPECT_EQ(mended({"motion.unit=ndc", "motion.includesCamera=off"}),
+  EXPECT_EQ(corrected({"motion.unit=ndc", "motion.includesCamera=off"}),
             setOf({"motionHalved", "motionCameraTwice"}));
 }
 

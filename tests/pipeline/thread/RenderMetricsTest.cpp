@@ -1,5 +1,5 @@
 // Metrics of the frames that are not on show, measured in idle time on the render thread.
-#include "core/gl/Turn.h"
+#include "core/gl/ContextLock.h"
 #include "tests/support/RenderRecorder.h"
 
 #include "core/inspect/Inspector.h"
@@ -43,7 +43,7 @@ class RenderMetricsTest : public taa::test::onThread::RenderThreadTest {
 /// The frame's metrics where somebody goes there, from an inspector of its own thread's context.
 FrameMetrics visited(const taa::Status& status, int frame) {
   const auto make = [&] {
-    const taa::gl::Turn turn;
+    const taa::gl::ContextLock turn;
     taa::Inspector inspector;
     inspector.shot().setSize(status.width, status.height);
     inspector.shot().setSettings(status.settings);

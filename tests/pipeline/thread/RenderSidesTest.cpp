@@ -1,5 +1,5 @@
 // Views with two sides from the render thread: lanes, other frames, differences, all of the frame they say.
-#include "core/gl/Turn.h"
+#include "core/gl/ContextLock.h"
 #include "core/settings/Parameters.h"
 #include "tests/support/RenderRecorder.h"
 
@@ -22,7 +22,7 @@ namespace {
 /// The picture of a view from an inspector that only has these settings, on a thread of its own.
 Picture alone(const Settings& settings, IntermediateId id, int frame) {
   const auto make = [&] {
-    const taa::gl::Turn turn;
+    const taa::gl::ContextLock turn;
     taa::Inspector inspector;
     inspector.shot().setSize(kWidth, kHeight);
     inspector.shot().setSettings(settings);
@@ -201,7 +201,7 @@ TEST_F(RenderSidesTest, TheFrameBeforeAlongTheMotionSaysWhereThereIsNone) {
   EXPECT_EQ(third.other->frame, 2);
   EXPECT_EQ(third.other->allAbsent, taa::Absence::None);
   const auto make = [&] {
-    const taa::gl::Turn turn;
+    const taa::gl::ContextLock turn;
     taa::Inspector inspector;
     inspector.shot().setSize(kWidth, kHeight);
     inspector.shot().open("builtin:fan");

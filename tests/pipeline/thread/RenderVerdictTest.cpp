@@ -1,5 +1,5 @@
 // Verdicts on the active probe's pixel, made in idle time on the render thread.
-#include "core/gl/Turn.h"
+#include "core/gl/ContextLock.h"
 #include "tests/support/RenderRecorder.h"
 
 #include "core/inspect/Inspector.h"
@@ -20,7 +20,7 @@ namespace {
 constexpr int kFrame = 14;
 constexpr glm::ivec2 kPixel{20, 7};
 constexpr glm::ivec2 kWrong{15, 6}; ///< where a blade has been
-constexpr glm::ivec2 kRight{1, 13}; ///< nothing is to be mended, which takes long
+constexpr glm::ivec2 kRight{1, 13}; ///< nothing is to be corrected, which takes long
 
 /// Both answers on kWrong, from an inspector of its own thread's context: asked once.
 struct Verdict {
@@ -29,7 +29,7 @@ struct Verdict {
 };
 const Verdict& askedOf(const Status& status) {
   const auto make = [&] {
-    const gl::Turn turn;
+    const gl::ContextLock turn;
     Inspector inspector;
     inspector.shot().setSize(status.width, status.height);
     inspector.shot().setSettings(status.settings);

@@ -1,5 +1,5 @@
 // The worst pixels of the frame on show, on the render thread.
-#include "core/gl/Turn.h"
+#include "core/gl/ContextLock.h"
 #include "core/inspect/Inspector.h"
 #include "tests/support/RenderRecorder.h"
 
@@ -56,7 +56,7 @@ TEST_F(RenderWorstTest, WaitsForTheReferenceThatNobodyShows) {
   EXPECT_EQ(recorder.all<taa::WorstDelivery>()[0].found.question.row, IntermediateId::referenceErrorAbs);
   EXPECT_EQ(recorder.all<taa::WorstDelivery>()[0].found.number, 1);
 
-  const taa::gl::Turn turn;
+  const taa::gl::ContextLock turn;
   taa::Inspector inspector;
   inspector.shot().open(recorder.all<taa::Status>().back().source);
   inspector.shot().setSize(recorder.all<taa::Status>().back().width,

@@ -1,7 +1,7 @@
 // Traces of probes on the render thread: what is shown adds to them, the rest is filled in beside it, and
 // taa-batch prints the same. And how time goes on in a part of the shot.
 #include "core/base/NumberText.h"
-#include "core/gl/Turn.h"
+#include "core/gl/ContextLock.h"
 #include "core/inspect/Inspector.h"
 #include "core/io/FrameJson.h"
 #include "core/report/TraceText.h"
@@ -205,7 +205,7 @@ TEST_F(TraceTest, OfTheReferenceIsWhatThePictureShows) {
                                     "3", "--emit", "reference", "--reference-samples", "8"});
   ASSERT_EQ(printed.exitCode, 0) << printed.err;
   const auto of = [] {
-    const gl::Turn turn;
+    const gl::ContextLock turn;
     Inspector inspector;
     inspector.shot().setSize(32, 18);
     inspector.shot().open("builtin:fan");

@@ -1,4 +1,4 @@
-// The ghosts of builtin:disocclusion are found, explained and mended by the steps that the manual counts
+// The ghosts of builtin:disocclusion are found, explained and corrected by the steps that the manual counts
 // (window.md): the worst pixel, its verdict, the first remedy.
 #include "core/inspect/Inspector.h"
 #include "core/settings/Presets.h"
@@ -53,7 +53,7 @@ class GhostWalk : public taa::test::GlTest {
 
 } // namespace
 
-// What lies beside a rim follows the motion of what is before it, and reads what that came from.
+// What lies beside a silhouette follows the motion of what is before it, and reads what that came from.
 TEST_F(GhostWalk, OfANeighborsMotionIsMendedByItsOwn) {
   constexpr glm::ivec2 kBesideBoard{188, 101};
   open("balanced");

@@ -248,7 +248,7 @@ TEST_F(KnownAnswersTest, ATeleportedObjectIsLetThroughWhereItWas) {
   expectRow(*inspector, IntermediateId::geometryVerdict, kJumped + 3, HistoryVerdict::LetThrough, isNowhere);
 }
 
-// The test looks at the eight neighbors as well: it finds the wall beside the object's rim.
+// The test looks at the eight neighbors as well: it finds the wall beside the object's silhouette.
 TEST_F(KnownAnswersTest, ATeleportedObjectIsFoundOutByItsNumberButAtItsRim) {
   const auto inspector = opened("jumping", jumping(true), plainly({"validate.object=on"}));
   const PixelSet isInner = innerOf(isInFrom);

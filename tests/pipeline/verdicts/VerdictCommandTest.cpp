@@ -1,8 +1,8 @@
 // Verdicts and remedies on the command line: the figures that the window shows.
 #include "core/base/NumberText.h"
+#include "core/explanation/RowFormatter.h"
 #include "core/io/FrameJson.h"
 #include "core/settings/Parameters.h"
-#include "core/story/StoryText.h"
 #include "tests/support/Batch.h"
 #include "tests/support/SmallInspector.h"
 

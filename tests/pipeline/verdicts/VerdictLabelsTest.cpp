@@ -30,7 +30,8 @@ using taa::VerdictLabel;
 
 namespace {
 
-/// "all" judges every label and tries what mends it, ten minutes on two cores; "write" writes the table, too.
+/// "all" judges every label and tries what corrects it, ten minutes on two cores; "write" writes the table,
+/// too.
 bool isVerdictsRun(std::string_view wanted) {
   const char* run = std::getenv("TAA_VERDICTS");
   return run != nullptr && run == wanted;
@@ -78,7 +79,7 @@ taa::LabelRemedy firstRemedy(const taa::RemedyAnswer& answer) {
   first.pixelBefore = first.pixelAfter = 255.0 * answer.pixel.latest;
   if (answer.picture) first.pictureBefore = first.pictureAfter = 255.0 * answer.picture->error;
   // What the verdict names is told though nothing helps, and says so: no remedy then.
-  if (answer.best.empty() || !isMending(answer.pixel, answer.best.front().pixel)) return first;
+  if (answer.best.empty() || !isCorrection(answer.pixel, answer.best.front().pixel)) return first;
   const taa::TriedRemedy& best = answer.best.front();
   for (const std::string& change : best.remedy.changes)
     first.changes += (first.changes.empty() ? "" : " ") + change;
@@ -167,7 +168,7 @@ TEST_F(VerdictLabels, AreJudgedAsTheTableHasThem) {
   ASSERT_EQ(found.size(), labels.size());
   std::vector<JudgedLabel> inOrder;
   for (const VerdictLabel& label : labels) inOrder.push_back(found.at(keyOf(label)));
-  EXPECT_GE(taa::sharesRight(inOrder).mended, 0.9) << "first remedies lower the pixel's error";
+  EXPECT_GE(taa::sharesRight(inOrder).corrected, 0.9) << "first remedies lower the pixel's error";
   if (isVerdictsRun("write")) {
     const auto path = taa::test::rootFolder() / taa::kJudgedLabelsFile;
     taa::writeFile(path, taa::judgedLabelsText(inOrder));

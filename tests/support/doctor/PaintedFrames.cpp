@@ -89,7 +89,7 @@ doctor::DoctorFrame paintedFrame(const PaintedShot& shot, int frame) {
 doctor::Examination paintedExamination(const PaintedShot& shot, int frames, const FrameFault& fault) {
   doctor::Examination out;
   out.frames = frames;
-  out.patient.objectNames = {{kGroundId, "ground"}, {kBoardId, "board"}};
+  out.captureInfo.objectNames = {{kGroundId, "ground"}, {kBoardId, "board"}};
   out.read = [shot, fault](int frame) {
     doctor::DoctorFrame painted = paintedFrame(shot, frame);
     if (fault) fault(painted);

@@ -15,7 +15,7 @@ doctor::Diagnosis shownDiagnosis() {
   out.pairs = 7;
   doctor::Finding finding;
   finding.name = "Motion's y negated";
-  finding.sureness = doctor::Sureness::Likely;
+  finding.confidence = doctor::Confidence::Likely;
   finding.regions = {{"object 2 (<board>)", 3, {70, 40, 106, 76}, {88, 58}, 0.125}};
   finding.reason = "It fits.";
   finding.measure = "mean difference of luma, × 1000";
@@ -92,12 +92,12 @@ TEST(DoctorPage, OutlinesRegionsOverTheirPictures) {
   diagnosis.findings[0].regions[0].pixels = {{5, 10, 20}};
   EXPECT_TRUE(isIn(doctorHtml(diagnosis, "shot"),
                    "viewBox=\"0 0 160 96\"><path d=\"M10 5H20M10 5V6M20 5V6M10 6H20\"/>"));
-  doctor::MendedLook look;
-  look.mended.findings = {0};
+  doctor::CorrectedLook look;
+  look.corrected.findings = {0};
   look.pictures = {{0, 3, Image(2, 1, 3), Image(2, 1, 3)}};
   look.lastFrame = 7;
   look.givenPsnr = 24.5;
-  look.mendedPsnr = 33.0;
+  look.correctedPsnr = 33.0;
   const std::string page = doctorHtml(diagnosis, "shot", &look);
   for (const char* text : {"href=\"data:image/png;base64,iVBOR", "Frame 3 as it is", "Frame 3 mended",
                            "PSNR of frame 7: 24.5 dB as it is, 33 dB mended", "Nothing wrong is found then."})

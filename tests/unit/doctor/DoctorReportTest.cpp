@@ -19,7 +19,7 @@ doctor::Diagnosis diagnosis() {
   doctor::Finding finding;
   finding.id = "motionNegatedY";
   finding.name = "Motion's y negated";
-  finding.sureness = doctor::Sureness::Likely;
+  finding.confidence = doctor::Confidence::Likely;
   finding.regions = {{"object 2 (board)", 3, {70, 40, 106, 76}, {88, 58}, 0.125}};
   finding.reason = "It fits.";
   finding.measure = "mean difference of luma, × 1000";

@@ -138,7 +138,7 @@ TEST(Doctor, NamesMotionOfAnotherUnitThatIsShorterThanAPixel) {
   EXPECT_EQ(told(diagnosisOf(shot, withoutCamera(uv))), "motionInUv in all");
   EXPECT_EQ(told(diagnosisOf(shot, withoutCamera(ndc))), "motionInNdc in all");
   const Diagnosis diagnosis = diagnosisOf(shot, uv);
-  EXPECT_EQ(diagnosis.findings[0].mending, std::vector<std::string>{"fault.motionUnit=asUv"});
+  EXPECT_EQ(diagnosis.findings[0].correction, std::vector<std::string>{"fault.motionUnit=asUv"});
   for (const char* text : {" ± ", "160 and 96: texture coordinates"})
     EXPECT_NE(diagnosis.findings[0].reason.find(text), std::string::npos) << diagnosis.findings[0].reason;
 }
@@ -159,7 +159,7 @@ TEST(Doctor, SaysWhatLeadsToTheSamePlaces) {
   shot.boardPx = {1.5, 0.0};
   const Diagnosis diagnosis = diagnosisOf(shot, onAll([](const glm::vec2& m) { return -m; }));
   ASSERT_EQ(diagnosis.findings.size(), 1u) << told(diagnosis);
-  EXPECT_EQ(diagnosis.findings[0].sureness, Sureness::Likely);
+  EXPECT_EQ(diagnosis.findings[0].confidence, Confidence::Likely);
   EXPECT_NE(diagnosis.findings[0].reason.find("leads to the same places as: "), std::string::npos)
       << diagnosis.findings[0].reason;
 }
@@ -197,7 +197,7 @@ TEST(Doctor, NamesASkyWithoutMotionThoughItHasNoDetail) {
   const Diagnosis turning = diagnosisOf(shot, fault);
   EXPECT_EQ(told(turning), "skyWithoutMotion in the sky");
   ASSERT_EQ(turning.findings.size(), 1u);
-  EXPECT_EQ(turning.findings[0].sureness, Sureness::Sure);
+  EXPECT_EQ(turning.findings[0].confidence, Confidence::Sure);
   PaintedShot still;
   still.cameraPx = glm::dvec2(0.0);
   EXPECT_EQ(told(diagnosisOf(still, fault)), "");
@@ -226,7 +226,7 @@ TEST(Doctor, NamesMotionOfTheFrameBeforeWhereSpeedsChange) {
     if (frame.frame > 0) frame.motionPx = test::paintedFrame(shot, frame.frame - 1).motionPx;
   });
   EXPECT_EQ(told(late), "motionLingers in all");
-  // At even speed it is the same motion but at the rims of what moves, which were elsewhere.
+  // At even speed it is the same motion but at the silhouettes of what moves, which were elsewhere.
   const Diagnosis even = diagnosisOf({}, [](DoctorFrame& frame) {
     if (frame.frame > 0) frame.motionPx = test::paintedFrame({}, frame.frame - 1).motionPx;
   });
@@ -294,7 +294,7 @@ TEST(Doctor, NamesDepthThatIsTheOtherWayAroundByWhatHidesWhat) {
 
 TEST(Doctor, SaysWhatToChangeInTheEnginesOwnConvention) {
   Examination examination = paintedExamination({}, kFrames, onAll([](const glm::vec2& m) { return -m; }));
-  examination.patient.conventions = capture::startingPoint("three").conventions; // NDC, y up
+  examination.captureInfo.conventions = capture::startingPoint("three").conventions; // NDC, y up
   const Diagnosis diagnosis = examine(examination);
   ASSERT_EQ(diagnosis.findings.size(), 1u);
   // The board moves most, by (3.75, 1.5) px: (7.5/160, −3/96) in device coordinates, y up.

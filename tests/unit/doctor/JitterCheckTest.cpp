@@ -95,7 +95,7 @@ TEST(JitterCheck, NamesTwoThingsAtOnce) {
       diagnosisOf([](int frame) { return -trueJitterAt(frame == 0 ? 7 : frame - 1); });
   ASSERT_EQ(told(diagnosis), "jitterNegated, jitterLate");
   for (const Finding& finding : diagnosis.findings)
-    EXPECT_TRUE(finding.mending.empty()) << "no setting undoes both";
+    EXPECT_TRUE(finding.correction.empty()) << "no setting undoes both";
   EXPECT_EQ(told(diagnosisOf([](int frame) {
               const glm::vec2 next = trueJitterAt(frame + 1);
               return glm::vec2(next.y, next.x);
@@ -121,10 +121,10 @@ TEST(JitterCheck, LeavesOpenWhetherWhatRestsHasJitter) {
     }
     evidence.parts = 40;
     evidence.shiftingParts = shiftingParts;
-    Patient patient;
-    patient.sizePx = test::kPaintedPx;
+    CaptureInfo captureInfo;
+    captureInfo.sizePx = test::kPaintedPx;
     Diagnosis out;
-    const JitterOutcome outcome = tellJitter(evidence, {patient}, out);
+    const JitterOutcome outcome = tellJitter(evidence, {captureInfo}, out);
     EXPECT_EQ(outcome.isOpen, out.findings.empty());
     const auto open = std::ranges::find(out.parts.undecided(), std::string("Jitter"), &Undecided::question);
     EXPECT_EQ(open != out.parts.undecided().end(), outcome.isOpen);
@@ -158,10 +158,10 @@ TEST(JitterCheck, AsksTheMeanOfPicturesThatRest) {
       pair.back() = 0.9;
     }
     for (JitterEvidence::Shift& shift : evidence.shifts) shift.px += glm::vec2(0.1f, -0.1f);
-    Patient patient;
-    patient.sizePx = test::kPaintedPx;
+    CaptureInfo captureInfo;
+    captureInfo.sizePx = test::kPaintedPx;
     Diagnosis out;
-    const JitterOutcome outcome = tellJitter(evidence, {patient}, out);
+    const JitterOutcome outcome = tellJitter(evidence, {captureInfo}, out);
     EXPECT_FALSE(outcome.isOpen);
     return told(out);
   };
@@ -223,11 +223,11 @@ TEST(JitterCheck, SaysThatTexturesAreReadWithoutJitter) {
     evidence.world.emplace_back(trials.size(), 1.0);
     evidence.world.back()[kNotAppliedTrial] = 0.1;
   }
-  Patient patient;
-  patient.sizePx = test::kPaintedPx;
+  CaptureInfo captureInfo;
+  captureInfo.sizePx = test::kPaintedPx;
   for (const bool areSurfaces : {false, true}) {
     Diagnosis out;
-    tellJitter(evidence, {patient, true, {}, [&] { return areSurfaces; }}, out);
+    tellJitter(evidence, {captureInfo, true, {}, [&] { return areSurfaces; }}, out);
     EXPECT_EQ(told(out), areSurfaces ? "" : "jitterNotApplied");
     EXPECT_EQ(out.notes.size(), areSurfaces ? 1u : 0u);
   }
@@ -244,7 +244,7 @@ TEST(JitterCheck, SaysWhatPicturesShow) {
   const Diagnosis diagnosis = diagnosisOf([](int frame) { return -trueJitterAt(frame); });
   ASSERT_EQ(diagnosis.findings.size(), 1u);
   const Finding& finding = diagnosis.findings[0];
-  EXPECT_EQ(finding.sureness, Sureness::Sure);
+  EXPECT_EQ(finding.confidence, Confidence::Sure);
   // The longest jitter of the eight is that of frame 7, Halton (1/16, 8/9) less a half.
   EXPECT_NE(finding.change.find("you pass (0.438, -0.389); the pictures show (-0.438, 0.389)"),
             std::string::npos)
@@ -262,7 +262,7 @@ TEST(JitterCheck, IsUnsureWithoutCameras) {
   const Diagnosis diagnosis = examine(examination);
   ASSERT_FALSE(diagnosis.findings.empty());
   EXPECT_EQ(diagnosis.findings[0].id, "jitterNegated");
-  EXPECT_EQ(diagnosis.findings[0].sureness, Sureness::Likely);
+  EXPECT_EQ(diagnosis.findings[0].confidence, Confidence::Likely);
 }
 
 TEST(JitterCheck, NotesAFirstFrameWithoutJitter) {

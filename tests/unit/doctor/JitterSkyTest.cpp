@@ -75,7 +75,7 @@ TEST(JitterSky, WithGrainOfItsOwnHasNoOtherJitter) {
   EXPECT_TRUE(diagnosis.isHealthy()) << diagnosis.findings[0].id;
 }
 
-// Rims of what is before it lie on whole pixels, whatever the jitter.
+// Silhouettes of what is before it lie on whole pixels, whatever the jitter.
 TEST(JitterSky, WithoutDetailIsNotDecided) {
   for (const glm::dvec2 panPx : {glm::dvec2(0.0, kDown), glm::dvec2(1.0, 0.0), glm::dvec2(1.5, 0.0)}) {
     const Diagnosis diagnosis = diagnosisOf([](DoctorFrame&) {}, panPx.y, panPx.x);

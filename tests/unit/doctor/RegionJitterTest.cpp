@@ -97,15 +97,15 @@ TEST(RegionJitter, IsAFindingOfThatRegionAlone) {
 // Its motion is right: what pixels seem to say of that is the jitter that is missing.
 TEST(RegionJitter, TakesBackWhatWasSaidOfTheMotionOfThatRegion) {
   const Seen seen(drawBoardWithoutJitter);
-  Patient patient;
-  patient.sizePx = test::kPaintedPx;
+  CaptureInfo captureInfo;
+  captureInfo.sizePx = test::kPaintedPx;
   Diagnosis out;
   out.frames = kFrames;
   for (const Region& region : seen.tracker.regions()) {
     out.findings.push_back(faultFinding(Fault::MotionCameraOnly));
-    out.findings.back().regions = {placeOf(region, patient, 1.0)};
+    out.findings.back().regions = {placeOf(region, captureInfo, 1.0)};
   }
-  tellRegionJitter(seen.jitter, seen.tracker.regions(), patient, out);
+  tellRegionJitter(seen.jitter, seen.tracker.regions(), captureInfo, out);
   for (const Finding& finding : out.findings)
     EXPECT_EQ(finding.regions.front().objectId == test::kBoardId, finding.id == "jitterRegionMissing");
   EXPECT_EQ(out.findings.size(), seen.tracker.regions().size());

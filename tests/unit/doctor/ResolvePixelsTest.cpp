@@ -1,4 +1,4 @@
-// Which pixels tell of a resolve, in painted frames whose rims are known by their geometry.
+// Which pixels tell of a resolve, in painted frames whose silhouettes are known by their geometry.
 #include "core/doctor/resolve/ResolvePixels.h"
 
 #include "tests/support/doctor/PaintedResolve.h"
@@ -14,7 +14,7 @@ namespace taa::doctor {
 namespace {
 
 /// Pixels beside which there is both the board and what is behind it.
-std::set<std::pair<int, int>> rimsOf(const DoctorFrame& frame) {
+std::set<std::pair<int, int>> silhouettesOf(const DoctorFrame& frame) {
   std::set<std::pair<int, int>> out;
   const auto isBoard = [&](int x, int y) {
     return frame.objectId[static_cast<std::size_t>(y) * frame.luma.width + x] == test::kBoardId;
@@ -28,11 +28,11 @@ std::set<std::pair<int, int>> rimsOf(const DoctorFrame& frame) {
   return out;
 }
 
-std::vector<glm::ivec2> rimPixels(float boardPx) {
+std::vector<glm::ivec2> silhouettePixels(float boardPx) {
   test::PaintedShot shot;
   shot.boardPx = {static_cast<double>(boardPx), 0.0};
   const std::vector<DoctorFrame> frames = test::resolvedFrames(shot, 4, {});
-  return resolvePixels({frames[3], frames[2], {}, 3}, PixelSet::Rims, 10000);
+  return resolvePixels({frames[3], frames[2], {}, 3}, PixelSet::Silhouettes, 10000);
 }
 
 } // namespace
@@ -40,18 +40,18 @@ std::vector<glm::ivec2> rimPixels(float boardPx) {
 TEST(ResolvePixels, AreNearlyAllOfTheRimsThatMoveOtherwise) {
   test::PaintedShot shot;
   shot.boardPx = {0.125, 0.0};
-  const std::set<std::pair<int, int>> rims = rimsOf(test::resolvedFrames(shot, 4, {})[3]);
-  const std::vector<glm::ivec2> pixels = rimPixels(0.125f);
-  ASSERT_GT(rims.size(), 200u);
-  for (const glm::ivec2& pixel : pixels) EXPECT_TRUE(rims.contains({pixel.x, pixel.y}));
+  const std::set<std::pair<int, int>> silhouettes = silhouettesOf(test::resolvedFrames(shot, 4, {})[3]);
+  const std::vector<glm::ivec2> pixels = silhouettePixels(0.125f);
+  ASSERT_GT(silhouettes.size(), 200u);
+  for (const glm::ivec2& pixel : pixels) EXPECT_TRUE(silhouettes.contains({pixel.x, pixel.y}));
   std::set<std::pair<int, int>> found;
   for (const glm::ivec2& pixel : pixels) found.insert({pixel.x, pixel.y});
   EXPECT_EQ(found.size(), pixels.size()) << "none twice";
-  EXPECT_GE(found.size() * 20, rims.size() * 19);
+  EXPECT_GE(found.size() * 20, silhouettes.size() * 19);
 }
 
 TEST(ResolvePixels, AreNoRimsThatMoveAsWhatIsBehindThem) {
-  EXPECT_TRUE(rimPixels(0.0625f).empty());
+  EXPECT_TRUE(silhouettePixels(0.0625f).empty());
 }
 
 } // namespace taa::doctor

@@ -21,7 +21,7 @@ namespace {
 constexpr int kStill = 16;
 constexpr glm::ivec2 kStillPx{128, 96};
 
-/// The middles of a pixel's 4 × 4 parts, in an order that does not go along them.
+/// The centroids of a pixel's 4 × 4 parts, in an order that does not go along them.
 glm::vec2 jitterOf(int frame) {
   const int part = (frame * 7) % kStill;
   return (glm::vec2(part % 4, part / 4) + 0.5f) / 4.0f - 0.5f;

@@ -45,7 +45,7 @@ TEST(SharedTexels, HaveTheSideOfTheirSquares) {
 
 TEST(SharedTexels, AreNoneWhereNothingChanges) {
   EXPECT_EQ(texelsOf({160, 96}, 1, [](int, int) { return 0.5f; }).side(), std::nullopt);
-  // Surfaces of one depth, whose rims lie anywhere.
+  // Surfaces of one depth, whose silhouettes lie anywhere.
   const auto cards = [](int x, int y) { return noise(x / 7, y / 5); };
   EXPECT_EQ(texelsOf({160, 96}, 1, cards).side(), std::nullopt);
 }

@@ -1,6 +1,6 @@
 // Formulas as traced numbers write them: what changes nothing is left out, parentheses stand where they must,
 // rows stand as numbers.
-#include "core/story/FormulaText.h"
+#include "core/explanation/FormulaText.h"
 #include "core/taa/twin/Color.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ std::string textOf(const std::function<Traced()>& make) {
   twin::Trace trace;
   trace.rows[static_cast<std::size_t>(Id::alpha)][0] = make().operand();
   trace.nodes = tracing.take();
-  return story::formulaText(trace, Id::alpha, 0, {});
+  return explanation::formulaText(trace, Id::alpha, 0, {});
 }
 
 } // namespace
@@ -82,7 +82,7 @@ TEST(FormulaText, WritesChannelsAsOneWhereTheyAreMadeAlike) {
     trace.rows[static_cast<std::size_t>(Id::output)][static_cast<std::size_t>(i)] = uneven[i].operand();
   }
   trace.nodes = tracing.take();
-  EXPECT_EQ(story::formulaText(trace, Id::resolved, {}), "(1, 2, 3) + 0.5 × ((4, 5, 6) − (1, 2, 3))");
-  EXPECT_EQ(story::formulaText(trace, Id::resolved, 1, {}), "2 + 0.5 × (5 − 2)");
-  EXPECT_FALSE(story::formulaText(trace, Id::output, {}));
+  EXPECT_EQ(explanation::formulaText(trace, Id::resolved, {}), "(1, 2, 3) + 0.5 × ((4, 5, 6) − (1, 2, 3))");
+  EXPECT_EQ(explanation::formulaText(trace, Id::resolved, 1, {}), "2 + 0.5 × (5 − 2)");
+  EXPECT_FALSE(explanation::formulaText(trace, Id::output, {}));
 }

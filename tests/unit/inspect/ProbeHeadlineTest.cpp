@@ -1,6 +1,6 @@
 // What is said of a pixel in a few lines: of values made by hand, so that each sentence is there for its
 // reason.
-#include "core/story/ProbeHeadline.h"
+#include "core/explanation/ProbeHeadline.h"
 
 #include "core/taa/twin/Color.h"
 #include "core/taa/twin/Known.h"

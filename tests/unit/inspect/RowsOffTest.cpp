@@ -1,8 +1,8 @@
 // Rows that stand still because what they tell of is switched off.
-#include "core/story/RowsOff.h"
+#include "core/explanation/RowsOff.h"
 
+#include "core/explanation/RowExplanation.h"
 #include "core/settings/Parameters.h"
-#include "core/story/ProbeStory.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ TEST(RowsOff, TheirStoriesSaySo) {
   for (const Intermediate& row : kIntermediates) {
     if (!isRowOff(row.id, settings)) continue;
     ++count;
-    EXPECT_EQ(storyOf(row.id, {record, details, settings, {}, {}}).words, "off") << row.name;
+    EXPECT_EQ(explanationOf(row.id, {record, details, settings, {}, {}}).words, "off") << row.name;
   }
   EXPECT_GE(count, 15);
 }

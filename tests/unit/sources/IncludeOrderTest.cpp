@@ -83,7 +83,7 @@ const std::vector<std::vector<std::string>>& floors() {
       {"render"},
       {"capture"},
       {"taa"},
-      {"probe", "replay", "story", "io"},
+      {"probe", "replay", "explanation", "io"},
       {"measure"},
       {"verdict", "doctor"},
       {"picture"},

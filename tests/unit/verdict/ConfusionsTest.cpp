@@ -47,7 +47,7 @@ TEST(Confusions, CountKindsAndStagesApart) {
   EXPECT_DOUBLE_EQ(shares.faultsKind, 2.0 / 3.0);
   EXPECT_DOUBLE_EQ(shares.faultsStage, 2.0 / 3.0);
   EXPECT_EQ(shares.tried, 2u) << "nothing was tried on the third fault";
-  EXPECT_DOUBLE_EQ(shares.mended, 0.5);
+  EXPECT_DOUBLE_EQ(shares.corrected, 0.5);
   EXPECT_EQ(taa::sharesRight({}).kind, 0.0);
 }
 

@@ -27,10 +27,9 @@ Lineage known() {
 
 TEST(LineageWords, SayWorthPartsAndPlace) {
   const std::vector<std::string> expected{
-      "worth 2.5 equal frames, N says 3; noise of single samples keeps 12.5 % of its variance",
+      "averages as much as 2.5 equally weighted frames (the resolve counts N = 3); 12.5 % of the noise variance of single samples is left",
       "100 % samples of the last 2 frames",
-      "its samples lie 0.375 px around its center; in frame 8 they were read around (12.25, 7.5), over 0.433 "
-      "px"};
+      "its samples lie within 0.375 px (rms) of its center; in frame 8 history was gathered over 0.433 px around (12.25, 7.5)"};
   EXPECT_EQ(lineageSentences(known()), expected);
 }
 
@@ -43,9 +42,9 @@ TEST(LineageWords, NamePartsThatAreNoSamples) {
   lineage.blank = 0.0625;
   const std::vector<std::string> said = lineageSentences(lineage);
   EXPECT_EQ(said[0].substr(said[0].find("variance")), "variance, besides what rectification brings in");
-  EXPECT_EQ(said[1],
-            "25 % samples of the last 2 frames, 50 % put there by rectification, 12.5 % older, 6.3 % in "
-            "pixels that hardly count, 6.3 % of nothing");
+  EXPECT_EQ(
+      said[1],
+      "25 % samples of the last 2 frames, 50 % replaced by clipping, 12.5 % older, 6.3 % in discarded small weights, 6.3 % of nothing");
 }
 
 TEST(LineageWords, SpeakOfAPixelThatBegins) {

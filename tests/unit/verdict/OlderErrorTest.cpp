@@ -154,7 +154,7 @@ TEST(OlderError, CallsALightThatChangedLongAgoLag) {
 TEST(OlderError, NamesWhatAGhostOfLongAgoIsOf) {
   VerdictEvidence evidence = offSince20(ErrorPart::Ghost);
   evidence.older->frames[4].ghostObject = 1;
-  evidence.older->strays = {{19, 7, glm::dvec3(0.1), 0.2}, {18, 7, glm::dvec3(0.09), 0.18}};
+  evidence.older->outliers = {{19, 7, glm::dvec3(0.1), 0.2}, {18, 7, glm::dvec3(0.09), 0.18}};
   evidence.ghostFrame = 20;
   const taa::PixelVerdict verdict = judge(evidence, Settings{});
   EXPECT_EQ(verdict.kind, VerdictKind::Ghost);

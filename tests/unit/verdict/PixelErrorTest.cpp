@@ -102,7 +102,7 @@ TEST(PixelError, IsAGhostWhereHistoryWasReadBesideItsSurface) {
 /// By object, of all frames.
 std::map<int, double> pullsOf(const taa::PixelError& found) {
   std::map<int, double> pulls;
-  for (const taa::StraySamples& stray : found.strays) pulls[stray.object] += stray.pull.x;
+  for (const taa::OutlierSamples& outlier : found.outliers) pulls[outlier.object] += outlier.pull.x;
   return pulls;
 }
 
@@ -116,15 +116,15 @@ TEST(PixelError, TellsWhatIsSeenInAGhostFromWhatItCameInBehind) {
   evidence.add(3, coveredFrame(0.55, 9));
   const taa::PixelError found = pixelError(evidence, 3, {2, 1});
   // Shares of the samples: 1/4, 3/4 of 1/4 … and, of the first, all that is left.
-  ASSERT_EQ(found.strays.size(), 3u);
-  EXPECT_EQ(found.strays[0].frame, 2);
-  EXPECT_EQ(found.strays[2].frame, 0);
+  ASSERT_EQ(found.outliers.size(), 3u);
+  EXPECT_EQ(found.outliers[0].frame, 2);
+  EXPECT_EQ(found.outliers[2].frame, 0);
   EXPECT_NEAR(pullsOf(found)[2], 0.75 * 0.25 * (0.0 - 0.55), 1e-7);
   EXPECT_NEAR(pullsOf(found)[1], 0.75 * 0.75 * 0.25 * (0.6 - 0.55), 1e-7);
   EXPECT_NEAR(pullsOf(found)[5], 0.75 * 0.75 * 0.75 * (0.9 - 0.55), 1e-7);
   EXPECT_FALSE(pullsOf(found).contains(9)) << "today's surface";
-  EXPECT_NEAR(found.strays[0].weight, 0.75 * 0.25, 1e-12);
-  EXPECT_NEAR(found.strays[2].weight, 0.75 * 0.75 * 0.75, 1e-12);
+  EXPECT_NEAR(found.outliers[0].weight, 0.75 * 0.25, 1e-12);
+  EXPECT_NEAR(found.outliers[2].weight, 0.75 * 0.75 * 0.75, 1e-12);
   EXPECT_NEAR(of(found.frames[1].split, ErrorPart::Ghost).x, 0.75 * 0.75 * (0.6 - 0.0), 1e-7)
       << "most came in with the dark one";
   EXPECT_EQ(found.frames[1].ghostObject, 1);

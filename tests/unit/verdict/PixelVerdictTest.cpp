@@ -57,11 +57,11 @@ TEST(PixelVerdict, NamesAGhostWithItsObjectAndTheFrameThatShowedIt) {
 
 TEST(PixelVerdict, NamesTheObjectWhoseSamplesMakeTheErrorOfAGhost) {
   VerdictEvidence evidence = ghostOf(1, 2);
-  evidence.error.strays = {{38, 2, {-0.3, 0.0, 0.0}, 0.2}, // the other way
-                           {38, 5, {0.03, 0.0, 0.0}, 0.2}, // hardly seen
-                           {37, 5, {0.1, 0.0, 0.0}, 0.2},  {36, 5, {0.15, 0.0, 0.0}, 0.2},
-                           {35, 5, {0.3, 0.0, 0.0}, 0.8}, // of much, as where history starts
-                           {35, 1, {0.4, 0.0, 0.0}, 0.8},  {35, 3, {0.0, 0.9, 0.0}, 0.8}}; // across
+  evidence.error.outliers = {{38, 2, {-0.3, 0.0, 0.0}, 0.2}, // the other way
+                             {38, 5, {0.03, 0.0, 0.0}, 0.2}, // hardly seen
+                             {37, 5, {0.1, 0.0, 0.0}, 0.2},  {36, 5, {0.15, 0.0, 0.0}, 0.2},
+                             {35, 5, {0.3, 0.0, 0.0}, 0.8}, // of much, as where history starts
+                             {35, 1, {0.4, 0.0, 0.0}, 0.8},  {35, 3, {0.0, 0.9, 0.0}, 0.8}}; // across
   const taa::PixelVerdict verdict = judge(evidence, Settings{});
   EXPECT_EQ(verdict.kind, VerdictKind::Ghost);
   EXPECT_EQ(verdict.causeObject, 5) << "1 has what does most, 5 does more together";
@@ -447,9 +447,10 @@ TEST(PixelVerdict, CallsWhatIsMostlyAnotherObjectsSamplesAGhost) {
     VerdictEvidence evidence = healthy();
     addError(evidence, part, 3, glm::dvec3(0.2));
     evidence.object = 4;
-    evidence.error.strays = {{37, 7, glm::dvec3(0.05), 0.1}, {36, 7, glm::dvec3(0.045), 0.1}}; // 0.095 of 0.2
+    evidence.error.outliers = {{37, 7, glm::dvec3(0.05), 0.1},
+                               {36, 7, glm::dvec3(0.045), 0.1}}; // 0.095 of 0.2
     EXPECT_NE(judge(evidence, Settings{}).kind, VerdictKind::Ghost);
-    evidence.error.strays.back().pull = glm::dvec3(0.055);
+    evidence.error.outliers.back().pull = glm::dvec3(0.055);
     const taa::PixelVerdict verdict = judge(evidence, Settings{});
     EXPECT_EQ(verdict.kind, VerdictKind::Ghost);
     EXPECT_EQ(verdict.causeObject, 7);
@@ -464,9 +465,9 @@ TEST(PixelVerdict, AddsUpWhatSeveralOthersPull) {
   VerdictEvidence evidence = healthy();
   addError(evidence, ErrorPart::Blur, 3, glm::dvec3(0.2));
   evidence.object = 4;
-  evidence.error.strays = {{37, 7, glm::dvec3(0.06), 0.1}, {37, 8, glm::dvec3(0.03), 0.1}};
+  evidence.error.outliers = {{37, 7, glm::dvec3(0.06), 0.1}, {37, 8, glm::dvec3(0.03), 0.1}};
   EXPECT_EQ(judge(evidence, Settings{}).kind, VerdictKind::Blur);
-  evidence.error.strays.back().pull = glm::dvec3(0.05); // 0.11 of 0.2
+  evidence.error.outliers.back().pull = glm::dvec3(0.05); // 0.11 of 0.2
   const taa::PixelVerdict verdict = judge(evidence, Settings{});
   EXPECT_EQ(verdict.kind, VerdictKind::Ghost);
   EXPECT_EQ(verdict.causeObject, 7);
@@ -505,7 +506,7 @@ TEST(PixelVerdict, FindsAnotherPlaceOfTheSameObjectByItsMotion) {
   VerdictEvidence evidence = healthy();
   evidence.object = 4;
   addError(evidence, ErrorPart::Rectification, 3, glm::dvec3(0.2));
-  evidence.error.strays = {{37, 4, glm::dvec3(0.11), 0.1}};
+  evidence.error.outliers = {{37, 4, glm::dvec3(0.11), 0.1}};
   for (taa::SurfaceMoment& moment : evidence.moments) {
     moment.motion = glm::dvec2(0.3, 0.0);
     taa::twin::at(moment.record, IntermediateId::dilatedMotion) = glm::vec4(0.3f, 0.0f, 0.0f, 0.0f);

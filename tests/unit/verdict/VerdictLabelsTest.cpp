@@ -149,5 +149,5 @@ TEST(VerdictLabelsTable, FirstRemediesLowerTheErrorOfNineFaultsInTen) {
       judged, [](const JudgedLabel& entry) { return entry.label.kind != VerdictKind::None; });
   const taa::VerdictShares shares = taa::sharesRight(judged);
   EXPECT_EQ(shares.tried, static_cast<std::size_t>(faults)) << "TAA_VERDICTS=write";
-  EXPECT_GE(shares.mended, 0.9);
+  EXPECT_GE(shares.corrected, 0.9);
 }

@@ -438,9 +438,9 @@ TEST_F(ImportTest, ContradictsAllThatIsStatedWrong) {
     SCOPED_TRACE(std::string(engine->id));
     manifest.conventions.motion = engine->conventions.motion;
     manifest.conventions.jitter = engine->conventions.jitter;
-    const Conventions mended = asPixelsSay(folder_, manifest);
-    EXPECT_EQ(motionPx(mended), motionPx(stated_));
-    EXPECT_EQ(jitterPx(mended), jitterPx(stated_));
+    const Conventions corrected = asPixelsSay(folder_, manifest);
+    EXPECT_EQ(motionPx(corrected), motionPx(stated_));
+    EXPECT_EQ(jitterPx(corrected), jitterPx(stated_));
   }
 }
 
@@ -456,11 +456,11 @@ TEST_F(ImportTest, ContradictsAnEncodingThatIsNotStated) {
   Manifest manifest = guessCapture(folder_, "unreal", {}).manifest;
   EXPECT_EQ(manifest.conventions.motion.encoding, MotionEncoding::Unreal);
   manifest.conventions.motion = startingPoint("unity").conventions.motion;
-  const Conventions mended = asPixelsSay(folder_, manifest);
-  EXPECT_EQ(mended.motion.encoding, MotionEncoding::Unreal);
-  EXPECT_EQ(mended.motion.unit, ScreenUnit::Ndc);
-  EXPECT_EQ(mended.motion.yAxis, VerticalAxis::Up);
-  EXPECT_EQ(mended.motion.direction, MotionDirection::CurrentMinusPrevious);
+  const Conventions corrected = asPixelsSay(folder_, manifest);
+  EXPECT_EQ(corrected.motion.encoding, MotionEncoding::Unreal);
+  EXPECT_EQ(corrected.motion.unit, ScreenUnit::Ndc);
+  EXPECT_EQ(corrected.motion.yAxis, VerticalAxis::Up);
+  EXPECT_EQ(corrected.motion.direction, MotionDirection::CurrentMinusPrevious);
 }
 
 // What makes wrong motion shorter leaves less, which says nothing of the convention that does.

@@ -168,16 +168,17 @@ TEST(BrightnessSteps, OfABlackPictureAreNotDecided) {
 // Each reading makes other steps of the same numbers.
 TEST(BrightnessSteps, AreThoseOfPreExposureThatIsStatedWrongly) {
   constexpr int kExposedFrames = 10;
-  Patient patient;
-  patient.conventions.emplace().color.preExposed = true;
+  CaptureInfo captureInfo;
+  captureInfo.conventions.emplace().color.preExposed = true;
   const auto stops = [](int frame) { return 0.4 * std::sin(1.7 * frame) + 0.05 * frame; };
-  for (int frame = 0; frame < kExposedFrames; ++frame) patient.preExposure[frame] = std::exp2(stops(frame));
+  for (int frame = 0; frame < kExposedFrames; ++frame)
+    captureInfo.preExposure[frame] = std::exp2(stops(frame));
   const auto nameOf = [&](const std::function<double(int)>& light) {
     BrightnessEvidence evidence;
     for (int frame = 1; frame < kExposedFrames; ++frame)
       evidence.pairs.push_back({frame, light(frame) - light(frame - 1), 48, 48, 0.1, 0.01});
     Diagnosis out;
-    tellBrightness(evidence, patient, out);
+    tellBrightness(evidence, captureInfo, out);
     return out.findings.empty() ? std::string() : out.findings[0].name;
   };
   EXPECT_EQ(nameOf([&](int frame) { return stops(frame + 1) - stops(frame); }),
@@ -189,7 +190,7 @@ TEST(BrightnessSteps, AreThoseOfPreExposureThatIsStatedWrongly) {
   EXPECT_EQ(nameOf([](int frame) { return 0.3 * std::cos(2.3 * frame); }),
             std::string(faultInfo(Fault::ExposureStep).label))
       << "of another cause";
-  patient.conventions->color.preExposed = false;
+  captureInfo.conventions->color.preExposed = false;
   EXPECT_EQ(nameOf(stops), "Pre-exposure in color, which is stated to have none");
 }
 

@@ -71,8 +71,8 @@ TEST(InterfaceCheck, TellsOneThatIsJittered) {
   EXPECT_EQ(diagnosis.findings[0].residuals[0].id, "jittered");
 }
 
-// Balls that a camera goes around look the same from all sides: their rims rest on the screen and follow the
-// jitter, and the motion of their surfaces is right.
+// Balls that a camera goes around look the same from all sides: their silhouettes rest on the screen and
+// follow the jitter, and the motion of their surfaces is right.
 TEST(InterfaceCheck, LeavesOpenWhatRestsAtRimsOfObjects) {
   const Diagnosis diagnosis = diagnosisOf([](DoctorFrame& frame) {
     paintJittered(frame);

@@ -23,11 +23,11 @@ BrightLight lightOf(std::size_t bright, float most) {
 }
 
 Diagnosis told(const BrightLight& light, capture::ColorEncoding encoding, bool isPreExposed = false) {
-  Patient patient;
-  patient.conventions.emplace();
-  patient.conventions->color = {encoding, isPreExposed};
+  CaptureInfo captureInfo;
+  captureInfo.conventions.emplace();
+  captureInfo.conventions->color = {encoding, isPreExposed};
   Diagnosis out;
-  tellEncoding(light, patient, out);
+  tellEncoding(light, captureInfo, out);
   return out;
 }
 

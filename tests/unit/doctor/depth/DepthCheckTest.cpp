@@ -93,11 +93,11 @@ TEST(DepthCheck, LeavesOpenWhetherTheCameraWasAnother) {
   tellDepth(evidence, out, {true, false, true});
   ASSERT_EQ(out.findings.size(), 1u);
   EXPECT_EQ(out.findings[0].id, "nearPlaneWrong");
-  EXPECT_EQ(out.findings[0].sureness, Sureness::Likely);
+  EXPECT_EQ(out.findings[0].confidence, Confidence::Likely);
   EXPECT_EQ(out.findings[0].alike, std::vector<std::string>{"cameraOfSecondView"});
   Diagnosis known;
   tellDepth(evidence, known);
-  EXPECT_EQ(known.findings[0].sureness, Sureness::Sure);
+  EXPECT_EQ(known.findings[0].confidence, Confidence::Sure);
   EXPECT_TRUE(known.findings[0].alike.empty());
 }
 

@@ -230,7 +230,7 @@ TEST(FlowCheck, NamesARootThatIsNotInWhatIsStored) {
     frame.previousClipFromClip.reset();
   });
   examination.known.camera = false;
-  examination.patient.conventions.emplace().motion.encoding = capture::MotionEncoding::Unreal;
+  examination.captureInfo.conventions.emplace().motion.encoding = capture::MotionEncoding::Unreal;
   const Diagnosis diagnosis = examine(examination);
   ASSERT_EQ(idsOf(diagnosis), "motionWithoutRoot");
   EXPECT_NE(diagnosis.findings[0].change.find("times 4.008 in device coordinates"), std::string::npos)
@@ -261,24 +261,24 @@ TEST(FlowCheck, NamesNoRootWhereAKnownMistakeExplainsAll) {
     }
     return pairs;
   };
-  const std::vector<FlowPair> given = pairsWith(-1.0), mended = pairsWith(1.0);
-  Patient patient;
-  patient.sizePx = {240, 136};
-  patient.conventions.emplace().motion.encoding = capture::MotionEncoding::Unreal;
-  const auto toldOf = [&](const std::vector<FlowPair>& looked, bool isMended) {
+  const std::vector<FlowPair> given = pairsWith(-1.0), corrected = pairsWith(1.0);
+  CaptureInfo captureInfo;
+  captureInfo.sizePx = {240, 136};
+  captureInfo.conventions.emplace().motion.encoding = capture::MotionEncoding::Unreal;
+  const auto toldOf = [&](const std::vector<FlowPair>& looked, bool isCorrected) {
     Diagnosis out;
-    out.sizePx = patient.sizePx;
-    if (isMended) {
+    out.sizePx = captureInfo.sizePx;
+    if (isCorrected) {
       Finding& told = out.findings.emplace_back();
       told.id = "motionNegatedX";
       told.isWholePicture = true;
-      told.sureness = Sureness::Sure;
+      told.confidence = Confidence::Sure;
     }
-    tellFlow({given, regions}, {looked, regions}, {patient, isMended}, out);
+    tellFlow({given, regions}, {looked, regions}, {captureInfo, isCorrected}, out);
     return idsOf(out);
   };
   EXPECT_EQ(toldOf(given, false), "motionWithoutRoot") << "the curve does explain it";
-  EXPECT_EQ(toldOf(mended, true), "motionNegatedX");
+  EXPECT_EQ(toldOf(corrected, true), "motionNegatedX");
 }
 
 } // namespace taa::doctor

@@ -126,11 +126,11 @@ TEST(SlippedFrames, AreThoseInWhichAListSlips) {
   EXPECT_EQ(slipped[0].example, &regions[5]);
   EXPECT_EQ(slipped[0].other, &regions[4]);
   EXPECT_LT(slipped[0].px, 1e-9);
-  Patient patient;
-  patient.sizePx = {256, 96};
-  patient.frameNames = FrameNames({1000, 1001, 1002, 1003, 1004, 1005, 1006, 1007, 1008});
+  CaptureInfo captureInfo;
+  captureInfo.sizePx = {256, 96};
+  captureInfo.frameNames = FrameNames({1000, 1001, 1002, 1003, 1004, 1005, 1006, 1007, 1008});
   Diagnosis diagnosis;
-  tellFlow({pairs, regions}, {pairs, regions}, {patient}, diagnosis);
+  tellFlow({pairs, regions}, {pairs, regions}, {captureInfo}, diagnosis);
   ASSERT_EQ(diagnosis.findings.size(), 1u);
   EXPECT_TRUE(
       diagnosis.findings[0].reason.starts_with("In frame 4 (number 1004) the motion given of 4 of 4 "))
@@ -144,19 +144,19 @@ TEST(SlippedFrames, AreThoseInWhichAListSlips) {
 TEST_F(OtherObjects, AreNotToldWhereSomethingExplainsAll) {
   fill(exchangedPx);
   const FlowSeen seen{pairs_, regions_};
-  Patient patient;
-  patient.sizePx = {160, 96};
-  for (const Sureness sureness : {Sureness::Sure, Sureness::Likely}) {
+  CaptureInfo captureInfo;
+  captureInfo.sizePx = {160, 96};
+  for (const Confidence confidence : {Confidence::Sure, Confidence::Likely}) {
     Diagnosis diagnosis;
-    diagnosis.sizePx = patient.sizePx;
+    diagnosis.sizePx = captureInfo.sizePx;
     Finding all;
     all.id = "motionWithoutCamera";
     all.isWholePicture = true;
-    all.sureness = sureness;
+    all.confidence = confidence;
     diagnosis.findings.push_back(all);
-    tellFlow(seen, seen, {patient}, diagnosis);
+    tellFlow(seen, seen, {captureInfo}, diagnosis);
     EXPECT_EQ(std::ranges::count(diagnosis.findings, "motionOfAnotherObject", &Finding::id),
-              sureness == Sureness::Sure ? 0 : 1);
+              confidence == Confidence::Sure ? 0 : 1);
   }
 }
 

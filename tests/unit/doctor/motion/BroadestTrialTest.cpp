@@ -16,7 +16,7 @@ TEST(BroadestTrial, OfAsManyPixelsIsTheFirstThatGainsNearlyAsMuchAsAny) {
   EXPECT_EQ(broadestTrial({{7, 10.0, 100.0}, {2, 10.0, 99.5}}), 2u) << "by number, not by order";
 }
 
-// Outlines and middles tell what pixels lose by: the search went on for ever, because none was found.
+// Outlines and centroids tell what pixels lose by: the search went on for ever, because none was found.
 TEST(BroadestTrial, IsOneOfThoseThatFitWhereAllLose) {
   EXPECT_EQ(broadestTrial({{3, 10.0, -2.0}}), 3u);
   EXPECT_EQ(broadestTrial({{3, 10.0, -2.0}, {5, 10.0, -1.0}}), 5u);

@@ -32,12 +32,12 @@ TrialEvidence evidenceOf(double given, double tried, double wonShare = 1.0) {
 /// A textured region that moves, whose motion fits.
 RegionEvidence region();
 
-/// One that a search finds elsewhere, with its rim: of 1000 of its 2000 pixels.
+/// One that a search finds elsewhere, with its silhouette: of 1000 of its 2000 pixels.
 RegionEvidence foundRegion() {
   RegionEvidence out = region();
   out.found = evidenceOf(0.06, 0.02);
-  out.rimGiven = 100;
-  out.rimFound = 10;
+  out.silhouetteGiven = 100;
+  out.silhouetteFound = 10;
   return out;
 }
 
@@ -129,16 +129,16 @@ TEST(MotionDecision, TakesWhatWasSearchedForOnlyInMostOfARegion) {
   EXPECT_NE(decideMotion(found, trials()).verdict, MotionVerdict::Wrong);
 }
 
-// A light or a shadow takes no rim with it.
+// A light or a shadow takes no silhouette with it.
 TEST(MotionDecision, TakesWhatWasSearchedForOnlyWhereTheRimMovesToo) {
   RegionEvidence found = foundRegion();
-  found.rimFound = 75; // of 100
+  found.silhouetteFound = 75; // of 100
   EXPECT_EQ(decideMotion(found, trials()).verdict, MotionVerdict::Wrong);
-  found.rimFound = 76;
+  found.silhouetteFound = 76;
   EXPECT_NE(decideMotion(found, trials()).verdict, MotionVerdict::Wrong);
   found = foundRegion();
-  found.rimGiven = 23;
-  found.rimFound = 0;
+  found.silhouetteGiven = 23;
+  found.silhouetteFound = 0;
   EXPECT_NE(decideMotion(found, trials()).verdict, MotionVerdict::Wrong);
 }
 

@@ -82,8 +82,8 @@ TEST(MotionEvidence, TakesTheRimAlongWithWhatMoves) {
     test::changeMotion(frame, test::kBoardId, [](const glm::vec2&) { return glm::vec2(0.0f); });
   });
   EXPECT_GT(board.found.pixels, 0u);
-  EXPECT_GT(board.rimGiven, 50u);
-  EXPECT_LT(2 * board.rimFound, board.rimGiven);
+  EXPECT_GT(board.silhouetteGiven, 50u);
+  EXPECT_LT(2 * board.silhouetteFound, board.silhouetteGiven);
 }
 
 } // namespace taa::doctor

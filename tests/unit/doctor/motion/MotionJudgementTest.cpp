@@ -1,4 +1,4 @@
-// What regions are told by where depth and matrices are witnesses: on painted frames.
+// What regions are told by where depth and matrices are consistency checks: on painted frames.
 #include "core/doctor/motion/MotionJudgement.h"
 
 #include "core/doctor/frames/Regions.h"
@@ -46,7 +46,7 @@ TEST(MotionJudgement, TellsWhatRestsByDepthAndMatricesThoughItIsPlain) {
   ASSERT_FALSE(judged.regions.empty());
   for (const JudgedRegion& region : judged.regions) {
     if (region.region->objectId == test::kBoardId) continue;
-    EXPECT_TRUE(region.isWitnessed);
+    EXPECT_TRUE(region.isChecked);
     ASSERT_TRUE(region.trial);
     EXPECT_EQ(trialId(painted.evidence.trials()[*region.trial]), "scaled:2");
   }
@@ -57,7 +57,7 @@ TEST(MotionJudgement, LeavesToPixelsWhatMovesByItself) {
   const PaintedCase painted({1.0f, -1.0f}, false);
   const Judged judged = judgeMotion(painted.evidence, painted.tracker.regions());
   for (const JudgedRegion& region : judged.regions) {
-    EXPECT_FALSE(region.isWitnessed);
+    EXPECT_FALSE(region.isChecked);
     EXPECT_EQ(region.trial.has_value(), region.region->objectId == test::kBoardId);
   }
 }

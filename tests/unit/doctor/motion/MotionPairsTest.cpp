@@ -106,7 +106,7 @@ TEST(MotionPairs, AreNotOfWhatUncovers) {
 TEST(MotionPairs, NameTheFramesInWhichAPartJumps) {
   const Diagnosis diagnosis =
       diagnosisOf(test::kBoardId, [](const glm::vec2& motion, const glm::ivec2& pixel, int frame) {
-        // The right part of the board, whose left rim has moved by so much.
+        // The right part of the board, whose left silhouette has moved by so much.
         const bool isJump = (frame == 4 || frame == 8) && pixel.x >= 70 + static_cast<int>(3.75 * frame) + 20;
         return isJump ? motion + glm::vec2(-6.0f, 4.0f) : motion;
       });

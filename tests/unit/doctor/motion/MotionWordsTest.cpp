@@ -11,23 +11,23 @@
 namespace taa::doctor {
 
 TEST(MotionWords, WriteMotionAsTheEngineDoes) {
-  Patient patient;
-  patient.sizePx = {160, 96};
-  patient.outputPx = {320, 192};
-  EXPECT_EQ(storedMotion(patient, {3.0, -1.5}), glm::dvec2(3.0, -1.5));
-  patient.conventions.emplace();
-  patient.conventions->motion.unit = capture::ScreenUnit::Uv;
-  patient.conventions->motion.yAxis = capture::VerticalAxis::Up;
-  EXPECT_EQ(storedMotion(patient, {3.0, -1.5}), glm::dvec2(3.0 / 160.0, 1.5 / 96.0));
-  patient.conventions->motion = {};
-  patient.conventions->motion.direction = capture::MotionDirection::PreviousMinusCurrent;
-  patient.conventions->motion.pixelOf = capture::PixelOf::Output;
-  EXPECT_EQ(storedMotion(patient, {3.0, -1.5}), glm::dvec2(-6.0, 3.0));
-  patient.conventions->motion = {};
-  patient.conventions->motion.encoding = capture::MotionEncoding::Offset;
-  patient.conventions->motion.scale = {2.0, 2.0};
-  patient.conventions->motion.offset = {0.5, 0.5};
-  EXPECT_EQ(storedMotion(patient, {3.0, -1.5}), glm::dvec2(2.0, -0.25));
+  CaptureInfo captureInfo;
+  captureInfo.sizePx = {160, 96};
+  captureInfo.outputPx = {320, 192};
+  EXPECT_EQ(storedMotion(captureInfo, {3.0, -1.5}), glm::dvec2(3.0, -1.5));
+  captureInfo.conventions.emplace();
+  captureInfo.conventions->motion.unit = capture::ScreenUnit::Uv;
+  captureInfo.conventions->motion.yAxis = capture::VerticalAxis::Up;
+  EXPECT_EQ(storedMotion(captureInfo, {3.0, -1.5}), glm::dvec2(3.0 / 160.0, 1.5 / 96.0));
+  captureInfo.conventions->motion = {};
+  captureInfo.conventions->motion.direction = capture::MotionDirection::PreviousMinusCurrent;
+  captureInfo.conventions->motion.pixelOf = capture::PixelOf::Output;
+  EXPECT_EQ(storedMotion(captureInfo, {3.0, -1.5}), glm::dvec2(-6.0, 3.0));
+  captureInfo.conventions->motion = {};
+  captureInfo.conventions->motion.encoding = capture::MotionEncoding::Offset;
+  captureInfo.conventions->motion.scale = {2.0, 2.0};
+  captureInfo.conventions->motion.offset = {0.5, 0.5};
+  EXPECT_EQ(storedMotion(captureInfo, {3.0, -1.5}), glm::dvec2(2.0, -0.25));
 }
 
 // Of each explanation but that all is right; ids of the table of faults are the table's.
@@ -90,11 +90,11 @@ TEST(MotionWords, BlameNoCameraThatIsRightElsewhere) {
 }
 
 TEST(MotionWords, TellDirectionAndAxesBesideAUnit) {
-  const auto kindOf = [](const MotionTrial& trial, const Patient& patient) {
-    const auto axes = axesBesideUnit(trial, patient);
+  const auto kindOf = [](const MotionTrial& trial, const CaptureInfo& captureInfo) {
+    const auto axes = axesBesideUnit(trial, captureInfo);
     return axes ? axes->kind : MotionKind::AsGiven;
   };
-  Patient own, engine;
+  CaptureInfo own, engine;
   engine.conventions.emplace();
   const MotionTrial uv{MotionKind::OtherUnit, {-160.0f, 96.0f}};
   EXPECT_EQ(kindOf(uv, own), MotionKind::MirroredX);

@@ -1,4 +1,5 @@
-// A plane that is that of the frame before is named by its rims, and the rest is examined with its own.
+// A plane that is that of the frame before is named by its silhouettes, and the rest is examined with its
+// own.
 #include "core/doctor/sequence/PlaneTimes.h"
 
 #include "tests/support/doctor/PaintedFrames.h"
