@@ -54,7 +54,7 @@ void PointerLabel::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.translate(-pos());
   painter.setRenderHint(QPainter::Antialiasing);
-  // A dark silhouette on either side, so that it is seen on any picture.
+  // A dark outline on both sides, so that it is seen on any picture.
   for (const auto& [color, width] :
        {std::pair(QColor(Qt::black), scaled(kRingWidth) + 2), {colors.accent, scaled(kRingWidth)}}) {
     painter.setPen(QPen(color, width));

@@ -1,4 +1,4 @@
-// Numbers and expressions of the explanations, as text; for the files of ProbeExplanation, and numbers of
+// Numbers and expressions of the explanations, as text; for the files of RowExplanation, and numbers of
 // other sentences.
 #pragma once
 

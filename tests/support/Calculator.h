@@ -1,4 +1,4 @@
-// Works out the arithmetic that core/explanation/ProbeExplanation.h describes.
+// Works out the arithmetic that core/explanation/RowExplanation.h describes.
 #pragma once
 
 #include "core/base/Half.h"
@@ -19,7 +19,7 @@ namespace taa::test {
 /// A number or a tuple; arithmetic is channel by channel, a number goes with each.
 using Values = std::vector<double>;
 
-/// Reads the arithmetic that ProbeExplanation.h describes.
+/// Reads the arithmetic that RowExplanation.h describes.
 class Calculator {
  public:
   /// `bias`: relative; what is rounded is moved by that before.

@@ -11,7 +11,7 @@ namespace {
 constexpr double kCounting = 0.01; ///< of the heaviest
 constexpr double kPathWeight = 1e-3;
 
-/// The pixel and a silhouette around it at least.
+/// The pixel and a margin around it at least.
 constexpr double kReaches[] = {0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0};
 
 } // namespace

@@ -30,9 +30,9 @@ QPen penOf(PlotShape shape, const QColor& color) {
   return pen;
 }
 
-/// A disk in its own color, with a silhouette that any ground lets see.
-void drawSample(QPainter& painter, QPointF place, const QColor& silhouette, const QColor& fill) {
-  painter.setPen(QPen(silhouette, 1.2));
+/// A disk in its own color, with a outline that any ground lets see.
+void drawSample(QPainter& painter, QPointF place, const QColor& outline, const QColor& fill) {
+  painter.setPen(QPen(outline, 1.2));
   painter.setBrush(fill);
   painter.drawEllipse(place, 4.0, 4.0);
 }
