@@ -4,6 +4,8 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 
+#include <string>
+
 namespace taa::app {
 
 namespace {

@@ -6,6 +6,8 @@
 #include "core/explanation/RowsOff.h"
 #include "core/taa/twin/Known.h"
 
+#include <utility>
+
 namespace taa {
 
 namespace {

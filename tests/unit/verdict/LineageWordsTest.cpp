@@ -41,7 +41,8 @@ TEST(LineageWords, NamePartsThatAreNoSamples) {
   lineage.pruned = 0.0625;
   lineage.blank = 0.0625;
   const std::vector<std::string> said = lineageSentences(lineage);
-  EXPECT_EQ(said[0].substr(said[0].find("variance")), "variance, besides what rectification brings in");
+  EXPECT_EQ(said[0].substr(said[0].find("variance")),
+            "variance of single samples is left, besides what rectification brings in");
   EXPECT_EQ(
       said[1],
       "25 % samples of the last 2 frames, 50 % replaced by clipping, 12.5 % older, 6.3 % in discarded small weights, 6.3 % of nothing");
