@@ -218,13 +218,14 @@ class Writer {
     return function + text + ")";
   }
 
-  /// max(a, b, c) of max(max(a, b), c).
-  std::string extremes(const Made& made) {
+  /// max(a, b, c) of max(max(a, b), c), a of max(a, a).
+  std::string extremes(const std::string& function, const Made& made, Strength around) {
     std::vector<std::string> all;
     addExtremes(made, all);
+    if (all.size() == 1) return of(made.from[0], around);
     std::string text;
-    for (const std::string& each : all) text += (text.empty() ? "" : ", ") + each;
-    return text;
+    for (const std::string& each : all) text += (text.empty() ? "(" : ", ") + each;
+    return function + text + ")";
   }
   void addExtremes(const Made& made, std::vector<std::string>& out) {
     for (const std::size_t i : {0u, 1u}) {
@@ -277,9 +278,9 @@ class Writer {
     case Operation::Floor:
       return call("floor", made);
     case Operation::Min:
-      return "min(" + extremes(made) + ")";
+      return extremes("min", made, around);
     case Operation::Max:
-      return "max(" + extremes(made) + ")";
+      return extremes("max", made, around);
     case Operation::Clamp:
       return call("clamp", made, 3);
     case Operation::Smooth:

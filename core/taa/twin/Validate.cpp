@@ -54,7 +54,9 @@ ValidityOf<Real> validateHistory(const Inputs& inputs, const ValidateSettings& s
                                  const ReprojectionOf<Real>& reprojected, const Vec2<Real>& readPosition,
                                  const glm::ivec2& pixel, const GeometryMatchOf<Real>& geometry) {
   const DepthTestOf<Real> depth = compareDepth(inputs, settings, dilated, pixel, readPosition);
-  if (settings.depth == Switch::On && settings.flicker == Switch::On)
+  if (settings.depth == Switch::Off)
+    searched<Real>(); // what depth says is shown, and decides nothing
+  else if (settings.flicker == Switch::On)
     decided<Real>(IntermediateId::geometricFlicker, false);
   ValidityOf<Real> result;
   result.depthExpected = depth.expected;

@@ -40,6 +40,11 @@ TEST(FormulaText, LeavesOutWhatChangesNothing) {
   EXPECT_EQ(textOf([] { return twin::saturated(read(0.7f) + read(0.8f)); }), "clamp(0.7 + 0.8, 0, 1)");
   EXPECT_EQ(textOf([] { return twin::maximum(read(0.3f) + read(0.2f), read(0.1f)); }), "max(0.3 + 0.2, 0.1)")
       << "what was read may have bound";
+  EXPECT_EQ(textOf([] { return twin::minimum(read(0.1f), read(0.1f)); }), "0.1")
+      << "of two that are the same";
+  EXPECT_EQ(
+      textOf([] { return twin::maximum(read(0.1f), twin::minimum(read(0.1f), read(0.1f))) * read(2.0f); }),
+      "0.1 × 2");
 }
 
 TEST(FormulaText, SetsParenthesesWhereTheyAreNeeded) {
