@@ -13,22 +13,22 @@ namespace {
 /// With an Inspector of its own.
 std::vector<CheckedCondition> checkedAlone(const LessonState& state, const std::vector<Condition>& conditions,
                                            const Progress& progress) {
-  gl::ContextLock turn;
+  gl::ContextLock lock;
   Inspector inspector;
-  return checkConditions(inspector, state, conditions, turn.passing(progress));
+  return checkConditions(inspector, state, conditions, lock.passing(progress));
 }
 
 std::vector<LessonNumber> measuredAlone(const LessonState& state, const std::vector<Condition>& conditions,
                                         const Progress& progress) {
-  gl::ContextLock turn;
+  gl::ContextLock lock;
   Inspector inspector;
-  return measureNumbers(inspector, state, conditions, turn.passing(progress));
+  return measureNumbers(inspector, state, conditions, lock.passing(progress));
 }
 
 LessonState recordedAlone(const LessonState& state, const Progress& progress) {
-  gl::ContextLock turn;
+  gl::ContextLock lock;
   Inspector inspector;
-  return onItsFrames(inspector, state, turn.passing(progress));
+  return onItsFrames(inspector, state, lock.passing(progress));
 }
 
 } // namespace

@@ -140,16 +140,15 @@ void ProbeModel::setPixel(const ProbeResult& result) {
   pixel_ = result;
 }
 
-RowExplanation ProbeModel::explanationOf(IntermediateId id, FormulaDepth depth) const {
+RowExplanation ProbeModel::explainRow(IntermediateId id, FormulaDepth depth) const {
   if (!pixel_ || !pixel_->details) return {};
-  constexpr int kDigits = 4;
-  return taa::explanationOf(id,
-                            {pixel_->around[kProbedMiddle],
-                             *pixel_->details,
-                             pixel_->settings,
-                             pixel_->info,
-                             {pixel_->x, pixel_->y}},
-                            kDigits, depth);
+  return taa::explainRow(id,
+                         {pixel_->around[kProbedMiddle],
+                          *pixel_->details,
+                          pixel_->settings,
+                          pixel_->info,
+                          {pixel_->x, pixel_->y}},
+                         depth);
 }
 
 QString ProbeModel::comparedText(IntermediateId id, const Comparison& comparison) const {
@@ -258,7 +257,7 @@ void ProbeModel::setDecided(const std::vector<IntermediateId>& rows) {
 
 // The exact value stands in front of what happened.
 QString ProbeModel::toolTip(const Intermediate& row) const {
-  const QString explanation = explanationHtml(row.id, explanationOf(row.id));
+  const QString explanation = explanationHtml(row.id, explainRow(row.id));
   if (!record_ || !twin::isKnown(*record_, row.id)) return explanation;
   return tr("exactly %1").arg(rowText(row, twin::at(*record_, row.id)).toHtmlEscaped()) +
          QStringLiteral("<br>") + explanation;

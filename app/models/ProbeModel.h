@@ -35,7 +35,7 @@ class ProbeModel : public QAbstractItemModel {
   /// With all that formulas are made of.
   void setPixel(const ProbeResult& result);
   /// What happened at a row; empty without a probe.
-  RowExplanation explanationOf(IntermediateId id, FormulaDepth depth = FormulaDepth::Rows) const;
+  RowExplanation explainRow(IntermediateId id, FormulaDepth depth = FormulaDepth::Rows) const;
   /// A row of the other side, and the difference; empty without one. `comparison`: what that is of.
   QString comparedText(IntermediateId id, const Comparison& comparison) const;
   void setRecord(const std::optional<twin::PixelRecord>& record);

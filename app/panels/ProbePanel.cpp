@@ -387,14 +387,14 @@ void ProbePanel::describeCurrentRow() {
   const auto id = model_->idOf(table_->currentIndex());
   const QString other = id ? model_->comparedText(*id, comparison_) : QString();
   description_->setText(id ? (other.isEmpty() ? other : other.toHtmlEscaped() + QStringLiteral("<br>")) +
-                                 explanationHtml(*id, model_->explanationOf(*id, depth_)) + depthLinks(*id)
+                                 explanationHtml(*id, model_->explainRow(*id, depth_)) + depthLinks(*id)
                            : tr("Select a row to read about it."));
   // Seven lines high whatever it says of a row, so that the values stay where they are; in a low window one.
   descriptionArea_->setAlways(id ? 7 * QFontMetrics(secondaryFont()).lineSpacing() + 2 * kUnit : 0);
 }
 
 QString ProbePanel::depthLinks(IntermediateId id) const {
-  if (model_->explanationOf(id).formula.empty()) return {};
+  if (model_->explainRow(id, FormulaDepth::Samples).formula.empty()) return {}; // nor at any other depth
   const std::array<std::pair<FormulaDepth, QString>, 3> all{
       {{FormulaDepth::Rows, tr("other rows")},
        {FormulaDepth::Stage, tr("rows of other stages")},
@@ -410,11 +410,11 @@ QString ProbePanel::depthLinks(IntermediateId id) const {
 
 QString ProbePanel::explanation() const {
   const auto id = model_->idOf(table_->currentIndex());
-  return id ? explanationText(*id, model_->explanationOf(*id)) : QString();
+  return id ? explanationText(*id, model_->explainRow(*id)) : QString();
 }
 
 QString ProbePanel::formulaOf(IntermediateId id) const {
-  return result_ && result_->details ? qtext(model_->explanationOf(id).formula) : QString();
+  return result_ && result_->details ? qtext(model_->explainRow(id).formula) : QString();
 }
 
 QString ProbePanel::valueText(IntermediateId fallback) const {

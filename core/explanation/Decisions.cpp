@@ -38,12 +38,9 @@ std::string nameOf(const twin::Trace& trace, const Operand& of, const Settings& 
       if (row.channels == 1) return name;
       return name + " " + channelNames(row, settings.space)[static_cast<std::size_t>(channel)];
     }
-  const auto read = std::ranges::find(trace.settings, of.node, &std::pair<std::uint32_t, Field>::first);
-  if (read == trace.settings.end()) return {};
-  const auto row = std::ranges::find_if(parameters(), [&](const Parameter& each) {
-    return each.kind == ParameterKind::Number && each.field == read->second;
-  });
-  return row == parameters().end() ? std::string() : withinSentence(row->label);
+  const auto read =
+      std::ranges::find(trace.settings, of.node, &std::pair<std::uint32_t, const Parameter*>::first);
+  return read == trace.settings.end() ? std::string() : withinSentence(read->second->label);
 }
 
 /// Nothing is that large: what is compared with it is looked at for being a number at all.

@@ -24,7 +24,7 @@ std::string absenceWords(IntermediateId id, const ProbedPixel& probed) {
 
 } // namespace
 
-RowExplanation explanationOf(IntermediateId id, const ProbedPixel& whole, int digits, FormulaDepth depth) {
+RowExplanation explainRow(IntermediateId id, const ProbedPixel& whole, FormulaDepth depth, int digits) {
   Settings settings = whole.settings;
   if (!isTaaOn(settings)) settings.output = {}; // nothing of it is done
   const ProbedPixel probed{whole.record, whole.details, settings, whole.info, whole.pixel};

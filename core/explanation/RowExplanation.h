@@ -42,8 +42,8 @@ struct RowExplanation {
 };
 
 /// `digits`: significant ones of every number.
-RowExplanation explanationOf(IntermediateId id, const ProbedPixel& probed, int digits = 4,
-                             FormulaDepth depth = FormulaDepth::Rows);
+RowExplanation explainRow(IntermediateId id, const ProbedPixel& probed,
+                          FormulaDepth depth = FormulaDepth::Rows, int digits = 4);
 /// "because …": the last five of them; empty where nothing was compared.
 std::string becauseText(const RowExplanation& explanation);
 

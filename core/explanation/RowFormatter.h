@@ -8,7 +8,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -70,6 +69,10 @@ glm::vec3 mixedColor(const RowFormatter& formatter);
 std::string storedWords(const RowFormatter& formatter, const std::string& words);
 /// An expression of the color, or of one channel of it, as it is stored: rounded.
 std::string storedText(const RowFormatter& formatter, const std::string& expression, int channel = -1);
+/// Whether each channel is mixed by its own α.
+bool isMixedPerChannel(const RowFormatter& formatter);
+/// Whether nothing of history is in the color.
+bool isCurrentAlone(const RowFormatter& formatter);
 /// Whether the correction moved history, or would have with all of it.
 bool isMoved(const RowFormatter& formatter);
 

@@ -97,8 +97,8 @@ RowFormula rectifiedFormula(const RowFormatter& t) {
 RowFormula curveFormula(const RowFormatter& t) {
   const auto red = [&](Id id) { return t.number(twin::compress(t.color(id), t.settings().blend).x); };
   const std::string past = red(Id::historyRectified);
-  const bool isPerChannel = t.settings().weight.source == AlphaSource::ContrastPerChannel;
-  const std::string share = isPerChannel ? t.number(t.color(Id::alphaChannels).x) : t.number(Id::blendFactor);
+  const std::string share =
+      isMixedPerChannel(t) ? t.number(t.color(Id::alphaChannels).x) : t.number(Id::blendFactor);
   const glm::vec3 mixed = twin::compress(mixedColor(t), t.settings().blend);
   return {past + " + " + share + " × (" + red(Id::currentFiltered) + " − " + past +
               ") = " + t.number(mixed.x),
@@ -108,7 +108,7 @@ RowFormula curveFormula(const RowFormatter& t) {
 RowFormula resolvedFormula(const RowFormatter& t) {
   const ToneWeight tone = t.settings().blend.tone;
   const bool isBounded = tone == ToneWeight::ReinhardChannel || tone == ToneWeight::MaxChannel;
-  if (twin::mixesCompressed(tone) && !isBounded && t.value(Id::alpha) < 1.0f) return curveFormula(t);
+  if (twin::mixesCompressed(tone) && !isBounded && !isCurrentAlone(t)) return curveFormula(t);
   if (!isComputed(*t.details().trace, Id::resolved)) return {};
   Expression made = tracedExpression(Id::resolved, t);
   made.text = storedText(t, made.text, made.channel);

@@ -18,6 +18,16 @@ bool isMoved(const RowFormatter& t) {
                                                   [](const twin::Operand& x) { return x.value != 0.0; });
 }
 
+bool isMixedPerChannel(const RowFormatter& t) {
+  return t.settings().weight.source == AlphaSource::ContrastPerChannel;
+}
+
+bool isCurrentAlone(const RowFormatter& t) {
+  const glm::vec3 channels = t.color(Id::alphaChannels);
+  return isMixedPerChannel(t) ? std::fmin(channels.x, std::fmin(channels.y, channels.z)) >= 1.0f
+                              : t.value(Id::blendFactor) >= 1.0f;
+}
+
 namespace {
 
 std::string sampleWords(const RowFormatter& t) {
@@ -56,16 +66,29 @@ std::string positionWords(const RowFormatter& t) {
 std::string historyWords(const RowFormatter& t) {
   const glm::vec2 at = t.details().readPosition;
   const bool isEdge = t.value(Id::depthEdge) != 0.0f;
-  return say<"%1: %2 taps at %3, %4 of a texel from the one before">(
-      isEdge ? say<"Bilinear, for depth has an edge">() : choiceLabel("history.filter", t.settings()),
-      t.details().historyTaps.count, t.tuple(at),
+  const std::string filter =
+      isEdge ? say<"Bilinear, for depth has an edge">() : choiceLabel("history.filter", t.settings());
+  const std::size_t taps = t.details().historyTaps.count;
+  return say<"%1: %2 at %3, %4 of a texel from the one before">(
+      filter, taps == 1 ? say<"one tap">() : say<"%1 taps">(taps), t.tuple(at),
       t.tuple((at - 0.5f) - glm::vec2(std::floor(at.x - 0.5f), std::floor(at.y - 0.5f))));
 }
 
+std::string upsampledWords(const RowFormatter& t) {
+  const std::string kernel = choiceLabel("current.upsample", t.settings());
+  const std::string offset = t.tuple(t.details().sampleOffset);
+  const auto taps = t.details().upsampleTaps.all();
+  float sum = 0.0f;
+  for (const twin::Taps::Tap& tap : taps) sum += tap.weight;
+  return sum > 1e-4f // else nothing is left to divide by
+             ? say<"%1 over %2 samples of what was drawn smaller, the nearest %3 px from the center">(
+                   kernel, taps.size(), offset)
+             : say<"%1: the nearest sample, %2 px from the center">(kernel, offset);
+}
+
 std::string currentWords(const RowFormatter& t) {
-  if (isUpsampled(t.settings()))
-    return say<"%1 over samples of what was drawn smaller, the nearest %2 px from the center">(
-        choiceLabel("current.upsample", t.settings()), t.tuple(t.details().sampleOffset));
+  if (!isTaaOn(t.settings())) return say<"TAA is off: the sample as it is">();
+  if (isUpsampled(t.settings())) return upsampledWords(t);
   const std::string filter = choiceLabel("current.filter", t.settings());
   return t.settings().current.sharpen == CurrentSharpen::None
              ? filter
@@ -135,24 +158,21 @@ std::string rectifiedWords(const RowFormatter& t) {
 }
 
 std::string alphaWords(const RowFormatter& t) {
+  if (!isTaaOn(t.settings())) return say<"TAA is off: the current frame alone">();
   if (t.value(Id::alphaInvalid) >= 1.0f) return say<"history was rejected: the current frame alone">();
   if (t.details().weighed.isFrozen) return say<"history alone: nothing of the current frame">();
   return say<"%1 current, by %2">(t.percent(Id::alpha), choiceLabel("weight.source", t.settings()));
 }
 
 std::string mixWords(const RowFormatter& t) {
-  const bool isPerChannel = t.settings().weight.source == AlphaSource::ContrastPerChannel;
-  const glm::vec3 channels = t.color(Id::alphaChannels);
-  const float least =
-      isPerChannel ? std::fmin(channels.x, std::fmin(channels.y, channels.z)) : t.value(Id::blendFactor);
   if (t.settings().blend.restart == Restart::Blurred && t.value(Id::alphaInvalid) >= 1.0f)
     return say<"history starts with the mean of the pixel and its diagonals">();
-  if (least >= 1.0f) return say<"the current frame alone">();
-  const std::string words = isPerChannel ? say<"mixed in each channel by its own α">()
-                                         : say<"%1 current, the rest history">(t.percent(Id::blendFactor));
+  if (isCurrentAlone(t)) return say<"the current frame alone">();
+  const std::string words = isMixedPerChannel(t)
+                                ? say<"mixed in each channel by its own α">()
+                                : say<"%1 current, the rest history">(t.percent(Id::blendFactor));
   return twin::mixesCompressed(t.settings().blend.tone)
-             ? say<"%1, mixed as a curve has them and taken back from it: %2">(
-                   words, choiceLabel("blend.tone", t.settings()))
+             ? say<"%1; mixed on the tone curve %2">(words, choiceLabel("blend.tone", t.settings()))
              : words;
 }
 

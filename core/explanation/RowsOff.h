@@ -7,7 +7,7 @@
 namespace taa {
 
 /// Whether the settings switch off what the row tells of, so that it has the value that changes nothing in
-/// every pixel of every frame. The explanations of such rows say so: explanationOf().
+/// every pixel of every frame. The explanations of such rows say so: explainRow().
 inline bool isRowOff(IntermediateId id, const Settings& settings) {
   const WeightSettings& weight = settings.weight;
   switch (id) {

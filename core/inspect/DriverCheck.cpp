@@ -38,8 +38,8 @@ void verifyPresets(Inspector& inspector, int first, int last, FrameVerifier& ver
 }
 
 DriverCheck checkDriver(const Progress& progress) {
-  gl::ContextLock turn;
-  const Progress passing = turn.passing(progress);
+  gl::ContextLock lock;
+  const Progress passing = lock.passing(progress);
   Inspector inspector;
   inspector.shot().setSize(kDriverCheckWidth, kDriverCheckHeight);
   inspector.shot().open(kDriverCheckSource, passing);

@@ -29,27 +29,27 @@ doctor::DoctorSource openedForDoctor(const SessionFile& shot, const Progress& pr
 
 doctor::Diagnosis examineShot(const ExaminationRequest& request, const doctor::DiagnosisTold& told,
                               const Progress& progress) {
-  gl::ContextLock turn;
+  gl::ContextLock lock;
   const UsedShaders shaders; // before the context: everything is compiled from them
   const gl::Context context;
   doctor::Examination examination = doctor::examinationOf(
-      openedForDoctor(request.shot, turn.passing(progress)), request.frames, request.first);
+      openedForDoctor(request.shot, lock.passing(progress)), request.frames, request.first);
   examination.read = [draw = std::exchange(examination.read, {})](int frame) {
     const gl::ContextLock drawing;
     return draw(frame);
   };
   doctor::Diagnosis diagnosis;
-  turn.restDuring([&] { diagnosis = doctor::examine(examination, progress, told); });
+  lock.restDuring([&] { diagnosis = doctor::examine(examination, progress, told); });
   return diagnosis;
 }
 
 doctor::CorrectedLook lookAtCorrectedShot(const ExaminationRequest& request,
                                           const doctor::Diagnosis& diagnosis, const Settings& healthy,
                                           const Progress& progress) {
-  gl::ContextLock turn;
+  gl::ContextLock lock;
   const UsedShaders shaders; // before the context: everything is compiled from them
   const gl::Context context;
-  const Progress passing = turn.passing(progress);
+  const Progress passing = lock.passing(progress);
   doctor::DoctorSource source = openedForDoctor(request.shot, passing);
   return doctor::lookAtCorrected(source, diagnosis, request.shot.settings.settings, healthy, passing,
                                  request.first);

@@ -21,8 +21,8 @@ float lumaChangeAt(const SensitivityMap& map, int x, int y) {
 } // namespace
 
 SensitivityMap mapShot(const MapRequest& request, const Progress& progress) {
-  gl::ContextLock turn;
-  const Progress passing = turn.passing(progress);
+  gl::ContextLock lock;
+  const Progress passing = lock.passing(progress);
   Inspector inspector;
   inspector.shot().setSettings(request.shot.settings.settings);
   openShotOf(inspector, request.shot, passing);

@@ -60,12 +60,12 @@ void RenderThread::Impl::run() {
 }
 
 void RenderThread::Impl::runScheduler() {
-  gl::ContextLock turn;
+  gl::ContextLock lock;
   Scheduler scheduler(listener, waiting, now);
   scheduler.deliver();
   const auto takeNext = [&](const Scheduler::Agenda& agenda) {
     std::optional<RequestQueue> taken;
-    turn.restDuring([&] { taken = take(agenda); });
+    lock.restDuring([&] { taken = take(agenda); });
     return taken;
   };
   for (Scheduler::Agenda agenda = scheduler.agenda(); auto taken = takeNext(agenda);

@@ -4,7 +4,7 @@
 #include "core/base/NumberText.h"
 #include "core/base/Parallel.h"
 #include "core/base/Say.h"
-#include "core/settings/Parameters.h"
+#include "core/settings/NumberFields.h"
 #include "core/taa/twin/Dual.h"
 #include "core/taa/twin/Upsample.h"
 
@@ -51,19 +51,6 @@ twin::Reads readsOf(const twin::Inputs& inputs, const Settings& settings, const 
   const twin::Seeding seeding({});
   twin::resolvePixelIn<twin::Dual>(inputs, settings, pixel);
   return seeding.reads();
-}
-
-const float* fieldOf(const Parameter& row, const Settings& settings) {
-  assert(row.kind == ParameterKind::Number);
-  const auto* bytes = reinterpret_cast<const std::byte*>(&settings); // NOLINT: Field says where a field lies
-  return reinterpret_cast<const float*>(bytes + row.field.offset);   // NOLINT
-}
-
-const Parameter* rowOf(const float* field, const Settings& settings) {
-  const auto row = std::ranges::find_if(parameters(), [&](const Parameter& each) {
-    return each.kind == ParameterKind::Number && fieldOf(each, settings) == field;
-  });
-  return row == parameters().end() ? nullptr : &*row;
 }
 
 void add(Sensitivity sensitivity, const Derivative& by, std::vector<Sensitivity>& out) {
@@ -134,7 +121,7 @@ std::vector<Sensitivity> sensitivitiesOf(const twin::Inputs& inputs, const Setti
         derivativeBy({.plane = plane, .texel = texel}, inputs, settings, pixel), out);
   }
   for (const float* field : reads.numbers)
-    if (const Parameter* row = rowOf(field, settings))
+    if (const Parameter* row = numberAt(field, settings))
       add({.to = SensitivityTo::Parameter, .path = row->path, .value = row->get(settings)},
           derivativeBy({.setting = field}, inputs, settings, pixel), out);
   std::ranges::stable_sort(out, [](const Sensitivity& a, const Sensitivity& b) {

@@ -112,8 +112,8 @@ std::string bulletList(const std::vector<std::string>& lines) {
 /// What the window tells of a row; nothing without details.
 RowExplanation laneExplanation(const ProbedLane& lane, const glm::ivec2& pixel, IntermediateId id) {
   if (!lane.details) return {};
-  return taa::explanationOf(id, {lane.record, *lane.details, lane.lane.settings, lane.lane.info, pixel}, 4,
-                            lane.depth);
+  return taa::explainRow(id, {lane.record, *lane.details, lane.lane.settings, lane.lane.info, pixel},
+                         lane.depth);
 }
 
 /// "R: half(0.5) = 0.5"

@@ -63,8 +63,8 @@ std::string comparedText(const Comparison& comparison, const ComparedPixel& comp
 std::string comparedText(const twin::PixelRecord& now, const ComparedPixel& compared, IntermediateId id);
 
 nlohmann::ordered_json probeJson(const ProbeReport& report);
-/// The headline, then every row by stages, exact: "alpha 0.125", below it what happened there and its
-/// formula.
+/// The headline, then every row by stages, exact: "alpha 0.125", below it what happened there, its
+/// formula and what decided it.
 std::string probeText(const ProbeReport& report);
 /// The same for people, rows by their labels and only those with a value; of one lane.
 std::string probeTable(const ProbedLane& lane, const glm::ivec2& pixel);

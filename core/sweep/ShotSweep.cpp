@@ -39,8 +39,8 @@ void sweepShots(const ShotSweepRequest& request, const SettingsMeasured& measure
   const Progress tell = [&](std::string_view, int, int) {
     return !progress || progress(say<"Measuring settings">(), done, total);
   };
-  gl::ContextLock turn;
-  const Progress between = turn.passing(tell);
+  gl::ContextLock lock;
+  const Progress between = lock.passing(tell);
   std::unique_ptr<Inspector> inspector;
   for (std::size_t index = 0; index < request.count(); ++index) {
     if (index % request.settings.size() == 0) {

@@ -119,7 +119,7 @@ TEST(ProbeReport, OfTheWindowIsThatOfTheCommandLine) {
   window.probeCommands()->copy(ProbeFormat::Json);
   const std::string copied = QApplication::clipboard()->text().toStdString();
   const auto printed = [] {
-    const gl::ContextLock turn;
+    const gl::ContextLock lock;
     Inspector inspector;
     inspector.shot().setSize(64, 36);
     inspector.shot().open("builtin:fan");

@@ -174,7 +174,7 @@ TEST(RealWindow, ProbesWhatTheInspectorProbes) {
            session.probes().result()->x == 60;
   }));
 
-  const gl::ContextLock turn; // the window judges the pixel meanwhile
+  const gl::ContextLock lock; // the window judges the pixel meanwhile
   Inspector inspector;
   inspector.shot().open("builtin:fan");
   inspector.shot().setSize(96, 54);

@@ -60,7 +60,7 @@ std::vector<ExampleRow> exampleRows() {
   std::vector<ExampleRow> rows;
   for (const Intermediate& row : kResolveRows) {
     if (isOfOutput(row.id)) continue;
-    RowExplanation explanation = explanationOf(row.id, {record, details, settings, {}, kMiddle});
+    RowExplanation explanation = explainRow(row.id, {record, details, settings, {}, kMiddle});
     if (!explanation.formula.empty() || !explanation.because.empty())
       rows.push_back({row.id, std::move(explanation)});
   }

@@ -124,10 +124,13 @@ int checkPixel(Inspector& inspector, const glm::ivec2& pixel, const std::string&
   int formulas = 0;
   for (const Intermediate& row : kIntermediates) {
     const IntermediateId id = row.id;
-    const RowExplanation explanation = explanationOf(id, probed, 9);
+    const RowExplanation explanation = explainRow(id, probed, FormulaDepth::Rows, 9);
     const std::string place = where + " " + std::string(row.name);
     EXPECT_FALSE(explanation.words.empty()) << place;
     expectTrue(id, explanation, probed, place);
+    if (!isTaaOn(probed.settings) && (id == Id::alpha || id == Id::currentFiltered)) {
+      EXPECT_TRUE(explanation.words.starts_with("TAA is off")) << place << ": " << explanation.words;
+    }
     test::expectDecisionsHold(explanation, probed, place);
     expectOffIsConstant(id, probed, place);
     if (id == Id::rejectReason) expectReasonIsDecided(explanation, probed, place);
@@ -240,8 +243,8 @@ TEST_F(ProbeExplanationTest, ErrorsAgainstTheReferenceAreDifferencesOfWhatIsShow
   const auto told = [&](IntermediateId id) {
     const twin::PixelRecord record = inspector->probes().probe(24, 8);
     const twin::Details details = inspector->probes().details(24, 8);
-    return explanationOf(
-        id, {record, details, inspector->shot().settings(), inspector->shot().info(), {24, 8}}, 9);
+    return explainRow(id, {record, details, inspector->shot().settings(), inspector->shot().info(), {24, 8}},
+                      FormulaDepth::Rows, 9);
   };
   EXPECT_EQ(told(IntermediateId::referenceError).words, "there is no reference yet");
   inspector->reference().refine(4);
@@ -267,7 +270,7 @@ TEST_F(ProbeExplanationTest, WhatThePrintedWayBackCutsOffIsTold) {
   twin::at(record, IntermediateId::historyRectified) = glm::vec4(twin::fromBox(wall, settings.space), 0.0f);
   twin::at(record, IntermediateId::rectifyStrength).x = 1.0f;
   const auto told = [&] {
-    return explanationOf(IntermediateId::historyRectified, {record, details, settings, {}, {}});
+    return explainRow(IntermediateId::historyRectified, {record, details, settings, {}, {}});
   };
   EXPECT_EQ(told().formula, "clamp((4, 2, 0.5), 0, 1) = (1, 1, 0.5)");
   EXPECT_EQ(told().subject, "compressed as in the box");

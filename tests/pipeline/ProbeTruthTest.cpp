@@ -235,7 +235,7 @@ TEST_F(ProbeTruthTest, WhatIsSaidOfAPixelIsSoInTheScene) {
     const twin::Details details = inspector.probes().details(row.pixel.x, row.pixel.y);
     const ProbedPixel probed{told.record, details, told.settings, inspector.shot().info(), row.pixel};
     for (const Intermediate& each : kIntermediates)
-      test::expectTrue(each.id, explanationOf(each.id, probed), probed, where + " " + std::string(each.name));
+      test::expectTrue(each.id, explainRow(each.id, probed), probed, where + " " + std::string(each.name));
   }
 }
 

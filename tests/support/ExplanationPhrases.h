@@ -34,6 +34,13 @@ inline bool isMoved(const ProbedPixel& p) {
 }
 
 inline constexpr Phrase kPhrases[] = {
+    {"TAA is off", [](const ProbedPixel& p) { return !isTaaOn(p.settings); }},
+    {"of what was drawn smaller", [](const ProbedPixel& p) { return p.details.upsampleTaps.count > 0; }},
+    {"one tap", [](const ProbedPixel& p) { return p.details.historyTaps.count == 1; }},
+    {"on the tone curve",
+     [](const ProbedPixel& p) {
+       return twin::mixesCompressed(p.settings.blend.tone) && valueOf(p, Id::alpha) > 0;
+     }},
     {"no test runs",
      [](const ProbedPixel& p) {
        return p.settings.validate.offScreen == OffScreen::Keep && !isOn(p.settings.validate.depth);

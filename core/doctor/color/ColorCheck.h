@@ -37,7 +37,7 @@ struct ColorEvidence {
 std::vector<std::uint8_t> tellInterface(const ColorEvidence& evidence, Diagnosis& out);
 /// Adds what is right or not decided about one, see there.
 void tellInterfaceLeft(const ColorEvidence& evidence, bool isFound, bool isJitterOpen, Diagnosis& out);
-/// The same frames, in which covered pixels are no consistency check.
+/// The same frames, in which covered pixels are no evidence.
 FrameReader coveredReader(const FrameReader& read, std::vector<std::uint8_t> covered);
 
 /// Adds all else about color. Expects evidence of frames in which interfaces are covered. `brightness`: of

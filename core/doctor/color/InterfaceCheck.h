@@ -28,7 +28,7 @@ struct ScreenGroups {
 /// well, other edges that rest have to show that there is jitter in the pictures.
 ScreenGroups interfaceGroups(const ScreenTiles& tiles);
 
-/// Pixels that are no consistency check of anything behind them, row by row: those of the groups and a square
+/// Pixels that are no evidence of anything behind them, row by row: those of the groups and a square
 /// around; empty where there are no groups.
 std::vector<std::uint8_t> coveredPixels(const std::vector<ScreenGroup>& groups, const ScreenTiles& tiles);
 

@@ -264,7 +264,7 @@ Finding endFinding(const DepthEnds& ends, bool isDistance) {
   return out;
 }
 
-/// What is not decided about depth; what hides what is no consistency check of its scale.
+/// What is not decided about depth; what hides what is no evidence of its scale.
 Undecided openDepth(const DepthOrder& order, bool isMisfit, std::string reason) {
   Undecided out{say<"Depth">(),
                 std::move(reason),

@@ -64,8 +64,7 @@ std::optional<DepthRelation> otherNear(const DepthEvidence& evidence);
 void correctDepth(const DepthRelation& relation, DoctorFrame& frame);
 
 struct DepthCaptureInfo {
-  bool isMotionRight =
-      true; ///< as far as is known; else what hides what is no consistency check, which motion tells
+  bool isMotionRight = true;      ///< as far as is known; else what hides it is no evidence, as motion tells
   bool isDistance = false;        ///< depth is stated to be a distance, and no device depth
   bool isOfCameraOrDepth = false; ///< see MotionTold
   bool isDepthDrawn = false;      ///< this program's own depth, which follows from its matrices

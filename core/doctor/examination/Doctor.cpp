@@ -36,7 +36,7 @@ CaptureInfo sizedCaptureInfo(const Examination& examination) {
   return captureInfo;
 }
 
-/// Whether a finding is of so much of the picture that motion is no consistency check of anything else, or of
+/// Whether a finding is of so much of the picture that motion is no evidence of anything else, or of
 /// a camera that looks like another depth.
 bool spoilsDepth(const Finding& finding) {
   if (finding.id == faultInfo(Fault::CameraOfSecondView).id) return true;
@@ -73,7 +73,7 @@ struct ToldOf {
   /// By what motion is multiplied that was longer than the picture, or shorter than a pixel.
   std::optional<MotionTrial> unit;
   std::optional<std::size_t> guessedUnit; ///< the finding that tells it by index; none: it was fitted
-  bool interface = false;                 ///< what it covers is no consistency check any more
+  bool interface = false;                 ///< what it covers is no evidence any more
   bool isJitterOpen = false;
   bool allDepth = false;                  ///< depth is not looked at any more, nor are cameras
   std::vector<std::string> ofMotion = {}; ///< ids of what was found beside motion that was corrected
@@ -129,7 +129,7 @@ void blameMatrices(Diagnosis& out) {
           "which depth makes the motion of what rests.">();
 }
 
-/// Motion, and depth as far as motion is a consistency check of it. `mayCorrect`: motion that one explanation
+/// Motion, and depth as far as motion is evidence of it. `mayCorrect`: motion that one explanation
 /// makes right everywhere is told alone, and returned as what hides the rest.
 Hiding tellPlanes(const Examiner& examiner, bool tellsDepth, bool mayCorrect, ToldOf& told, Diagnosis& out) {
   Diagnosis seen = out;

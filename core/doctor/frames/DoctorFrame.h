@@ -17,7 +17,7 @@
 
 namespace taa::doctor {
 
-/// What frames of a source hold; what they do not is made up by it or 0, and no consistency check.
+/// What frames of a source hold; what they do not is made up by it or 0, and no evidence.
 struct KnownPlanes {
   bool motion = true; ///< else it is what the resolve takes it to be: rest, or what depth and matrices make
   bool depth = true, ids = true;
@@ -49,7 +49,7 @@ struct DoctorFrame {
   Image mask;                ///< two channels: reactive, responsive; 0 to 1
   std::vector<std::uint32_t> objectId; ///< 0: nothing
   std::vector<std::uint8_t>
-      covered; ///< 1: an interface lies there, no consistency check of what is behind; empty: none does
+      covered; ///< 1: an interface lies there, no evidence of what is behind; empty: none does
   std::optional<glm::mat4> previousClipFromClip; ///< both without jitter; none: cameras are not known
   std::optional<UnjitteredCameras> cameras;      ///< none: they are not known
   glm::vec2 depthJitterPx{0.0f};                 ///< displacement of what depth shows
@@ -80,7 +80,7 @@ DoctorFrame readFrame(FrameSource& source, const FrameRequest& request, const Kn
 
 /// Whether a place, px from the picture's corner, can be read between pixels. NaN cannot.
 bool isInPicture(const glm::vec2& place, const glm::ivec2& sizePx);
-/// Whether an interface lies at a pixel, or something is blended in: no consistency check of what is behind.
+/// Whether an interface lies at a pixel, or something is blended in: no evidence of what is behind.
 bool isMasked(const DoctorFrame& frame, const glm::ivec2& pixel);
 
 /// Whether a motion is one: not the mark of no previous position, not NaN.

@@ -18,7 +18,7 @@ namespace {
 constexpr int kEnoughFits = 4;
 // Shares of what is left: one that fits better, one that may, and of the sky that rests.
 constexpr double kFittingShare = 0.85, kDoubtShare = 0.98, kRestingShare = 1.0 / 3.0;
-// px from shifts that are measured, and the share of what is stated's distance: a second consistency check.
+// px from shifts that are measured, and the share of what is stated's distance: a second check.
 // Where pictures alias, shifts are measured worse.
 constexpr double kFittingPx = 0.15, kAliasedPx = 0.3, kNearerShare = 0.65;
 // Likewise, where they are measured so well that they decide alone; others have to be so far away.

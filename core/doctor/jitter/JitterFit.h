@@ -39,7 +39,7 @@ struct JitterFit {
   /// stated; or it fits better, and is much nearer to them. Neither is enough alone: thin lines stay on their
   /// pixels whatever the jitter, and what repeats shifts by whatever it is told.
   bool isContradicted() const;
-  /// Both consistency checks say so clearly: what says two things fits more by chance.
+  /// Both checks say so clearly: what says two things fits more by chance.
   bool isContradictedTwice() const;
   /// Trials that leave hardly more than the best one, and say no more.
   std::vector<std::size_t> rivals() const;

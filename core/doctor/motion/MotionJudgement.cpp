@@ -108,8 +108,8 @@ bool isBelieved(const CheckedRegions& told, const MotionTrial& trial, PixelsSay 
   return isParticular(trial) && ofCamera >= kTrustedOfAll * known;
 }
 
-/// What moves by itself has no consistency check: what all that rests is told by is its fault, too, where
-/// pixels do not contradict that.
+/// What moves by itself has nothing to be checked with: what all that rests is told by is its fault, too,
+/// where pixels do not contradict that.
 void spreadTold(std::size_t trial, std::vector<JudgedRegion>& judged) {
   for (JudgedRegion& region : judged) {
     if (region.trial || region.decision.verdict != MotionVerdict::Wrong) continue;

@@ -27,7 +27,7 @@ struct JudgedRegion {
   PixelsSay pixelsSay = PixelsSay::Nothing;
 };
 
-/// What silhouettes are consistency checks of.
+/// What silhouettes are evidence of.
 struct SilhouettesSeen {
   bool ofTime = true;  ///< depth has the silhouettes of the pictures: they say when motion was made
   bool ofPlace = true; ///< so has motion: outlines say where regions lay

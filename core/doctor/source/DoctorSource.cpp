@@ -125,7 +125,7 @@ void drawWith(const Settings& settings, DoctorSource& source) {
     source.output = facts->hasOutput ? std::make_shared<CapturedOutput>() : nullptr;
   source.known.output = source.output != nullptr;
   source.known.maskUsed = facts || used.inputs.mask != MaskSource::None;
-  // What is blended over a surface, and what changes without motion, is no consistency check of it.
+  // What is blended over a surface, and what changes without motion, is no evidence of it.
   if (!facts) source.request.inputs.mask = MaskSource::Opacity;
 }
 

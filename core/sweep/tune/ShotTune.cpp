@@ -11,8 +11,8 @@
 namespace taa {
 
 void tuneShot(const ShotTuneRequest& request, const TuneTold& told, const Progress& progress) {
-  gl::ContextLock turn;
-  const Progress passing = turn.passing(progress);
+  gl::ContextLock lock;
+  const Progress passing = lock.passing(progress);
   Inspector inspector;
   inspector.shot().setSettings(request.start);
   openShotOf(inspector, request.shot, passing);

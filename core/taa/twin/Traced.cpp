@@ -1,5 +1,7 @@
 #include "core/taa/twin/Traced.h"
 
+#include "core/settings/NumberFields.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -105,12 +107,8 @@ Trace traceOf(const Inputs& inputs, const Settings& settings, const glm::ivec2& 
   Trace out;
   out.nodes = tracing.take();
   out.decisions = tracing.decisions();
-  const auto* from = reinterpret_cast<const std::byte*>(&settings); // NOLINT: Field says where a field lies
-  for (const SettingRead& read : tracing.settings()) {
-    const auto offset = reinterpret_cast<const std::byte*>(read.field) - from; // NOLINT
-    if (offset >= 0 && offset < static_cast<std::ptrdiff_t>(sizeof(Settings))) // else of a copy
-      out.settings.push_back({read.node, Field{static_cast<std::uint16_t>(offset)}});
-  }
+  for (const auto& [node, field] : tracing.settings())
+    if (const Parameter* number = numberAt(field, settings)) out.settings.emplace_back(node, number);
   for (std::size_t row = 0; row < record.size(); ++row)
     for (int channel = 0; channel < 4; ++channel)
       out.rows[row][static_cast<std::size_t>(channel)] = record[row][channel].operand();

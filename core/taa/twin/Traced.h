@@ -61,11 +61,6 @@ struct Compared {
   Operand a, b;
   bool operator==(const Compared&) const = default;
 };
-/// A number of the settings that was read, and where it lies.
-struct SettingRead {
-  std::uint32_t node = 0;
-  const float* field = nullptr;
-};
 
 /// As long as it lives, operations of this thread's traced numbers are written down in it.
 class Tracing {
@@ -75,7 +70,9 @@ class Tracing {
   Tracing(const Tracing&) = delete;
   Tracing& operator=(const Tracing&) = delete;
   std::vector<TraceNode> take() { return std::move(nodes_); }
-  const std::vector<SettingRead>& settings() const { return settings_; }
+  /// Nodes that are numbers of the settings, and where these lie.
+  using SettingReads = std::vector<std::pair<std::uint32_t, const float*>>;
+  const SettingReads& settings() const { return settings_; }
   using Decisions = std::array<std::vector<Compared>, kIntermediateCount>;
   const Decisions& decisions() const { return decisions_; }
 
@@ -89,7 +86,7 @@ class Tracing {
  private:
   Tracing* before_;
   std::vector<TraceNode> nodes_;
-  std::vector<SettingRead> settings_;
+  SettingReads settings_;
   std::vector<Compared> compared_; ///< that have decided no row yet
   Decisions decisions_;
 };
@@ -202,7 +199,7 @@ struct Trace {
   std::array<Operand, 3> rectifiedBox{}; ///< of PixelIn
   /// By row: what was compared on the way to it, in this order, each once.
   Tracing::Decisions decisions;
-  std::vector<std::pair<std::uint32_t, Field>> settings; ///< nodes that are numbers of the settings
+  std::vector<std::pair<std::uint32_t, const Parameter*>> settings; ///< nodes that are numbers of them
 
   const TraceNode& at(const Operand& operand) const { return nodes[operand.node - 1]; }
   const std::array<Operand, 4>& of(IntermediateId id) const { return rows[static_cast<std::size_t>(id)]; }

@@ -43,7 +43,7 @@ class RenderMetricsTest : public taa::test::onThread::RenderThreadTest {
 /// The frame's metrics where somebody goes there, from an inspector of its own thread's context.
 FrameMetrics visited(const taa::Status& status, int frame) {
   const auto make = [&] {
-    const taa::gl::ContextLock turn;
+    const taa::gl::ContextLock lock;
     taa::Inspector inspector;
     inspector.shot().setSize(status.width, status.height);
     inspector.shot().setSettings(status.settings);

@@ -22,7 +22,7 @@ namespace {
 /// The picture of a view from an inspector that only has these settings, on a thread of its own.
 Picture alone(const Settings& settings, IntermediateId id, int frame) {
   const auto make = [&] {
-    const taa::gl::ContextLock turn;
+    const taa::gl::ContextLock lock;
     taa::Inspector inspector;
     inspector.shot().setSize(kWidth, kHeight);
     inspector.shot().setSettings(settings);
@@ -201,7 +201,7 @@ TEST_F(RenderSidesTest, TheFrameBeforeAlongTheMotionSaysWhereThereIsNone) {
   EXPECT_EQ(third.other->frame, 2);
   EXPECT_EQ(third.other->allAbsent, taa::Absence::None);
   const auto make = [&] {
-    const taa::gl::ContextLock turn;
+    const taa::gl::ContextLock lock;
     taa::Inspector inspector;
     inspector.shot().setSize(kWidth, kHeight);
     inspector.shot().open("builtin:fan");

@@ -29,7 +29,7 @@ struct Verdict {
 };
 const Verdict& askedOf(const Status& status) {
   const auto make = [&] {
-    const gl::ContextLock turn;
+    const gl::ContextLock lock;
     Inspector inspector;
     inspector.shot().setSize(status.width, status.height);
     inspector.shot().setSettings(status.settings);

@@ -56,7 +56,7 @@ TEST_F(RenderWorstTest, WaitsForTheReferenceThatNobodyShows) {
   EXPECT_EQ(recorder.all<taa::WorstDelivery>()[0].found.question.row, IntermediateId::referenceErrorAbs);
   EXPECT_EQ(recorder.all<taa::WorstDelivery>()[0].found.number, 1);
 
-  const taa::gl::ContextLock turn;
+  const taa::gl::ContextLock lock;
   taa::Inspector inspector;
   inspector.shot().open(recorder.all<taa::Status>().back().source);
   inspector.shot().setSize(recorder.all<taa::Status>().back().width,

@@ -21,7 +21,7 @@ TEST(RowsOff, TheirStoriesSaySo) {
   for (const Intermediate& row : kIntermediates) {
     if (!isRowOff(row.id, settings)) continue;
     ++count;
-    EXPECT_EQ(explanationOf(row.id, {record, details, settings, {}, {}}).words, "off") << row.name;
+    EXPECT_EQ(explainRow(row.id, {record, details, settings, {}, {}}).words, "off") << row.name;
   }
   EXPECT_GE(count, 15);
 }

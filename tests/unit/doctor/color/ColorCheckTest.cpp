@@ -1,4 +1,4 @@
-// What is wrong with pictures is told in its order, and what an interface covers is no consistency check.
+// What is wrong with pictures is told in its order, and what an interface covers is no evidence.
 #include "core/doctor/color/ColorCheck.h"
 
 #include "core/doctor/examination/Doctor.h"

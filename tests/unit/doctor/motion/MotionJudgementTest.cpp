@@ -1,4 +1,4 @@
-// What regions are told by where depth and matrices are consistency checks: on painted frames.
+// What regions are told by where depth and matrices are evidence: on painted frames.
 #include "core/doctor/motion/MotionJudgement.h"
 
 #include "core/doctor/frames/Regions.h"

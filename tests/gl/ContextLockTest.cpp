@@ -18,12 +18,12 @@ using taa::gl::ContextLock;
 TEST(ContextLock, IsOfOneThreadAtATime) {
   std::atomic<int> inside = 0, most = 0;
   const auto draw = [&] {
-    ContextLock turn;
+    ContextLock lock;
     for (int step = 0; step < 200; ++step) {
       most = std::max<int>(most, ++inside);
       std::this_thread::yield();
       --inside;
-      turn.pass();
+      lock.pass();
     }
   };
   { const std::jthread one(draw), two(draw), three(draw); }
@@ -35,7 +35,7 @@ TEST(ContextLock, IsPassedToWhoWaits) {
   std::atomic<bool> waits = false;
   std::jthread other;
   {
-    ContextLock turn;
+    ContextLock lock;
     other = std::jthread([&] {
       waits = true;
       const ContextLock its;
@@ -44,7 +44,7 @@ TEST(ContextLock, IsPassedToWhoWaits) {
     while (!waits) std::this_thread::yield();
     std::this_thread::sleep_for(std::chrono::milliseconds(50)); // it has its number
     order.push_back(0);
-    turn.pass();
+    lock.pass();
     order.push_back(2);
   }
   other.join();
@@ -52,9 +52,9 @@ TEST(ContextLock, IsPassedToWhoWaits) {
 }
 
 TEST(ContextLock, IsOthersWhileItsOwnerRests) {
-  ContextLock turn;
+  ContextLock lock;
   bool hasDrawn = false;
-  turn.restDuring([&] {
+  lock.restDuring([&] {
     std::async(std::launch::async, [&] {
       const ContextLock its;
       hasDrawn = true;
@@ -64,21 +64,21 @@ TEST(ContextLock, IsOthersWhileItsOwnerRests) {
 }
 
 TEST(ContextLock, ProgressAsksWhoReportsIt) {
-  ContextLock turn;
-  EXPECT_TRUE(turn.passing({})("", 0, 1));
-  EXPECT_FALSE(turn.passing([](std::string_view, int, int) { return false; })("", 0, 1));
+  ContextLock lock;
+  EXPECT_TRUE(lock.passing({})("", 0, 1));
+  EXPECT_FALSE(lock.passing([](std::string_view, int, int) { return false; })("", 0, 1));
 }
 
 // Without turns llvmpipe of Mesa 22 ends the process here.
 TEST(ContextLock, LetsTwoContextsDraw) {
   const auto draw = [] {
-    ContextLock turn;
+    ContextLock lock;
     taa::Inspector inspector;
     inspector.shot().setSize(96, 54);
     inspector.shot().open("builtin:fan");
     for (int frame = 0; frame < 40; ++frame) {
       inspector.shot().seek(frame);
-      turn.pass();
+      lock.pass();
     }
     return inspector.probes().probe(60, 20);
   };
